@@ -1,0 +1,146 @@
+"""Exact entries: polynomials over the rationals in cosines, sines, lengths and square roots.
+
+An entry is a mapping of monomials to nonzero `Fraction` coefficients; a monomial is a sorted tuple of
+(generator, power) pairs. `{}` is 0 and `{(): Fraction(1)}` is 1. The generators:
+
+    ("cos", angle), ("sin", angle)   angle: a joint "theta_1", a constant symbol "alpha_1", or a number: "pi/5", "0.3" (rad)
+    ("symbol", name)                 a length or the variable of a prismatic joint (m)
+    ("sqrt", prime)                  the square root of a prime, "2", "3", "5", …
+
+Every entry that this room hands out is in normal form: no sine and no root to a power above 1 (s² = 1 − c², r² = p).
+Two entries are then equal, for all values of the generators, exactly when the mappings are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
+from math import prod, sqrt
+from typing import TypeVar
+
+Generator = tuple[str, str]
+Monomial = tuple[tuple[Generator, int], ...]
+Entry = Mapping[Monomial, Fraction]
+Rows = tuple[tuple[Entry, ...], ...]
+
+ZERO: Entry = {}
+ONE: Entry = {(): Fraction(1)}
+
+T = TypeVar("T")
+
+
+def number(value: int | Fraction) -> Entry:
+    """Return the constant entry of a rational number."""
+    return {(): Fraction(value)} if value else ZERO
+
+
+def generator(kind: str, name: str) -> Entry:
+    """Return the entry that is one generator, such as ("cos", "theta_1")."""
+    return {(((kind, name), 1),): Fraction(1)}
+
+
+def root(value: int | Fraction) -> Entry:
+    """Return the square root of a rational number ≥ 0 as a rational times a product of roots of primes."""
+    value = Fraction(value)
+    radicand, outside, powers = value.numerator * value.denominator, 1, []
+    factor = 2
+    while factor * factor <= radicand:
+        if radicand % (factor * factor) == 0:
+            radicand //= factor * factor
+            outside *= factor
+        elif radicand % factor == 0:
+            radicand //= factor
+            powers.append(factor)
+        else:
+            factor += 1
+    if radicand > 1:
+        powers.append(radicand)
+    if not value:
+        return ZERO
+    monomial = tuple(sorted((("sqrt", str(prime)), 1) for prime in powers))
+    return {monomial: Fraction(outside, value.denominator)}
+
+
+def add(*entries: Entry) -> Entry:
+    """Return the sum of entries."""
+    total: dict[Monomial, Fraction] = {}
+    for entry in entries:
+        for monomial, coefficient in entry.items():
+            total[monomial] = total.get(monomial, Fraction(0)) + coefficient
+    return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
+
+
+def scale(entry: Entry, factor: int | Fraction) -> Entry:
+    """Return an entry times a rational number."""
+    return {monomial: coefficient * factor for monomial, coefficient in entry.items()} if factor else ZERO
+
+
+def multiply(*entries: Entry) -> Entry:
+    """Return the product of entries, in normal form."""
+    product: Entry = ONE
+    for entry in entries:
+        terms: dict[Monomial, Fraction] = {}
+        for left, left_coefficient in product.items():
+            for right, right_coefficient in entry.items():
+                powers = dict(left)
+                for gen, power in right:
+                    powers[gen] = powers.get(gen, 0) + power
+                monomial = tuple(sorted(powers.items()))
+                terms[monomial] = terms.get(monomial, Fraction(0)) + left_coefficient * right_coefficient
+        product = normal_form(terms)
+    return product
+
+
+def normal_form(entry: Entry) -> Entry:
+    """Return the entry with every s² replaced by 1 − c² and every r² of a square root by its number."""
+    done: dict[Monomial, Fraction] = {}
+    pending = list(entry.items())
+    while pending:
+        monomial, coefficient = pending.pop()
+        high = next((item for item in monomial if item[1] > 1 and item[0][0] in ("sin", "sqrt")), None)
+        if high is None:
+            done[monomial] = done.get(monomial, Fraction(0)) + coefficient
+            continue
+        (kind, name), power = high
+        powers = dict(monomial)
+        powers[kind, name] = power % 2
+        if kind == "sqrt":
+            pending.append((_monomial(powers), coefficient * int(name) ** (power // 2)))
+            continue
+        powers[kind, name] = power - 2
+        pending.append((_monomial(powers), coefficient))
+        powers["cos", name] = powers.get(("cos", name), 0) + 2
+        pending.append((_monomial(powers), -coefficient))
+    return {monomial: coefficient for monomial, coefficient in done.items() if coefficient}
+
+
+def _monomial(powers: Mapping[Generator, int]) -> Monomial:
+    return tuple(sorted(item for item in powers.items() if item[1]))
+
+
+def matrix_product(left: Rows, right: Rows) -> Rows:
+    """Return the product of two matrices of entries."""
+    columns = tuple(zip(*right, strict=True))
+    return tuple(
+        tuple(add(*(multiply(a, b) for a, b in zip(row, column, strict=True))) for column in columns) for row in left
+    )
+
+
+def transpose(rows: Rows) -> Rows:
+    """Return the transpose of a matrix of entries."""
+    return tuple(zip(*rows, strict=True))
+
+
+def generators(entries: Iterable[Entry]) -> set[Generator]:
+    """Return every generator that occurs in the entries."""
+    return {gen for entry in entries for monomial in entry for gen, _ in monomial}
+
+
+def evaluate(entry: Entry, value: Callable[[Generator], T]) -> T | float:
+    """Return the number an entry has when `value` gives that of each generator (a float, or an array of samples)."""
+    return sum(float(c) * prod(value(gen) ** power for gen, power in m) for m, c in entry.items())  # type: ignore[operator]
+
+
+def root_value(name: str) -> float:
+    """Return the value of the generator ("sqrt", name)."""
+    return sqrt(int(name))

@@ -1,0 +1,100 @@
+"""The kinematics of an arm's plant of doubles at many configurations: the second route to every equation."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from models.arm import Arm
+from models.errors import ModelError
+from models.jacobian import calc_jacobian
+
+
+class NumericKinematics:
+    """Poses and Jacobians at N configurations, computed once each and handed out read-only."""
+
+    def __init__(self, arm: Arm, q: np.ndarray) -> None:
+        """Take the configurations.
+
+        Args:
+            q: (N, n) array of joint variables, base to tool (rad, m).
+
+        Raises:
+            ModelError: q has another shape.
+        """
+        q = np.array(q, dtype=float)
+        n = len(arm.joints)
+        if q.ndim != 2 or q.shape[1] != n:
+            raise ModelError(f"configurations of arm '{arm.name}' have the shape (N, {n}), not {q.shape}")
+        self._arm = arm
+        self._positions = np.zeros((len(q), arm.plant.num_positions()))
+        self._positions[:, arm.position_indices] = q
+        self.q = _read_only(q)
+        self._poses: dict[str, np.ndarray] = {}
+        self._jacobians: dict[tuple[str, ...], np.ndarray] = {}
+
+    def pose(self, frame: str, reference: str | None = None) -> np.ndarray:
+        """Return the pose of a frame in a reference frame at each configuration, {}^{reference}T_{frame}.
+
+        Args:
+            reference: the base frame, usually "0", if not given.
+
+        Returns:
+            (N, 4, 4) array, metres.
+
+        Raises:
+            ModelError: the arm has no such frame.
+        """
+        X_WF, X_WR = (self._world_pose(name) for name in self._arm.frame_names(frame, reference))
+        R_RW = X_WR[:, :3, :3].transpose(0, 2, 1)
+        X_RF = np.zeros_like(X_WF)
+        X_RF[:, :3, :3] = R_RW @ X_WF[:, :3, :3]
+        X_RF[:, :3, 3:] = R_RW @ (X_WF[:, :3, 3:] - X_WR[:, :3, 3:])
+        X_RF[:, 3, 3] = 1.0
+        return _read_only(X_RF)
+
+    def jacobian(self, frame: str, expressed_in: str | None = None, reference: str | None = None) -> np.ndarray:
+        """Return the geometric Jacobian of the origin of a frame at each configuration: [v; ω] = J(q) q̇.
+
+        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`;
+        both are the base frame, usually "0", if not given.
+
+        Returns:
+            (N, 6, n) array, rows [v; ω], columns base to tool.
+
+        Raises:
+            ModelError: the arm has no such frame.
+        """
+        key = self._arm.frame_names(frame, expressed_in, reference)
+        if key not in self._jacobians:
+            self._jacobians[key] = _read_only(self._calc_jacobians(*key))
+        return self._jacobians[key]
+
+    def _world_pose(self, frame: str) -> np.ndarray:
+        if frame not in self._poses:
+            self._calc_world_poses()
+        return self._poses[frame]
+
+    def _calc_world_poses(self) -> None:
+        """Compute the world poses of all frames in one pass over the configurations."""
+        plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
+        frames = [self._arm.frame(name) for name in self._arm.frames]
+        poses = np.empty((len(frames), len(self._positions), 4, 4))
+        for k, positions in enumerate(self._positions):
+            plant.SetPositions(context, positions)
+            for i, frame in enumerate(frames):
+                poses[i, k] = frame.CalcPoseInWorld(context).GetAsMatrix4()
+        self._poses = dict(zip(self._arm.frames, poses, strict=True))
+
+    def _calc_jacobians(self, frame: str, expressed_in: str, reference: str) -> np.ndarray:
+        plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
+        frames = [self._arm.frame(name) for name in (frame, reference, expressed_in)]
+        jacobians = np.empty((len(self._positions), 6, plant.num_velocities()))
+        for k, positions in enumerate(self._positions):
+            plant.SetPositions(context, positions)
+            jacobians[k] = calc_jacobian(plant, context, *frames)
+        return jacobians[:, :, self._arm.position_indices]
+
+
+def _read_only(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array

@@ -1,0 +1,67 @@
+"""The picture of an arm: every document frame has its triad, every joint moves, and the base stands still."""
+
+import numpy as np
+import pytest
+from pydrake.multibody.parsing import Parser
+from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
+from pydrake.systems.framework import DiagramBuilder
+
+from models.catalogue import arm_names, load_arm
+from models.errors import ModelError
+from models.viewer import add_arm, view_arm
+
+TABLE = {"dh": "classic", "rows": [{"a": "l_1", "alpha": 0, "d": 0, "theta": "theta_1"}]}
+
+
+def scene(arm):
+    """Return the finalized plant and the scene graph of the diagram that shows an arm, and the diagram."""
+    builder = DiagramBuilder()
+    plant, scene_graph = AddMultibodyPlantSceneGraph(builder, 0.0)
+    add_arm(Parser(plant, scene_graph), arm)
+    plant.Finalize()
+    return plant, scene_graph.model_inspector(), builder.Build()
+
+
+def triads(inspector) -> dict[str, dict[str, object]]:
+    """Return the geometry of each axis, by frame and axis."""
+    found: dict[str, dict[str, object]] = {}
+    for geometry in inspector.GetAllGeometryIds():
+        name = inspector.GetName(geometry)
+        if "_frames::" in name:
+            *_, frame, axis = name.split("::")
+            found.setdefault(frame.removeprefix("frame "), {})[axis[0]] = geometry
+    return found
+
+
+@pytest.mark.parametrize("name", arm_names())
+def test_every_document_frame_has_its_triad_and_only_the_joints_move(name: str):
+    arm = load_arm(name)
+    plant, inspector, diagram = scene(arm)
+    assert plant.num_positions() == len(arm.joints)
+    assert inspector.num_geometries() > 3 * len(arm.frames), "the arm itself is not shown"
+    found = triads(inspector)
+    assert set(found) == set(arm.frames)
+    q = np.linspace(0.1, 0.9, len(arm.joints))
+    context = plant.GetMyContextFromRoot(diagram.CreateDefaultContext())
+    plant.SetPositions(context, q)
+    moved = arm.plant.CreateDefaultContext()
+    arm.plant.SetPositions(moved, q)
+    base = arm.frames[0]
+    X_W0 = arm.frame(base).CalcPoseInWorld(moved).GetAsMatrix4()
+    for frame, axes in found.items():
+        X_WF = X_W0 @ arm.numeric(q[np.newaxis]).pose(frame, base)[0]
+        for column, axis in enumerate("xyz"):
+            length = inspector.GetShape(axes[axis]).length()
+            middle = X_WF[:3, 3] + length / 2 * X_WF[:3, column]
+            np.testing.assert_allclose(position(plant, inspector, context, axes[axis]), middle, atol=1e-9)
+
+
+def position(plant, inspector, context, geometry) -> np.ndarray:
+    """Return where the middle of a geometry is in the world."""
+    body = plant.GetBodyFromFrameId(inspector.GetFrameId(geometry))
+    return (plant.EvalBodyPoseInWorld(context, body) @ inspector.GetPoseInFrame(geometry)).translation()
+
+
+def test_an_arm_without_a_shape_cannot_be_viewed():
+    with pytest.raises(ModelError, match=r"was given by a DH table and has no shape"):
+        view_arm(load_arm(TABLE))

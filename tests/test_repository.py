@@ -1,0 +1,193 @@
+"""The promises that the repository makes before any robot moves: its rooms, its make targets, its README."""
+
+import ast
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pydrake.common.deprecation import DrakeDeprecationWarning
+
+ROOT = Path(__file__).resolve().parent.parent
+PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+LAYERS = ("course", "verification", "models")  # each may import those to its right
+
+
+def imported_packages(source: str) -> set[str]:
+    """Return the top-level packages that a module imports, wherever in it."""
+    found = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            found |= {alias.name.partition(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            found.add(node.module.partition(".")[0])
+    return found
+
+
+def imports_against_the_arrows(room: str, source: str) -> set[str]:
+    """Return what a module of the room imports although it may not."""
+    return imported_packages(source) & {*LAYERS[: LAYERS.index(room)], "sympy", "tests"}
+
+
+def modules() -> Iterator[tuple[str, Path]]:
+    """Yield every module of the three rooms with its room."""
+    for room in LAYERS:
+        for path in sorted((ROOT / room).rglob("*.py")):
+            yield room, path
+
+
+@pytest.fixture
+def make(tmp_path: Path):
+    """Run make with an environment and a build folder of its own, and no settings of the make that runs the tests."""
+    inherited = {"MAKEFLAGS", "MAKEOVERRIDES", "MAKELEVEL", "MFLAGS"}
+    environment = {name: value for name, value in os.environ.items() if name not in inherited}
+
+    def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+        folders = [f"VENV={tmp_path / 'venv'}", f"BUILD={tmp_path / 'build'}"]
+        command = ["make", "--no-print-directory", *folders, *arguments]
+        return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=60)
+
+    return run
+
+
+def write_script(path: Path, body: str) -> Path:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f"#!/bin/sh\n{body}\n", encoding="utf-8")
+    path.chmod(0o755)
+    return path
+
+
+@pytest.fixture
+def pretend_command(tmp_path: Path):
+    """Set up an environment that looks installed and whose `armproof` is the script given."""
+
+    def write(body: str) -> None:
+        for name in ("bin/python", "bin/pip", "bin/armproof"):
+            write_script(tmp_path / "venv" / name, body if name == "bin/armproof" else "exit 99")
+        stamp = tmp_path / "venv" / ".installed"
+        stamp.touch()
+        later = max(stamp.stat().st_mtime, (ROOT / "pyproject.toml").stat().st_mtime) + 10
+        os.utime(stamp, (later, later))
+
+    return write
+
+
+def test_the_import_contract_is_course_over_verification_over_models():
+    settings = PYPROJECT["tool"]["importlinter"]
+    contracts = [contract for contract in settings["contracts"] if contract["type"] == "layers"]
+    assert [contract["layers"] for contract in contracts] == [list(LAYERS)]
+    assert set(settings["root_packages"]) == set(LAYERS)
+    assert "ignore_imports" not in contracts[0]
+
+
+def test_no_module_imports_against_the_arrows():
+    found = list(modules())
+    assert {room for room, _ in found} == set(LAYERS)
+    for room, path in found:
+        assert not imports_against_the_arrows(room, path.read_text(encoding="utf-8")), path
+
+
+@pytest.mark.parametrize(
+    ("room", "source"),
+    [
+        ("models", "import verification.cli"),
+        ("models", "def late():\n    from course import lessons"),
+        ("verification", "import json, course"),
+        ("course", "from sympy import simplify"),
+    ],
+)
+def test_an_import_against_the_arrows_is_noticed(room: str, source: str):
+    assert imports_against_the_arrows(room, source)
+
+
+@pytest.mark.parametrize(
+    ("room", "source"),
+    [("course", "import verification, models"), ("verification", "from . import course"), ("models", "import numpy")],
+)
+def test_an_import_along_the_arrows_is_allowed(room: str, source: str):
+    assert not imports_against_the_arrows(room, source)
+
+
+def test_a_drake_deprecation_is_an_error():
+    with pytest.raises(DrakeDeprecationWarning):
+        warnings.warn("a name that Drake will remove", DrakeDeprecationWarning, stacklevel=1)
+
+
+def test_this_python_is_one_that_the_project_supports():
+    lowest, highest = re.fullmatch(r">=3\.(\d+),<3\.(\d+)", PYPROJECT["project"]["requires-python"]).groups()
+    assert int(lowest) <= sys.version_info.minor < int(highest)
+    check = re.search(r"\(3, (\d+)\) <= sys\.version_info\[:2\] <= \(3, (\d+)\)", (ROOT / "Makefile").read_text())
+    assert (int(check[1]), int(check[2])) == (int(lowest), int(highest) - 1)
+
+
+@pytest.mark.parametrize("target", ["report", "test", "lint", "mutation", "benchmark"])
+def test_every_target_refuses_an_old_python_in_one_sentence(make, tmp_path: Path, target: str):
+    old = write_script(tmp_path / "python3.9", '[ "$1" = --version ] && echo Python 3.9.2 && exit 0\nexit 1')
+    run = make(target, f"PYTHON={old}")
+    assert run.returncode != 0
+    assert f"Armproof needs Python 3.11, 3.12 or 3.13, and '{old}' is Python 3.9.2." in run.stderr
+    assert "Traceback" not in run.stderr
+    assert not (tmp_path / "venv").exists()
+
+
+def test_a_missing_python_is_named(make, tmp_path: Path):
+    run = make("test", f"PYTHON={tmp_path / 'python3'}")
+    assert run.returncode != 0
+    assert f"there is no '{tmp_path / 'python3'}'" in run.stderr
+
+
+@pytest.mark.parametrize("code", [0, 1])
+def test_report_writes_the_verdicts_whether_or_not_they_pass(make, pretend_command, tmp_path: Path, code: int):
+    pretend_command(f'case "$*" in *json) echo "{{}}";; *) echo "3 proved";; esac\nexit {code}')
+    run = make("report")
+    assert (run.returncode == 0) == (code == 0)
+    assert "3 proved" in run.stdout
+    assert [path.name for path in (tmp_path / "build/report").iterdir()] == ["verdicts.json"]
+    assert (tmp_path / "build/report/verdicts.json").read_text() == "{}\n"
+
+
+def test_a_report_that_cannot_run_leaves_the_last_verdicts_whole(make, pretend_command, tmp_path: Path):
+    pretend_command("echo '{}'")
+    assert make("report").returncode == 0
+    pretend_command("echo '{\"half\": '; echo 'no arm' >&2; exit 2")
+    run = make("report")
+    assert run.returncode != 0
+    assert "no arm" in run.stderr
+    assert [path.name for path in (tmp_path / "build/report").iterdir()] == ["verdicts.json"]
+    assert (tmp_path / "build/report/verdicts.json").read_text() == "{}\n"
+
+
+def test_continuous_integration_lints_before_it_tests(tmp_path: Path):
+    write_script(tmp_path / "bin/make", f'echo "$1" >> {tmp_path}/calls')
+    checkout = tmp_path / "checkout/.ci"
+    checkout.mkdir(parents=True)
+    shutil.copy(ROOT / ".ci/run", checkout)
+    environment = os.environ | {"PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}"}
+    subprocess.run([checkout / "run"], cwd=tmp_path, env=environment, check=True, timeout=60)
+    assert (tmp_path / "calls").read_text().split() == ["lint", "test"]
+
+
+def test_the_readme_names_every_make_target():
+    phony = re.search(r"^\.PHONY: (.+)$", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)[1].split()
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert [target for target in phony if f"| `{target}` |" not in readme] == []
+
+
+def test_the_example_of_the_readme_has_one_wrong_sign(tmp_path: Path):
+    example = re.search(r"^```markdown\n(---\n.*?)^```$", (ROOT / "README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
+    (tmp_path / "planar-2r.md").write_text(example, encoding="utf-8")
+    command = [Path(sys.executable).with_name("armproof"), "verify", tmp_path / "planar-2r.md", "--format", "json"]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60)
+    assert run.returncode == 1, run.stderr
+    [document] = json.loads(run.stdout)["documents"]
+    assert [record["verdict"] for record in document["equations"]] == ["proved", "refuted", "proved"]
+    [entry] = document["equations"][1]["entries"]
+    assert (entry["row"], entry["column"]) == (1, 2)
+    assert re.sub(r"\s", "", entry["correct"]) == "-l_2S_{12}"

@@ -1,0 +1,298 @@
+"""From a document to its verdicts: one record a display, one a DH table."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from models.arm import Arm
+from models.catalogue import load_arm
+from models.configurations import sample
+from models.errors import ArmproofError
+from verification.algebras import ExactAlgebra, SampledAlgebra
+from verification.conditions import check_implication, check_relation, is_condition
+from verification.diagnose import Diagnostician
+from verification.document import Display, Document, Table, read_document
+from verification.equation import ChainChecker, Outcome, bare_key
+from verification.errors import DocumentError, EvaluationError, ReadError, TooComplex, UnboundName
+from verification.general import GeneralStatements
+from verification.latex import nodes as n
+from verification.latex.statements import PREVIOUS
+from verification.names import read_names
+from verification.tables import check_table
+from verification.trig import AngleFraction, Ring
+from verification.verdict import DocumentResult, Record, Verdict, worst
+
+SECONDS_PER_DISPLAY = 2.0
+SAMPLES = 1000
+SEED = 2019
+
+
+def verify(path: Path, *, confirm: bool = True) -> DocumentResult:
+    """Return the verdicts of a document file; raises DocumentError where the document as a whole cannot be checked."""
+    return check_document(read_document(path), confirm=confirm)
+
+
+def check_document(document: Document, *, confirm: bool = True) -> DocumentResult:
+    """Return the verdicts of a document; `confirm` also evaluates each proved equation on the double plant."""
+    arm = _load(document)
+    denominators: dict[str, int] = {}
+    for _ in range(8):
+        try:
+            return DocumentChecker(document, arm, denominators, confirm).run()
+        except AngleFraction as fraction:  # θ/2 was met: begin again with it as the ring's generator
+            denominators[fraction.symbol] = fraction.denominator
+    raise DocumentError(f"{document.path}: fractions of angles with too many denominators")
+
+
+def _load(document: Document) -> Arm | None:
+    spec = document.front.get("arm")
+    if spec is None:
+        return None
+    try:
+        return load_arm(spec, document.path.parent)
+    except ArmproofError as error:
+        raise DocumentError(f"{document.at('arm')}: {error}") from None
+
+
+@lru_cache(maxsize=32)
+def _configurations(arm: Arm) -> np.ndarray:
+    q, _ = sample(arm, SAMPLES, np.random.default_rng(SEED))
+    return q
+
+
+class DocumentChecker:
+    """Checks the displays of one document in order, each with the names that those before it defined."""
+
+    def __init__(self, document: Document, arm: Arm | None, denominators: Mapping[str, int], confirm: bool = True) -> None:
+        self.document = document
+        self.arm = arm
+        try:
+            self.names = read_names(arm, document.front)
+        except DocumentError as error:
+            raise DocumentError(f"{document.at('quantities')}: {error}") from None
+        self.ring = Ring(denominators)
+        self.exact = ExactAlgebra(self.ring, arm)
+        self._sampled: SampledAlgebra | None = None
+        self.checker = ChainChecker(self.names, self.exact, self.sampled)
+        self.checker.confirm = confirm
+        self.diagnostician = Diagnostician(self.checker)
+        self.general = GeneralStatements(self.checker)
+        self.subject: n.Node | None = None
+
+    def sampled(self) -> SampledAlgebra:
+        """The double plant at the configurations of the six families."""
+        if self._sampled is None:
+            q = _configurations(self.arm) if self.arm is not None else np.zeros((SAMPLES, 0))
+            self._sampled = SampledAlgebra(self.exact, q, SEED)
+        return self._sampled
+
+    def run(self) -> DocumentResult:
+        """Return the verdicts of all displays and tables, in the order of the document."""
+        started = time.perf_counter()
+        equations = tuple(self.check_display(display) for display in self.document.displays)
+        tables = tuple(self._table(table) for table in self.document.tables)
+        name = self.arm.name if self.arm is not None else ""
+        seconds = time.perf_counter() - started
+        return DocumentResult(str(self.document.path), name, equations, tuple(t for t in tables if t is not None), seconds)
+
+    def _table(self, table: Table) -> Record | None:
+        self.ring.deadline = time.monotonic() + SECONDS_PER_DISPLAY
+        return check_table(self.checker, table)
+
+    # -- displays ---------------------------------------------------------------------------------------------------
+
+    def check_display(self, display: Display) -> Record:
+        """Return the record of one display."""
+        record = Record(display.line, display.latex, Verdict.UNREADABLE, display.erratum, cell=display.cell, section=display.section)
+        if not display.closed:
+            return replace(record, message="the display opened by $$ never ends")
+        self.ring.deadline = time.monotonic() + SECONDS_PER_DISPLAY
+        try:
+            statements = self.names.reader.read(display.latex)
+        except ReadError as error:
+            return replace(record, message=f"{_place(display, error.offset)}: {error}")
+        try:
+            return self._judge(record, display, statements)
+        except TooComplex as error:
+            return replace(record, verdict=Verdict.UNCHECKED, message=f"too large to decide: {error}")
+        except RecursionError:
+            return replace(record, verdict=Verdict.UNCHECKED, message="too large to decide: nested too deeply")
+
+    def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
+        outcomes, extra = self.outcomes(statements, display.line, define=not display.erratum)
+        if not outcomes:
+            return replace(record, verdict=Verdict.DEFINED, message="states no equation")
+        verdict = worst([outcome.verdict for outcome in outcomes])
+        leading = [outcome for outcome in outcomes if outcome.verdict is verdict]
+        errors = [outcome.max_error for outcome in outcomes if outcome.max_error is not None]
+        record = replace(
+            record,
+            verdict=verdict,
+            message="; ".join(dict.fromkeys(outcome.message for outcome in leading if outcome.message)),
+            samples=max((outcome.samples for outcome in outcomes), default=0),
+            max_error=max(errors, default=None),
+            counterexample=extra,
+        )
+        if verdict is Verdict.REFUTED:
+            record = self.diagnostician.diagnose(record, display.latex, [o for o in outcomes if o.verdict is Verdict.REFUTED])
+        return record
+
+    def outcomes(self, statements: list[n.Statement], line: int, *, define: bool = True) -> tuple[list[Outcome], dict[str, float]]:
+        """Return the outcomes of a display's statements and, for a refuted condition, its counterexample."""
+        statements = [self._resolve_subject(statement) for statement in statements]
+        outcomes: list[Outcome] = []
+        extra: dict[str, float] = {}
+        equation = 1
+        index = 0
+        while index < len(statements):
+            statement = statements[index]
+            if isinstance(statement, n.Connective):
+                index += 1
+                continue
+            conditional = self._conditional(statements, index)
+            if conditional is not None:
+                kind, premises, conclusions, after = conditional
+                first = [o for chain in premises for o in self._chain(chain, equation, line, define)]
+                holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in first)
+                if kind != "if" and (holds or not any(is_condition(chain) for chain in premises)):
+                    # a step of a derivation: it is a claim of its own, and so is what follows
+                    outcomes.extend(first)
+                    equation += sum(len(chain.relations) for chain in premises)
+                    index += len(premises) + _words_between(statements, index, len(premises))
+                    continue
+                arrow = "⇐" if kind == "if" else kind
+                outcome, found = check_implication(self.checker, arrow, premises, conclusions, equation)
+                outcomes.append(outcome)
+                extra.update(found)
+                equation += sum(len(chain.relations) for chain in (*premises, *conclusions))
+                index = after
+                continue
+            outcomes.extend(self._chain(statement, equation, line, define))
+            equation += len(statement.relations)
+            index += 1
+        first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
+        if first_chain is not None and define:
+            self.subject = first_chain.members[0]
+        return outcomes, extra
+
+    def _resolve_subject(self, statement: n.Statement) -> n.Statement:
+        """A display that begins with a relation goes on about the subject of the one before."""
+        if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and self.subject is not None:
+            return replace(statement, members=(self.subject, *statement.members[1:]))
+        return statement
+
+    def _conditional(self, statements: list[n.Statement], index: int) -> tuple[str, list[n.Chain], list[n.Chain], int] | None:
+        """Return (kind, premises, conclusions, where to go on) if an implication starts here."""
+        premises, at = _alternatives(statements, index)
+        if at >= len(statements):
+            return None
+        connective = statements[at]
+        if not isinstance(connective, n.Connective) or connective.kind not in ("⇒", "⇔", "⇐", "if"):
+            return None
+        conclusions, after = _alternatives(statements, at + 1)
+        if not conclusions or any(not chain.relations for chain in (*premises, *conclusions)):
+            return None
+        return connective.kind, premises, conclusions, after
+
+    def _chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if any(relation != "=" for relation in chain.relations):
+            if all(relation in ("=", "≈") for relation in chain.relations) or len(chain.relations) == 1:
+                return [check_relation(self.checker, chain, equation)]
+            return [check_relation(self.checker, chain, equation)]
+        if self._is_configuration(chain):
+            return [Outcome(Verdict.DEFINED, "a configuration, not a claim", equation)]
+        if any(isinstance(member, n.Cases) for member in chain.members):
+            return self._cases(chain, equation, line, define)
+        general = self.general.check(chain, equation, line, define)
+        if general is not None:
+            return general
+        return self.checker.check(chain, equation, line, define)
+
+    def _cases(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Check each case under its condition where that is an equation (σ_i = 0); words leave it unchecked."""
+        cases = next(member for member in chain.members if isinstance(member, n.Cases))
+        others = [member for member in chain.members if member is not cases]
+        outcomes: list[Outcome] = []
+        for value, condition in cases.branches:
+            found = re.search(r"([^=]*?)=([^=]*)$", re.sub(r"\\(?:text|mathrm|textrm)\s*\{[^{}]*\}|\\q?quad", " ", condition))
+            try:
+                if found is None:
+                    raise ReadError("words")
+                at = tuple(self.names.reader.read_expression(side) for side in found.groups())
+            except ReadError:
+                return self.checker.check(chain, equation, line, define)
+            members = tuple(n.At(member, ((at[0], at[1]),), span=member.span) for member in (*others, value))
+            outcomes.extend(self.checker.check(replace(chain, members=members, relations=("=",) * len(others)), equation, line, False))
+        return outcomes
+
+    def _is_configuration(self, chain: n.Chain) -> bool:
+        """A joint variable set to a constant, or a determinant set to zero, states a condition and claims nothing."""
+        if len(chain.members) != 2:
+            return False
+        left, right = chain.members
+        if isinstance(left, n.Call) and left.function == "det" and isinstance(right, n.Number) and right.value == 0:
+            return not self._vanishes(left)
+        if self.arm is None or not isinstance(left, n.Name):
+            return False
+        symbol = self.names.known_symbol(left.key)
+        if symbol not in {joint.symbol for joint in self.arm.joints} or left.dots:
+            return False
+        names = [below.key for below in n.walk(right) if isinstance(below, n.Name)]
+        calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(right))
+        return not calls and all(key in ("pi", "k", "n") for key in names)
+
+    def _vanishes(self, node: n.Node) -> bool:
+        member = self.checker.member(node)
+        return member.problem is not None or bool(getattr(member.value, "is_zero", bool)())
+
+
+def _is_condition(outcome: Outcome) -> bool:
+    return outcome.verdict is Verdict.DEFINED and ("condition" in outcome.message or "configuration" in outcome.message)
+
+
+def _alternatives(statements: list[n.Statement], index: int) -> tuple[list[n.Chain], int]:
+    """Return the chains joined by "or" (or a mere comma between equations of one variable) from here on."""
+    chains: list[n.Chain] = []
+    while index < len(statements):
+        statement = statements[index]
+        if isinstance(statement, n.Chain):
+            if chains and not (isinstance(statements[index - 1], n.Connective)):
+                break
+            chains.append(statement)
+            index += 1
+        elif statement.kind == "or" and chains:
+            index += 1
+        else:
+            break
+    return chains, index
+
+
+def _words_between(statements: list[n.Statement], index: int, chains: int) -> int:
+    """How many connectives stand among the next `chains` chains."""
+    seen = words = 0
+    while seen < chains:
+        if isinstance(statements[index + seen + words], n.Chain):
+            seen += 1
+        else:
+            words += 1
+    return words
+
+
+def _place(display: Display, offset: int) -> str:
+    before = display.latex[:offset]
+    line = display.line + before.count("\n") + (1 if "\n" in display.latex else 0)
+    column = offset - (before.rfind("\n") + 1) + 1
+    where = f"line {line}" if display.cell is None else f"cell {display.cell}, line {line}"
+    return f"{where}, column {column} of the display"
+
+
+__all__ = ["DocumentChecker", "UnboundName", "EvaluationError", "bare_key", "check_document", "verify"]
+_ = Any

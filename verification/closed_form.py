@@ -1,0 +1,147 @@
+"""Write an exact scalar compactly: products of sines and cosines folded into those of sums of angles."""
+
+from __future__ import annotations
+
+import itertools
+from collections import defaultdict
+from fractions import Fraction
+
+from verification.latex.writer import Notation, join_factors, number
+from verification.trig import Generator, Scalar
+
+Angle = tuple[tuple[str, Fraction], ...]  # sorted (symbol, coefficient)
+Trig = tuple[tuple[str, Angle, int], ...]  # sorted (function, angle, power): a monomial of sines and cosines
+Rest = tuple[tuple[Generator, int], ...]
+MAX_TERMS = 120
+
+
+def write_scalar(value: Scalar, notation: Notation) -> str:
+    """Return LaTeX for the value in the document's notation, such as `-a_1 S_1 - a_2 S_{12}`."""
+    value = value.normal()
+    numerator = _write_polynomial(value, value.numerator, notation)
+    if value.denominator.is_one():
+        return numerator
+    return f"\\frac{{{numerator}}}{{{_write_polynomial(value, value.denominator, notation)}}}"
+
+
+def _write_polynomial(value: Scalar, polynomial: object, notation: Notation) -> str:
+    groups: dict[Rest, dict[Trig, Fraction]] = defaultdict(dict)
+    for powers, coefficient in value.ring.terms(polynomial):  # type: ignore[arg-type]
+        trig = tuple(sorted((kind, ((name, Fraction(1)),), power) for (kind, name), power in powers.items() if kind in ("cos", "sin")))
+        rest = tuple(sorted((generator, power) for generator, power in powers.items() if generator[0] not in ("cos", "sin")))
+        groups[rest][trig] = coefficient
+    terms: list[tuple[bool, str]] = []
+    for rest, trigs in groups.items():
+        folded = fold(trigs) if len(trigs) <= MAX_TERMS else trigs
+        for trig, coefficient in sorted(folded.items(), key=lambda item: (len(item[0]), item[0])):
+            terms.append((coefficient < 0, _write_term(value, abs(coefficient), rest, trig, notation)))
+    if not terms:
+        return "0"
+    terms.sort(key=lambda term: term[0])  # a positive term first reads better
+    text = ("-" if terms[0][0] else "") + terms[0][1]
+    for negative, term in terms[1:]:
+        text += (" - " if negative else " + ") + term
+    return text
+
+
+def _write_term(value: Scalar, coefficient: Fraction, rest: Rest, trig: Trig, notation: Notation) -> str:
+    factors: list[str] = []
+    for (kind, name), power in rest:
+        if kind == "sqrt":
+            text = f"\\sqrt{{{name}}}"
+        elif kind == "pi":
+            text = "\\pi"
+        elif kind == "radical":
+            text = f"\\sqrt{{{write_scalar(value.ring.radicand(name), notation)}}}"
+        elif kind == "arc":
+            cosine, sine = value.ring.arcs[name]
+            text = f"\\operatorname{{atan2}}({write_scalar(sine, notation)}, {write_scalar(cosine, notation)})"
+        else:
+            text = notation.symbol(name)
+        factors.append(text if power == 1 else f"{text}^{{{power}}}" if power > 9 else f"{text}^{power}")
+    for function, angle, power in trig:
+        text = notation.trig(function, dict(angle))
+        factors.append(text if power == 1 else f"{text}^{power}" if notation.style in ("index",) else f"({text})^{power}")
+    if coefficient != 1 or not factors:
+        factors.insert(0, number(coefficient))
+    return join_factors(factors)
+
+
+def fold(terms: dict[Trig, Fraction]) -> dict[Trig, Fraction]:
+    """Return an equal sum with fewer terms, by writing an angle as a sum of two wherever that shortens it.
+
+    With φ = α ± β: c_α = c_φ c_β ± s_φ s_β and s_α = s_φ c_β ∓ c_φ s_β; c_β² + s_β² = 1 then collects the terms.
+    """
+    best = terms
+    while len(best) > 1:
+        angles = sorted({angle for trig in best for _, angle, _ in trig})
+        candidates = []
+        for a, b in itertools.permutations(angles, 2):
+            for sign in (1, -1):
+                folded = _substitute(best, a, b, sign)
+                if len(folded) < len(best):
+                    candidates.append(folded)
+        if not candidates:
+            return best
+        best = min(candidates, key=lambda folded: (len(folded), sum(len(trig) for trig in folded)))
+    return best
+
+
+def _substitute(terms: dict[Trig, Fraction], a: Angle, b: Angle, sign: int) -> dict[Trig, Fraction]:
+    total: dict[Trig, Fraction] = defaultdict(Fraction)
+    combined = _combine(a, b, sign)
+    for trig, coefficient in terms.items():
+        for factors, weight in _expanded(trig, a, b, combined, sign):
+            for reduced, extra in _reduced(factors, b):
+                total[reduced] += coefficient * weight * extra
+    return {trig: coefficient for trig, coefficient in total.items() if coefficient}
+
+
+def _combine(a: Angle, b: Angle, sign: int) -> Angle:
+    total: dict[str, Fraction] = defaultdict(Fraction)
+    for name, coefficient in a:
+        total[name] += coefficient
+    for name, coefficient in b:
+        total[name] += sign * coefficient
+    return tuple(sorted((name, coefficient) for name, coefficient in total.items() if coefficient))
+
+
+def _expanded(trig: Trig, a: Angle, b: Angle, combined: Angle, sign: int) -> list[tuple[dict[tuple[str, Angle], int], Fraction]]:
+    products: list[tuple[dict[tuple[str, Angle], int], Fraction]] = [({}, Fraction(1))]
+    for function, angle, power in trig:
+        if angle != a:
+            for factors, _ in products:
+                factors[function, angle] = factors.get((function, angle), 0) + power
+            continue
+        for _ in range(power):
+            grown = []
+            if function == "cos":
+                pieces = [("cos", "cos", 1), ("sin", "sin", sign)]
+            else:
+                pieces = [("sin", "cos", 1), ("cos", "sin", -sign)]
+            for factors, weight in products:
+                for first, second, factor in pieces:
+                    more = dict(factors)
+                    more[first, combined] = more.get((first, combined), 0) + 1
+                    more[second, b] = more.get((second, b), 0) + 1
+                    grown.append((more, weight * factor))
+            products = grown
+    return products
+
+
+def _reduced(factors: dict[tuple[str, Angle], int], b: Angle) -> list[tuple[Trig, Fraction]]:
+    """Replace s_β² by 1 − c_β², so that equal terms meet."""
+    power = factors.get(("sin", b), 0)
+    results: list[tuple[dict[tuple[str, Angle], int], Fraction]] = [(dict(factors), Fraction(1))]
+    for _ in range(power // 2):
+        grown = []
+        for entry, weight in results:
+            entry[("sin", b)] -= 2
+            grown.append((dict(entry), weight))
+            squared = dict(entry)
+            squared[("cos", b)] = squared.get(("cos", b), 0) + 2
+            grown.append((squared, -weight))
+        results = grown
+    return [
+        (tuple(sorted((f, angle, power) for (f, angle), power in entry.items() if power)), weight) for entry, weight in results
+    ]

@@ -1,0 +1,370 @@
+"""Why an equation is refuted: the wrong entries, the change that mends each, the cause of a whole matrix's failure."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from verification.algebras import SampledAlgebra, Value
+from verification.closed_form import write_scalar
+from verification.compare import Pair, exactly_equal
+from verification.edits import Edit, Letters, single_edits
+from verification.equation import ChainChecker, Outcome
+from models.errors import ArmproofError
+from verification.errors import EvaluationError, ReadError
+from verification.evaluate import Evaluator, as_scalar
+from verification.explain import explain_whole
+from verification.latex import nodes as n
+from verification.latex.writer import Notation, Writer, symbol_as_latex
+from verification.matrix import Matrix
+from verification.quantities import Quantity
+from verification.trig import Scalar
+from verification.verdict import Record, WrongEntry
+
+PROBES = 12
+MAX_EDITS = 600
+MAX_MENDED = 6  # of so many wrong entries the change is sought; beyond, the cause lies elsewhere
+
+
+@dataclass
+class _PrintedError:
+    """A refuted equation, kept to recognise its consequences."""
+
+    line: int
+    key: str
+    node: n.Node
+    cells: dict[tuple[int, int], str] = field(default_factory=dict)
+
+
+class Diagnostician:
+    """Turns refuted outcomes into wrong entries, words and a counterexample."""
+
+    def __init__(self, checker: ChainChecker) -> None:
+        self.checker = checker
+        self.names = checker.names
+        self.errors: list[_PrintedError] = []
+        self._probe: SampledAlgebra | None = None
+        self._notation = Notation()
+
+    # -- the record ---------------------------------------------------------------------------------------------------
+
+    def diagnose(self, record: Record, latex: str, outcomes: list[Outcome]) -> Record:
+        """Return the record with wrong entries, a message in words and a counterexample."""
+        entries: list[WrongEntry] = []
+        words: list[str] = []
+        counterexample = dict(record.counterexample)
+        for outcome in outcomes:
+            if outcome.message and not outcome.pair:
+                words.append(outcome.message)
+            if outcome.pair is None or outcome.true is None or outcome.printed is None:
+                continue
+            notation = self._learn(latex, outcome)
+            found = self._entries(latex, outcome, notation)
+            whole = explain_whole(self.checker, outcome) if len(outcome.wrong) > 1 or not found else None
+            if whole is not None:
+                words.append(whole)
+            elif outcome.sampled_only:
+                words.append(outcome.message)
+            else:
+                words.extend(self._summary(found))
+            consequence = self._consequence(outcome, found)
+            if consequence:
+                words.append(consequence)
+            entries.extend(found)
+            if not counterexample:
+                counterexample = self._counterexample(outcome)
+            self._remember(record.line, outcome, found)
+        message = "; ".join(dict.fromkeys(word for word in words if word)) or record.message
+        return replace(record, message=message, entries=tuple(entries), counterexample=counterexample)
+
+    def _summary(self, entries: list[WrongEntry]) -> Iterator[str]:
+        for entry in entries:
+            where = "" if entry.row is None else f"entry ({entry.row}, {entry.column}): "
+            if entry.change:
+                yield f"{where}{entry.change}"
+            else:
+                yield f"{where}is {entry.printed}, should be {entry.correct}"
+
+    # -- wrong entries ------------------------------------------------------------------------------------------------
+
+    def _entries(self, latex: str, outcome: Outcome, notation: Notation) -> list[WrongEntry]:
+        pair = outcome.pair
+        assert pair is not None and outcome.printed is not None
+        wrong = outcome.wrong
+        entries: list[WrongEntry] = []
+        mend = len(wrong) <= MAX_MENDED and not outcome.sampled_only
+        for row, column in wrong:
+            true = pair.true.rows[row][column]
+            cell = None if pair.is_scalar else _cell(outcome.printed.node, row, column)
+            if cell is None and pair.is_scalar:
+                cell = outcome.printed.node
+            printed = latex[cell.span[0] : cell.span[1]].strip() if cell is not None else self._written(pair.printed.rows[row][column], notation)
+            correct, change = "", ""
+            if mend and cell is not None:
+                correct, change = self._mended(latex, cell, true, notation)
+            if not correct:
+                correct = self._written(true, notation)
+            if not change and not pair.is_scalar and mend:
+                change = _moved_cell(pair, row, column)
+            place = (None, None) if pair.is_scalar else (row + 1, column + 1)
+            entries.append(WrongEntry(outcome.equation, *place, printed, correct, change, cell.span if cell is not None else None))
+        return entries
+
+    def _written(self, value: Any, notation: Notation) -> str:
+        return write_scalar(value, notation) if isinstance(value, Scalar) else str(value)
+
+    def _mended(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, str]:
+        """Return the cell with the one small change that makes it right, and that change in words."""
+        probe = self.probe()
+        try:
+            target = probe.from_exact(true)
+        except EvaluationError:
+            return "", ""
+        scale = 1.0 + np.abs(target)
+        letters = self._letters(cell)
+        with np.errstate(all="ignore"):
+            for count, edit in enumerate(single_edits(cell, letters)):
+                if count > MAX_EDITS:
+                    break
+                if not self._agrees(edit, target, scale, probe):
+                    continue
+                try:
+                    value = as_scalar(Evaluator(self.names, self.checker.exact).evaluate(edit.node))
+                    if isinstance(value, Scalar) and exactly_equal(true, value):
+                        text = Writer(latex, cell, notation).write(edit.node)
+                        if self._reads_as(text, true):
+                            return text, edit.words
+                except (ArmproofError, NotImplementedError):
+                    continue
+        return "", ""
+
+    def _agrees(self, edit: Edit, target: np.ndarray, scale: np.ndarray, probe: SampledAlgebra) -> bool:
+        try:
+            value = as_scalar(Evaluator(self.names, probe).evaluate(edit.node))
+        except (ArmproofError, TypeError):
+            return False
+        return not isinstance(value, Matrix | list) and bool(np.all(np.abs(value - target) < 1e-7 * scale))
+
+    def _reads_as(self, text: str, true: Scalar) -> bool:
+        """Whether the corrected LaTeX, read again, is right: what the report offers must verify."""
+        try:
+            node = self.names.reader.read_expression(text)
+            value = as_scalar(Evaluator(self.names, self.checker.exact).evaluate(node))
+        except (ReadError, EvaluationError):
+            return False
+        return isinstance(value, Scalar) and exactly_equal(true, value)
+
+    # -- notation -----------------------------------------------------------------------------------------------------
+
+    def _learn(self, latex: str, outcome: Outcome) -> Notation:
+        """Return the notation of the display, falling back on what earlier displays of the document used."""
+        notation = Notation(symbols=dict(self._notation.symbols))
+        assert outcome.printed is not None and outcome.true is not None
+        for node in (outcome.printed.node, outcome.true.node):
+            for below in n.walk(node):
+                if isinstance(below, n.Call):
+                    notation.learn(below, latex[below.span[0] : below.span[1]])
+                elif isinstance(below, n.Name) and below.text:
+                    symbol = self.names.known_symbol(below.key)
+                    if symbol is not None and not below.dots:
+                        notation.symbols.setdefault(symbol, below.text)
+                    elif self.names.is_free(below):
+                        notation.symbols.setdefault(below.key, below.text)
+        if not notation.learnt:
+            notation.style, notation.cosine = self._notation.style, self._notation.cosine
+            notation.underscore, notation.braces = self._notation.underscore, self._notation.braces
+        for letter, symbol in self.names.symbols.items():
+            notation.symbols.setdefault(symbol, symbol_as_latex(letter))
+        self._notation = Notation(dict(notation.symbols), notation.style, notation.cosine, notation.underscore, notation.braces)
+        return notation
+
+    def _letters(self, cell: n.Node) -> Letters:
+        """The joints and lengths that a slip may have confused, in the document's letters."""
+        symbols = self._notation.symbols
+        arm = self.names.arm
+        if arm is None:
+            names = {below.key: below for below in n.walk(cell) if isinstance(below, n.Name)}
+            angles = tuple(name for name in names.values() if name.base in ("theta", "alpha", "phi", "psi", "beta"))
+            lengths = tuple(name for name in names.values() if name not in angles)
+            joints = sorted({index for below in n.walk(cell) if isinstance(below, n.JointAngles) for _, index in below.terms})
+            return Letters(tuple(joints), angles, lengths)
+        read = self.names.reader.read_expression
+        def names_of(keys: list[str]) -> tuple[n.Name, ...]:
+            nodes = [read(symbols.get(key) or symbol_as_latex(key)) for key in keys]
+            return tuple(node for node in nodes if isinstance(node, n.Name))
+
+        revolute = [joint.symbol for joint in arm.joints if joint.kind == "revolute"]
+        prismatic = [joint.symbol for joint in arm.joints if joint.kind == "prismatic"]
+        joints = [int(found.group(1)) for symbol in revolute if (found := re.search(r"_(\d)$", symbol))]
+        return Letters(tuple(joints), names_of(revolute), names_of([*arm.lengths, *prismatic]))
+
+    # -- counterexamples ----------------------------------------------------------------------------------------------
+
+    def probe(self) -> SampledAlgebra:
+        """A few generic configurations with round values, on the double plant."""
+        if self._probe is None:
+            arm = self.names.arm
+            generator = np.random.default_rng(7)
+            columns = []
+            for joint in arm.joints if arm is not None else ():
+                low, high = (-2.6, 2.6) if joint.kind == "revolute" else (0.1, 0.9)
+                columns.append(np.round(generator.uniform(low, high, PROBES), 1))
+            q = np.array(columns).T if columns else np.zeros((PROBES, 0))
+            self._probe = SampledAlgebra(self.checker.exact, np.where(np.abs(q) < 0.05, 0.3, q), 7)
+        return self._probe
+
+    def _counterexample(self, outcome: Outcome) -> dict[str, float]:
+        """Return a generic configuration at which the printed and the true value differ."""
+        assert outcome.true is not None and outcome.printed is not None
+        probe = self.probe()
+        with np.errstate(all="ignore"):
+            try:
+                worst = self._sampled_difference(outcome, probe)
+            except EvaluationError:
+                worst = np.zeros(probe.samples)
+        best = int(np.nanargmax(worst)) if np.isfinite(worst).any() else 0
+        arm = self.names.arm
+        values = {joint.symbol: float(probe.q[best, k]) for k, joint in enumerate(arm.joints)} if arm is not None else {}
+        for member in (outcome.true, outcome.printed):
+            for below in n.walk(member.node):
+                symbol = self.names.known_symbol(below.key) if isinstance(below, n.Name) else None
+                if symbol is None and isinstance(below, n.Name) and self.names.is_free(below) and below.key not in self.names.definitions:
+                    symbol = below.key
+                if symbol is not None:
+                    values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
+        return values
+
+    def _sampled_difference(self, outcome: Outcome, probe: SampledAlgebra) -> np.ndarray:
+        assert outcome.true is not None and outcome.printed is not None
+        if outcome.pair is not None and not outcome.sampled_only:
+            cells = [(outcome.pair.true.rows[r][c], outcome.pair.printed.rows[r][c]) for r, c in outcome.wrong]
+            return np.max([np.abs(probe.from_exact(a - b)) for a, b in cells], axis=0) if cells else np.zeros(probe.samples)
+        true, printed = (as_scalar(Evaluator(self.names, probe).evaluate(m.node)) for m in (outcome.true, outcome.printed))
+        if isinstance(true, Matrix) or isinstance(printed, Matrix):
+            return np.zeros(probe.samples)
+        return np.abs(true - printed)
+
+    # -- causes and consequences --------------------------------------------------------------------------------------
+
+    def _remember(self, line: int, outcome: Outcome, entries: list[WrongEntry]) -> None:
+        assert outcome.true is not None and outcome.printed is not None
+        key = self._subject(outcome)
+        if key:
+            cells = {(e.row or 0, e.column or 0): e.printed for e in entries}
+            self.errors.append(_PrintedError(line, key, outcome.printed.node, cells))
+
+    def _subject(self, outcome: Outcome) -> str:
+        assert outcome.true is not None
+        node = outcome.true.node
+        while isinstance(node, n.Group):
+            node = node.inner
+        quantity = self.checker.quantity_of(node)
+        if quantity is not None:
+            return repr(quantity)
+        return node.key if isinstance(node, n.Name) else ""
+
+    def _consequence(self, outcome: Outcome, entries: list[WrongEntry]) -> str:
+        """Say if an error repeats one printed before, or follows from it."""
+        key = self._subject(outcome)
+        for error in self.errors:
+            same = error.key == key and all(error.cells.get((e.row or 0, e.column or 0)) == e.printed for e in entries)
+            if key and same and entries:
+                return f"the same error as in line {error.line}"
+        followed = self._follows(outcome)
+        return f"follows from line {followed}" if followed else ""
+
+    def _follows(self, outcome: Outcome) -> int | None:
+        """Return the line of an earlier error that, carried on, gives just what is printed here."""
+        pair = outcome.pair
+        assert pair is not None and outcome.true is not None
+        arm = self.names.arm
+        node = outcome.true.node
+        quantity = self.checker.quantity_of(node)
+        if arm is None or quantity is None or quantity.kind != "pose" or quantity.rows or quantity.columns:
+            return None
+        frames = list(arm.frames)
+        try:
+            first, last = frames.index(quantity.reference), frames.index(quantity.frame)
+        except ValueError:
+            return None
+        if last - first < 2:
+            return None
+        printed = {error.key: error for error in self.errors}
+        evaluator = Evaluator(self.names, self.checker.exact)
+        # the pose as a product of two, the printed value of one of them in the place of the true one
+        for split in range(first + 1, last):
+            left = Quantity("pose", frames[split], frames[first])
+            right = Quantity("pose", frames[last], frames[split])
+            factors: list[Value] = []
+            used: list[int] = []
+            for factor in (left, right):
+                error = printed.get(repr(factor))
+                if error is None:
+                    factors.append(self.checker.exact.quantity(factor))
+                    continue
+                used.append(error.line)
+                factors.append(evaluator.evaluate(error.node))
+            if not used or not all(isinstance(f, Matrix) for f in factors):
+                continue
+            product = factors[0] @ factors[1]
+            if product.shape == pair.printed.shape and all(
+                exactly_equal(a, b) for row, other in zip(product.rows, pair.printed.rows, strict=True) for a, b in zip(row, other, strict=True)
+            ):
+                return min(used)
+        return None
+
+
+def _cell(node: n.Node, row: int, column: int) -> n.Node | None:
+    """Return the tree of a printed entry, where the printed member is a matrix written out."""
+    while isinstance(node, n.Group | n.Labelled):
+        node = node.inner
+    if isinstance(node, n.Postfix) and node.operator == "T":
+        return _cell(node.base, column, row)
+    if isinstance(node, n.Sequence):
+        index = max(row, column)
+        return node.items[index] if index < len(node.items) else None
+    if not isinstance(node, n.Matrix):
+        return None
+    if any(isinstance(below, n.Matrix) for cells in node.rows for below in cells):
+        return _cell_of_blocks(node, row, column)
+    try:
+        return node.rows[row][column]
+    except IndexError:
+        return None
+
+
+def _cell_of_blocks(node: n.Matrix, row: int, column: int) -> n.Node | None:
+    """Follow a place into a matrix of written-out blocks; None where a block's size is not written out."""
+    top = 0
+    for cells in node.rows:
+        sizes = [(len(c.rows), len(c.rows[0])) if isinstance(c, n.Matrix) else (1, 1) for c in cells]
+        height = max(size[0] for size in sizes)
+        if row < top + height:
+            left = 0
+            for cell, size in zip(cells, sizes, strict=True):
+                if column < left + size[1]:
+                    return _cell(cell, row - top, column - left) if isinstance(cell, n.Matrix) else cell if height == 1 else None
+                left += size[1]
+            return None
+        top += height
+    return None
+
+
+def _moved_cell(pair: Pair, row: int, column: int) -> str:
+    """Say if the printed entry is the true one of another place: swapped cells or a transposed matrix."""
+    printed = pair.printed.rows[row][column]
+    if not isinstance(printed, Scalar) or printed.as_fraction() is not None:
+        return ""
+    for r, cells in enumerate(pair.true.rows):
+        for c, true in enumerate(cells):
+            if (r, c) != (row, column) and exactly_equal(true, printed):
+                return f"what is printed belongs in entry ({r + 1}, {c + 1})"
+    return ""
+
+
+_ = Fraction

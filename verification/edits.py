@@ -1,0 +1,198 @@
+"""Small changes of a formula: what a slip of the pen does to it, and what mends it again.
+
+One list serves both directions: the diagnosis looks for the change that makes a wrong entry right, and the mutation
+test makes right entries wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from verification.latex import nodes as n
+from verification.latex.writer import SWAPPED
+
+
+@dataclass(frozen=True)
+class Edit:
+    """A changed tree and the kind of change: sign, index, function, factor, length, term, number, cell."""
+
+    node: n.Node
+    kind: str
+    words: str
+
+
+@dataclass(frozen=True)
+class Letters:
+    """What a display may draw on: the joints' indices and the lengths, each as a node in the document's letters."""
+
+    joints: tuple[int, ...] = ()
+    angles: tuple[n.Name, ...] = ()
+    lengths: tuple[n.Name, ...] = ()
+
+
+def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """Yield every tree that one small change makes of `root`, the most likely slips first."""
+    yield Edit(_negated(root), "sign", "the sign")
+    yield from _on_all(root, _signs)
+    yield from _on_all(root, _functions)
+    yield from _on_all(root, lambda node: _indices(node, letters))
+    yield from _on_all(root, lambda node: _names(node, letters))
+    yield from _swapped_lengths(root, letters)
+    yield from _on_all(root, _dropped_factors)
+    yield from _on_all(root, _numbers)
+    yield from _on_all(root, _dropped_terms)
+    yield from _added_factors(root, letters)
+
+
+def _negated(node: n.Node) -> n.Node:
+    if isinstance(node, n.Sum):
+        flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
+        return replace(node, terms=tuple((flipped[sign], term) for sign, term in node.terms), span=node.span)
+    return n.Sum((("-", node),), span=node.span)
+
+
+def _on_all(root: n.Node, rule: object) -> Iterator[Edit]:
+    for node in n.walk(root):
+        for changed, kind, words in rule(node):  # type: ignore[operator]
+            yield Edit(n.substitute(root, node, changed), kind, words)
+
+
+Change = tuple[n.Node, str, str]
+
+
+def _signs(node: n.Node) -> Iterator[Change]:
+    if not isinstance(node, n.Sum) or (len(node.terms) == 1):
+        return
+    flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
+    for k, (sign, term) in enumerate(node.terms):
+        terms = (*node.terms[:k], (flipped[sign], term), *node.terms[k + 1 :])
+        yield replace(node, terms=terms), "sign", f"the sign of term {k + 1}"
+
+
+def _functions(node: n.Node) -> Iterator[Change]:
+    if isinstance(node, n.Call) and node.function in ("cos", "sin"):
+        other = "sin" if node.function == "cos" else "cos"
+        words = "sine for cosine" if node.function == "sin" else "cosine for sine"
+        yield replace(node, function=other, head=SWAPPED.get(node.head, other)), "function", words
+
+
+def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
+    if not isinstance(node, n.JointAngles):
+        return
+    present = {index for _, index in node.terms}
+    for k, (sign, index) in enumerate(node.terms):
+        rest = (*node.terms[:k], *node.terms[k + 1 :])
+        for joint in letters.joints:
+            if joint not in present:
+                terms = (*node.terms[:k], (sign, joint), *node.terms[k + 1 :])
+                yield replace(node, terms=terms), "index", f"index {index} where {joint} belongs"
+        if rest:
+            yield replace(node, terms=rest), "index", f"an index {index} too many"
+            if k:
+                yield replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])), "index", f"the sign of angle {index}"
+    for joint in letters.joints:
+        if joint not in present:
+            yield replace(node, terms=tuple(sorted((*node.terms, (1, joint)), key=lambda t: t[1]))), "index", f"index {joint} is missing"
+
+
+def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
+    if isinstance(node, n.Call) and node.function in ("cos", "sin"):
+        yield from _angle_sums(node, letters)
+    if not isinstance(node, n.Name):
+        return
+    for family, kind, what in ((letters.angles, "index", "angle"), (letters.lengths, "length", "length")):
+        if any(other.key == node.key for other in family):
+            for other in family:
+                if other.key != node.key:
+                    yield replace(other, span=node.span), kind, f"{what} {_show(node)} where {_show(other)} belongs"
+
+
+def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
+    """Angles written out: a term too many is the sums' affair, a missing one is added here."""
+    argument = node.arguments[0]
+    terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
+    if not all(isinstance(term, n.Name) for _, term in terms):
+        return
+    present = {term.key for _, term in terms if isinstance(term, n.Name)}
+    for angle in letters.angles:
+        if angle.key not in present:
+            longer = n.Sum((*terms, ("+", angle)), span=argument.span)
+            style = {"letter": "letter()", "macro": "macro()"}.get(node.style, node.style)
+            yield replace(node, arguments=(longer,), style=style), "index", f"angle {_show(angle)} is missing"
+
+
+def _swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """Two lengths, exchanged throughout."""
+    keys = [length.key for length in letters.lengths if any(isinstance(b, n.Name) and b.key == length.key for b in n.walk(root))]
+    named = {length.key: length for length in letters.lengths}
+    for i, a in enumerate(keys):
+        for b in keys[i + 1 :]:
+            swapped = _rename(root, {a: named[b], b: named[a]})
+            yield Edit(swapped, "length", f"lengths {_show(named[a])} and {_show(named[b])} are swapped")
+
+
+def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
+    found = [below for below in n.walk(node) if isinstance(below, n.Name) and below.key in names]
+    for old in found:
+        node = n.substitute(node, old, replace(names[old.key], span=old.span))
+    return node
+
+
+def _dropped_factors(node: n.Node) -> Iterator[Change]:
+    if not isinstance(node, n.Product) or "×" in node.operators:
+        return
+    for k, factor in enumerate(node.factors):
+        factors = (*node.factors[:k], *node.factors[k + 1 :])
+        operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
+        smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
+        yield smaller, "factor", f"a factor {k + 1} too many"
+
+
+def _dropped_terms(node: n.Node) -> Iterator[Change]:
+    if not isinstance(node, n.Sum) or len(node.terms) < 2:
+        return
+    for k in range(len(node.terms)):
+        terms = (*node.terms[:k], *node.terms[k + 1 :])
+        yield replace(node, terms=terms), "term", f"term {k + 1} does not belong"
+
+
+def _numbers(node: n.Node) -> Iterator[Change]:
+    if isinstance(node, n.Number) and node.value:
+        for value in (node.value * 2, node.value / 2, node.value + 1):
+            yield n.Number(value, span=node.span), "number", f"the number {node.text}"
+    if isinstance(node, n.Power) and isinstance(node.exponent, n.Number):
+        yield node.base, "number", "the power"
+    if isinstance(node, n.Name | n.Call):
+        yield n.Power(node, n.Number(Fraction(2), "2"), span=node.span), "number", "a square is missing"
+
+
+def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """A length or a sine or cosine, missing from one term."""
+    factors: list[tuple[n.Node, str]] = [(length, _show(length)) for length in letters.lengths]
+    style = next((b for b in n.walk(root) if isinstance(b, n.Call) and b.function in ("cos", "sin")), None)
+    if style is not None and isinstance(style.arguments[0], n.JointAngles):
+        for joint in letters.joints:
+            for function in ("cos", "sin"):
+                head = style.head if style.function == function else SWAPPED.get(style.head, style.head)
+                factors.append((replace(style, function=function, head=head, arguments=(n.JointAngles(((1, joint),)),)), f"{function} {joint}"))
+    elif style is not None:
+        for angle in letters.angles:
+            for function in ("cos", "sin"):
+                head = style.head if style.function == function else SWAPPED.get(style.head, style.head)
+                factors.append((replace(style, function=function, head=head, arguments=(angle,)), f"{function} of {_show(angle)}"))
+    factors.append((n.Number(Fraction(2), "2"), "2"))
+    targets = [term for node in n.walk(root) if isinstance(node, n.Sum) for _, term in node.terms]
+    if not isinstance(root, n.Sum):
+        targets.append(root)
+    for target in targets:
+        for factor, shown in factors:
+            before = target.factors if isinstance(target, n.Product) and "×" not in target.operators else (target,)
+            operators = target.operators if isinstance(target, n.Product) and len(before) > 1 else ()
+            grown = n.Product((factor, *before), ("", *operators), span=target.span)
+            yield Edit(n.substitute(root, target, grown), "factor", f"a factor {shown} is missing")
+
+
+def _show(name: n.Name) -> str:
+    return name.text or name.key

@@ -1,0 +1,401 @@
+"""The verdict of one chain of equations: which member is true, which names are defined, which entries are wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from verification.algebras import ExactAlgebra, OutsideAlgebra, SampledAlgebra, Value
+from verification.compare import Pair, ShapeMismatch, align, different_entries, entry_errors, exactly_equal
+from verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
+from verification.evaluate import Evaluator, Identity
+from verification.latex import nodes as n
+from verification.matrix import Matrix
+from verification.names import Names, call_key
+from verification.quantities import Quantity
+from verification.trig import AngleFraction
+from verification.verdict import Verdict
+
+TOLERANCE = 1e-6  # of the sampled values, scaled by their size; polynomials come out near 1e-15
+SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula and are left out
+
+
+@dataclass(frozen=True)
+class Member:
+    """One side of a chain: its tree, and its exact value or why it has none."""
+
+    node: n.Node
+    value: Value = None
+    problem: EvaluationError | None = None
+    rank: int = 0  # how far it may be trusted: 3 a quantity of the arm, 2 made of such, 1 a formula, 0 none
+
+    @property
+    def known(self) -> bool:
+        return self.problem is None
+
+
+@dataclass
+class Outcome:
+    """What became of one equation of a display."""
+
+    verdict: Verdict
+    message: str = ""
+    equation: int = 1
+    true: Member | None = None
+    printed: Member | None = None
+    pair: Pair | None = None
+    wrong: list[tuple[int, int]] = field(default_factory=list)
+    samples: int = 0
+    max_error: float | None = None
+    sampled_only: bool = False
+    defines: tuple[str, ...] = ()
+
+
+class ChainChecker:
+    """Checks chains of `=` under the bindings of a document."""
+
+    def __init__(self, names: Names, exact: ExactAlgebra, sampled: Callable[[], SampledAlgebra]) -> None:
+        self.names = names
+        self.exact = exact
+        self.sampled = sampled
+        self.confirm = True
+
+    def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
+        """Return one outcome an equation, numbered from `first_equation`."""
+        branches = _has_branches(chain)
+        new = self._new_name(chain)
+        members = [
+            Member(node, None, UnboundName(new)) if new is not None and bare_key(node) == new else self.member(node)
+            for node in chain.members
+        ]
+        known = [member for member in members if member.known]
+        if not known:
+            return self._nothing_known(members, first_equation, line)
+        true = max(known, key=lambda member: member.rank)  # the first of the highest
+        outcomes: list[Outcome] = []
+        for index, member in enumerate(members):
+            if member is true:
+                continue
+            equation = first_equation + max(0, index - 1)
+            if member.known:
+                outcomes.append(self._compare(true, member, equation, branches))
+            else:
+                outcomes.append(self._define(true, member, equation, line, define))
+        outcomes.extend(self._labels(chain, first_equation, line, define))
+        return outcomes
+
+    def _new_name(self, chain: n.Chain) -> str | None:
+        """In a document of general statements, the first letter that stands alone and is new is being defined."""
+        if len(chain.members) < 2:
+            return None
+        for member in chain.members:
+            while isinstance(member, n.Group | n.Labelled):
+                member = member.inner
+            if isinstance(member, n.Name) and self.names.is_new(member):
+                return member.key
+        return None
+
+    def member(self, node: n.Node) -> Member:
+        """Evaluate one side exactly."""
+        try:
+            value = Evaluator(self.names, self.exact).evaluate(node)
+            return Member(node, value, None, self._rank(node))
+        except AngleFraction:
+            raise
+        except OutsideAlgebra as problem:
+            return Member(node, None, problem, self._rank(node))
+        except TooComplex:
+            raise
+        except EvaluationError as problem:
+            return Member(node, None, problem)
+
+    def _rank(self, node: n.Node) -> int:
+        if isinstance(node, n.Group | n.Labelled):
+            return self._rank(node.inner)
+        quantity = self.quantity_of(node)
+        if quantity is not None:
+            return 4
+        if isinstance(node, n.Name) and self.names.arm is not None and self.names.known_symbol(node.key) is not None:
+            return 4
+        names = [below for below in n.walk(node) if isinstance(below, n.Name | n.Call)]
+        if any(isinstance(below, n.Matrix) for below in n.walk(node)):
+            return 2 if any(self.quantity_of(below) is not None for below in names) else 1
+        if any(self.quantity_of(below) is not None for below in names):
+            return 3
+        if any(isinstance(below, n.Name) and below.key in self.names.definitions for below in names):
+            return 3 if isinstance(node, n.Name) else 2
+        return 1
+
+    def quantity_of(self, node: n.Node) -> Quantity | None:
+        """Return the arm's quantity that a name, with or without arguments, stands for."""
+        if isinstance(node, n.Call) and node.function == "name":
+            found = self.names.quantities.get(call_key(node))
+            return found or self.quantity_of(node.arguments[0])
+        return self.names.quantity(node) if isinstance(node, n.Name) else None
+
+    # -- equations that hold or do not --------------------------------------------------------------------------------
+
+    def _compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
+        outcome = Outcome(Verdict.REFUTED, "", equation, true, printed)
+        try:
+            pairs = list(align(true.value, printed.value, self.exact))
+        except ShapeMismatch as mismatch:
+            outcome.message = str(mismatch)
+            return outcome
+        except EvaluationError as problem:
+            return replace(outcome, verdict=Verdict.UNCHECKED, message=str(problem))
+        best: tuple[Pair, list[tuple[int, int]]] | None = None
+        if true.rank < 4:  # only a quantity of the arm may be met in another shape
+            pairs = [pair for pair in pairs if not pair.note] or pairs[:0]
+            if not pairs:
+                sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
+                outcome.message = f"the printed matrix is {sizes[0]}, it should be {sizes[1]}"
+                return outcome
+        for pair in pairs:
+            if branches:
+                wrong = self._wrong_in_branches(true.node, printed.node, pair)
+            else:
+                wrong = different_entries(pair, exactly_equal)
+            if not wrong:
+                outcome.verdict, outcome.pair, outcome.message = Verdict.PROVED, pair, pair.note
+                return self._confirm(outcome, branches)
+            if best is None or len(wrong) < len(best[1]):
+                best = (pair, wrong)
+        assert best is not None
+        outcome.pair, outcome.wrong = best
+        outcome.message = best[0].note
+        return self._doubt(outcome, branches)
+
+    def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
+        """With ±, an entry is right when the product of its differences over the branches vanishes."""
+        differences = []
+        for branch in (1, -1):
+            one = Evaluator(self.names, self.exact, branch)
+            differences.append(next(align(one.evaluate(true), one.evaluate(printed), self.exact)))
+        wrong = []
+        for r, row in enumerate(pair.true.rows):
+            for c in range(len(row)):
+                factors = [_distance(p.true.rows[r][c], p.printed.rows[r][c]) for p in differences]
+                if not (factors[0] * factors[1]).is_zero():
+                    wrong.append((r, c))
+        return wrong
+
+    def _confirm(self, outcome: Outcome, branches: bool) -> Outcome:
+        """Evaluate a proved equation on the double plant as well: the second route must agree."""
+        if not self.confirm:
+            return outcome
+        errors = self._sampled_errors(outcome, branches)
+        if errors is None:
+            return outcome
+        scaled, finite = errors
+        outcome.samples = int(finite.sum())
+        outcome.max_error = float(scaled[..., finite].max()) if outcome.samples else None
+        if outcome.max_error is not None and outcome.max_error > TOLERANCE:
+            wrong = np.argwhere((scaled[..., finite] > TOLERANCE).any(axis=-1))
+            outcome.verdict = Verdict.REFUTED
+            outcome.wrong = [(int(r), int(c)) for r, c in wrong]
+            outcome.message = "holds up to the sign of a square root or the branch of an arc function only"
+            outcome.sampled_only = True
+        return outcome
+
+    def _doubt(self, outcome: Outcome, branches: bool) -> Outcome:
+        """Where square roots or arc functions leave the normal form open, equal samples still confirm."""
+        if not self.exact.ring.is_extended():
+            return outcome
+        errors = self._sampled_errors(outcome, branches)
+        if errors is None:
+            return outcome
+        scaled, finite = errors
+        if finite.sum() >= 10 and float(scaled[..., finite].max()) <= TOLERANCE:
+            outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
+            outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
+        return outcome
+
+    def sampled_value(self, node: n.Node, branch: int = 1) -> Value:
+        """Return a tree's value on the samples of the double plant."""
+        return Evaluator(self.names, self.sampled(), branch).evaluate(node)
+
+    def _sampled_errors(self, outcome: Outcome, branches: bool) -> tuple[np.ndarray, np.ndarray] | None:
+        assert outcome.true is not None and outcome.printed is not None
+        angles = self.exact.ring.is_extended()
+        sampled = self.sampled()
+        best: np.ndarray | None = None
+        sizes: np.ndarray | None = None
+        with np.errstate(all="ignore"):
+            sampled.regular[:] = True
+            for branch in (1, -1) if branches else (1,):
+                try:
+                    one = Evaluator(self.names, sampled, branch)
+                    true, printed = one.evaluate(outcome.true.node), one.evaluate(outcome.printed.node)
+                    pairs = list(align(true, printed, sampled))
+                    pair = next((p for p in pairs if outcome.pair is None or p.note == outcome.pair.note), pairs[0])
+                except EvaluationError:
+                    return None
+                errors = entry_errors(pair, angles)
+                errors = np.broadcast_to(errors, (*errors.shape[:2], sampled.samples))
+                size = np.abs(np.array([[np.broadcast_to(c, (sampled.samples,)) for c in row] for row in pair.true.rows]))
+                best = errors if best is None else np.minimum(best, errors)
+                sizes = size if sizes is None else np.maximum(sizes, size)
+            assert best is not None and sizes is not None
+            scaled = best / (1.0 + sizes)
+            finite = sampled.regular & np.isfinite(scaled).all(axis=(0, 1)) & (sizes < SINGULAR).all(axis=(0, 1))
+        return scaled, finite
+
+    def confirm_only(self, true: n.Node, printed: n.Node, equation: int, branches: bool, reason: str) -> Outcome:
+        """Compare on samples alone what the exact algebra does not hold."""
+        outcome = Outcome(Verdict.UNCHECKED, reason, equation, Member(true), Member(printed))
+        errors = self._sampled_errors(outcome, branches)
+        if errors is None:
+            return outcome
+        scaled, finite = errors
+        if finite.sum() < 10:
+            outcome.message = f"{reason}; fewer than 10 configurations have a value"
+            return outcome
+        outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
+        outcome.message = reason
+        if outcome.max_error <= TOLERANCE:
+            outcome.verdict = Verdict.CONFIRMED
+        else:
+            outcome.verdict, outcome.sampled_only = Verdict.REFUTED, True
+            outcome.wrong = [(int(r), int(c)) for r, c in np.argwhere((scaled[..., finite] > TOLERANCE).any(axis=-1))]
+        return outcome
+
+    # -- names that get a meaning -------------------------------------------------------------------------------------
+
+    def _define(self, true: Member, member: Member, equation: int, line: int, define: bool) -> Outcome:
+        """Give the unbound names of a member their meaning by what is known, or say what is not bound."""
+        if isinstance(member.problem, OutsideAlgebra):
+            return self.confirm_only(true.node, member.node, equation, _has_branches(member.node), f"{member.problem} is not exact")
+        if isinstance(member.problem, ShapeError):
+            return Outcome(Verdict.REFUTED, str(member.problem), equation, true, member)
+        if isinstance(member.problem, UnboundName):
+            key = bare_key(member.node)
+            if key is not None:
+                if define:
+                    self.names.define(key, _getter(self, true.node), line)
+                return Outcome(Verdict.DEFINED, f"gives {key} its meaning", equation, true, member, defines=(key,))
+            pattern = self._define_entries(true, member, equation, line, define)
+            if pattern is not None:
+                return pattern
+        return Outcome(Verdict.UNCHECKED, str(member.problem), equation, true, member)
+
+    def _define_entries(self, true: Member, member: Member, equation: int, line: int, define: bool) -> Outcome | None:
+        """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
+        node = member.node
+        while isinstance(node, n.Group):
+            node = node.inner
+        transposed = isinstance(node, n.Postfix) and node.operator == "T"
+        if isinstance(node, n.Postfix) and transposed:
+            node = node.base
+        if isinstance(node, n.Sequence):
+            node = n.Matrix((node.items,), span=node.span) if transposed else n.Matrix(tuple((i,) for i in node.items), span=node.span)
+        if not isinstance(node, n.Matrix):
+            return None
+        rows = tuple(zip(*node.rows, strict=False)) if transposed else node.rows
+        value = true.value
+        if not isinstance(value, Matrix) or (len(rows), len(rows[0])) != value.shape:
+            return None
+        cells = [(r, c, self.member(cell), cell) for r, row in enumerate(rows) for c, cell in enumerate(row)]
+        if any(not m.known and (not isinstance(m.problem, UnboundName) or bare_key(cell) is None) for _, _, m, cell in cells):
+            return None
+        defined: list[str] = []
+        wrong: list[tuple[int, int]] = []
+        for r, c, cell_member, cell in cells:
+            if cell_member.known:
+                if isinstance(cell_member.value, Matrix | Identity | list) or not exactly_equal(value.rows[r][c], cell_member.value):
+                    wrong.append((r, c))
+                continue
+            key = bare_key(cell)
+            assert key is not None
+            if key in defined:
+                if not exactly_equal(value.rows[r][c], Evaluator(self.names, self.exact).evaluate(cell)):
+                    wrong.append((r, c))
+            elif define:
+                self.names.define(key, _getter(self, true.node, r, c), line)
+            defined.append(key)
+        verdict = Verdict.REFUTED if wrong else Verdict.DEFINED
+        outcome = Outcome(verdict, f"gives {', '.join(dict.fromkeys(defined))} their meaning", equation, true, member, defines=tuple(defined))
+        if wrong:
+            outcome.wrong = wrong
+            outcome.message = ""
+            outcome.pair = Pair(value, value)
+        return outcome
+
+    def _labels(self, chain: n.Chain, first_equation: int, line: int, define: bool) -> list[Outcome]:
+        """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim."""
+        outcomes: list[Outcome] = []
+        for index, member in enumerate(chain.members):
+            for below in n.walk(member):
+                if not isinstance(below, n.Labelled) or below.label is None:
+                    continue
+                label, inner = self.member(below.label), self.member(below.inner)
+                key = bare_key(below.label)
+                if label.known and inner.known:
+                    outcomes.append(self._compare(label, inner, first_equation + max(0, index - 1), False))
+                elif key is not None and isinstance(label.problem, UnboundName) and inner.known and define:
+                    self.names.define(key, _getter(self, below.inner), line)
+        return outcomes
+
+    def _nothing_known(self, members: list[Member], equation: int, line: int) -> list[Outcome]:
+        """Nothing has a value: a bare new name on one side is a definition in words or symbols, else unchecked."""
+        outside = [m for m in members if isinstance(m.problem, OutsideAlgebra)]
+        if len(outside) >= 2 and len(outside) == len(members):
+            first, *others = outside
+            return [
+                self.confirm_only(first.node, m.node, equation + k, _has_branches(m.node), f"{m.problem} is not exact")
+                for k, m in enumerate(others)
+            ]
+        shape = next((m.problem for m in members if isinstance(m.problem, ShapeError)), None)
+        if shape is not None:
+            return [Outcome(Verdict.REFUTED, str(shape), equation)]
+        if len(members) == 1:
+            return [Outcome(Verdict.DEFINED, "states no equation", equation)]
+        bare = next((key for m in members if (key := bare_key(m.node)) is not None and isinstance(m.problem, UnboundName)), None)
+        unbound = next((m.problem for m in members if isinstance(m.problem, UnboundName) and m.problem.name != bare), None)
+        other = next((m.problem for m in members if m.problem is not None and not isinstance(m.problem, UnboundName)), None)
+        if bare is not None and other is None:
+            return [Outcome(Verdict.DEFINED, f"gives {bare} its meaning in terms of names without a value", equation + k)
+                    for k in range(len(members) - 1)]  # fmt: skip
+        return [Outcome(Verdict.UNCHECKED, str(other or unbound), equation)]
+
+
+def bare_key(node: n.Node) -> str | None:
+    """Return the key of a node that is one name, whatever brackets stand around it."""
+    while isinstance(node, n.Group | n.Labelled):
+        node = node.inner
+    if isinstance(node, n.Name):
+        return node.key if node.base not in ("words", "=") else None
+    if isinstance(node, n.Call) and node.function == "name":
+        return call_key(node)
+    return None
+
+
+def _getter(checker: ChainChecker, node: n.Node, row: int | None = None, column: int | None = None) -> Callable[[Any], Value]:
+    """Return a definition's meaning: the value of `node`, or one entry of it, in whichever algebra asks."""
+    names = checker.names
+
+    def evaluate(algebra: Any) -> Value:
+        value = Evaluator(names, algebra).evaluate(node)
+        if row is None or column is None:
+            return value
+        if not isinstance(value, Matrix):
+            raise EvaluationError("an entry of a scalar")
+        return value.rows[row][column]
+
+    return evaluate
+
+
+def _distance(a: Any, b: Any) -> Any:
+    """A scalar that vanishes where two agree: the difference, or 1 − cos of it for angles."""
+    difference = a - b
+    ring = difference.ring
+    if ring.has_arcs(a) or ring.has_arcs(b):
+        return 1 - ring.cos_sin(difference)[0]
+    return difference
+
+
+def _has_branches(node: n.Node) -> bool:
+    return any(sign in "±∓" for below in n.walk(node) if isinstance(below, n.Sum) for sign, _ in below.terms)

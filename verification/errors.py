@@ -1,0 +1,37 @@
+"""Errors of the verification room; every one carries a message a teacher can act on."""
+
+from __future__ import annotations
+
+from models.errors import ArmproofError
+
+
+class ReadError(ArmproofError):
+    """A formula cannot be read: says what was met, where in the LaTeX, and what was expected."""
+
+    def __init__(self, message: str, offset: int = 0) -> None:
+        super().__init__(message)
+        self.offset = offset
+
+
+class DocumentError(ArmproofError):
+    """A document as a whole cannot be checked (front matter, encoding, unknown arm)."""
+
+
+class EvaluationError(ArmproofError):
+    """A formula was read but has no value: shapes that do not fit, a singular matrix, too many terms."""
+
+
+class UnboundName(EvaluationError):
+    """A formula holds a name that nothing in the document or on the arm gives a meaning."""
+
+    def __init__(self, name: str, reason: str = "") -> None:
+        super().__init__(f"'{name}' is not bound" + (f": {reason}" if reason else ""))
+        self.name = name
+
+
+class ShapeError(EvaluationError):
+    """Sizes that can never fit: whatever the values, the formula is wrong as it stands."""
+
+
+class TooComplex(EvaluationError):
+    """A formula exceeds the bounds on terms or time that keep every display under two seconds."""

@@ -1,0 +1,247 @@
+"""The expression tree: what a display says, with every node's place in the LaTeX.
+
+The tree keeps the notation (which spelling of a cosine, which brackets), so that a term can be written back in the
+document's own hand; what the names mean is decided later, against an arm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields, replace
+from fractions import Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """One node; `span` is its place in the display and does not count in comparisons."""
+
+    span: tuple[int, int] = field(default=(0, 0), compare=False, kw_only=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Node):
+    """A non-negative rational number as written: 2, 0.75, 1/2 is a Quotient."""
+
+    value: Fraction
+    text: str = field(default="", compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Name(Node):
+    """An indexed name: `{}^{pre_sup}_{pre_sub} base' _{sub}^{sup}`, all in canonical text; dots are time derivatives."""
+
+    base: str
+    sub: str = ""
+    sup: str = ""
+    pre_sub: str = ""
+    pre_sup: str = ""
+    primes: int = 0
+    dots: int = 0
+    text: str = field(default="", compare=False)
+
+    @property
+    def key(self) -> str:
+        """The name as front matter spells it: `J'_P`, `theta_1`, `{}^0T_1`, `T^0_1`."""
+        front = ""
+        if self.pre_sup or self.pre_sub:
+            front = "{}" + (f"^{self.pre_sup}" if self.pre_sup else "") + (f"_{self.pre_sub}" if self.pre_sub else "")
+        dots = "dot" * self.dots + " " if self.dots else ""
+        return (
+            f"{front}{dots}{self.base}{chr(39) * self.primes}"
+            + (f"_{self.sub}" if self.sub else "")
+            + (f"^{self.sup}" if self.sup else "")
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class JointAngles(Node):
+    """The angle named by the digits of c_{12}: the signed sum of those joints' angles."""
+
+    terms: tuple[tuple[int, int], ...]  # (sign, joint index)
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Node):
+    """A known function of arguments; `style` says how it is written.
+
+    style: "macro" (\\cos\\theta_1), "macro()" (\\cos(…)), "index" (c_{12}), "letter" (C\\theta_1), "letter()" (C(…)),
+    "script" (c_{\\theta_1}); `head` is the LaTeX of the function itself.
+    """
+
+    function: str
+    arguments: tuple[Node, ...]
+    head: str = field(default="", compare=False)
+    style: str = field(default="macro()", compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Sum(Node):
+    """Signed terms; a sign is "+", "-", "±" or "∓"."""
+
+    terms: tuple[tuple[str, Node], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Product(Node):
+    """Factors and the operator before each but the first: "" (juxtaposed), "⋅", "×" (product or cross product)."""
+
+    factors: tuple[Node, ...]
+    operators: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient(Node):
+    """A fraction; style "frac" or "slash"."""
+
+    numerator: Node
+    denominator: Node
+    style: str = field(default="frac", compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Node):
+    """base^exponent, the exponent a number or a scalar expression."""
+
+    base: Node
+    exponent: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Postfix(Node):
+    """operator "T" (transpose), "-1" (inverse), "-T", "+" (pseudo-inverse) or "deg"."""
+
+    base: Node
+    operator: str
+
+
+@dataclass(frozen=True, slots=True)
+class Group(Node):
+    """Brackets around an expression: "()", "[]" or "{}" (braces, which do not print)."""
+
+    inner: Node
+    brackets: str = "()"
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence(Node):
+    """A bracketed list (a, b, c): arguments, a row of a vector, a set or an interval."""
+
+    items: tuple[Node, ...]
+    brackets: str = "()"
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix(Node):
+    """Rows of cells; `environment` as written. Cells may themselves be matrices (blocks)."""
+
+    rows: tuple[tuple[Node, ...], ...]
+    environment: str = "bmatrix"
+
+
+@dataclass(frozen=True, slots=True)
+class Derivative(Node):
+    """∂(operand)/∂(variable), or d/dt where the variable is t."""
+
+    operand: Node
+    variable: Node
+    order: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Labelled(Node):
+    """An under- or overbrace: the expression and its label, where that reads as a name or as a size such as 6×n."""
+
+    inner: Node
+    label: Node | None
+    size: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class At(Node):
+    """An expression at a configuration: J|_{θ_2 = 0}."""
+
+    inner: Node
+    values: tuple[tuple[Node, Node], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Cases(Node):
+    """A brace of alternatives; each branch is a value and the words or relations of its condition."""
+
+    branches: tuple[tuple[Node, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Dots(Node):
+    """An ellipsis: the expression goes on in a way the reader is left to see."""
+
+
+@dataclass(frozen=True, slots=True)
+class Layout(Node):
+    """Lines of relations inside an environment: `aligned`, or an array that holds equations."""
+
+    statements: tuple[Statement, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Node):
+    """members[0] relations[0] members[1] …: one equation a relation."""
+
+    members: tuple[Node, ...]
+    relations: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Connective(Node):
+    """What stands between statements: "⇒", "⇔", "⇐", "or", "and", or words."""
+
+    kind: str
+    text: str = ""
+
+
+Statement = Chain | Connective
+
+
+def children(node: Node) -> Iterator[Node]:
+    """Yield the nodes directly below."""
+    for spec in fields(node):
+        yield from _nodes_in(getattr(node, spec.name))
+
+
+def _nodes_in(value: object) -> Iterator[Node]:
+    if isinstance(value, Node):
+        yield value
+    elif isinstance(value, tuple):
+        for item in value:
+            yield from _nodes_in(item)
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """Yield the node and all below it, depth first."""
+    stack = [node]
+    while stack:
+        top = stack.pop()
+        yield top
+        stack.extend(reversed(list(children(top))))
+
+
+def substitute(node: Node, old: Node, new: Node) -> Node:
+    """Return the tree with the very node `old` (by identity) replaced."""
+    if node is old:
+        return new
+    changes = {}
+    for spec in fields(node):
+        before = getattr(node, spec.name)
+        after = _substitute_in(before, old, new)
+        if after is not before:
+            changes[spec.name] = after
+    return replace(node, **changes) if changes else node
+
+
+def _substitute_in(value: object, old: Node, new: Node) -> object:
+    if isinstance(value, Node):
+        return substitute(value, old, new)
+    if isinstance(value, tuple):
+        items = tuple(_substitute_in(item, old, new) for item in value)
+        return items if any(a is not b for a, b in zip(items, value, strict=True)) else value
+    return value

@@ -1,0 +1,91 @@
+"""Read the LaTeX of one display into statements."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import lru_cache
+from importlib import resources
+
+from lark import Lark, Tree
+from lark.exceptions import UnexpectedInput, UnexpectedToken, VisitError
+
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.latex.builder import TreeBuilder
+from verification.latex.tokens import LatexLexer, normalise_unicode
+
+MAX_LENGTH = 100_000
+_READABLE = {
+    "$END": "the end", "REL": "a relation such as =", "RPAR": "')'", "RBRACE": "'}'", "LPAR": "'('", "LBRACE": "'{'", "PLUS": "'+'",
+    "MINUS": "'-'", "AMP": "'&'", "NEWLINE": r"'\\'", "LETTER": "a name", "NUMBER": "a number", "END": r"'\end{…}'", "FUNC": "a function",
+    "COMMA": "','", "CLOSE_BAR": "'|'", "CLOSE_SET": r"'\}'", "CLOSE_EMPTY": r"'\right'",
+}  # fmt: skip
+
+
+class Reader:
+    """Reads displays; `is_bound` tells the names the front matter binds, `words` the multi-letter ones among them."""
+
+    def __init__(self, is_bound: Callable[[str], bool] = lambda key: False, words: frozenset[str] = frozenset()) -> None:
+        self.is_bound = is_bound
+        self.words = words
+
+    def read(self, latex: str) -> list[n.Statement]:
+        """Return the statements of a display; raises ReadError with the place and the token."""
+        if len(latex) > MAX_LENGTH:
+            raise ReadError(f"the display is too long: {len(latex):,} characters, at most {MAX_LENGTH:,}")
+        return self._parse(latex)
+
+    def read_expression(self, latex: str, offset: int = 0) -> n.Node:
+        """Return the one expression that a piece of LaTeX holds (a front-matter name, a subscript).
+
+        `offset` is the piece's place in its display; leading blanks put the spans of the nodes there.
+        """
+        statements = self._parse(" " * max(offset, 0) + latex)
+        if len(statements) != 1 or not isinstance(statements[0], n.Chain) or len(statements[0].members) != 1:
+            raise ReadError(f"'{latex.strip()}' is not one expression", offset)
+        return statements[0].members[0]
+
+    def _parse(self, latex: str) -> list[n.Statement]:
+        text = normalise_unicode(latex)
+        try:
+            tree: Tree = _grammar().parse((text, self.words))  # type: ignore[arg-type]
+            return TreeBuilder(text, self.is_bound, self.read_expression).transform(tree)  # type: ignore[return-value]
+        except UnexpectedToken as error:
+            raise _unexpected(error, text) from None
+        except UnexpectedInput as error:
+            raise ReadError(str(error).splitlines()[0]) from None
+        except VisitError as error:
+            if isinstance(error.orig_exc, ReadError):
+                raise error.orig_exc from None
+            raise
+        except RecursionError:
+            raise ReadError("nested too deeply") from None
+
+
+def _unexpected(error: UnexpectedToken, text: str) -> ReadError:
+    token = error.token
+    expected = sorted({_READABLE[name] for name in error.accepts or error.expected if name in _READABLE})
+    choices = f"; expected {', '.join(expected)}" if expected else ""
+    if token.type == "$END":
+        return ReadError(f"the display ends too early{choices}", len(text))
+    found = text[token.start_pos : token.end_pos].strip() or token.value
+    if len(found) > 40:
+        found = found[:37] + "…"
+    return ReadError(f"unexpected '{found}'{choices}", token.start_pos or 0)
+
+
+@lru_cache(maxsize=1)
+def _grammar() -> Lark:
+    grammar = resources.files("verification.latex").joinpath("kinematics.lark").read_text(encoding="utf-8")
+    return Lark(grammar, parser="lalr", lexer=LatexLexer)
+
+
+_KEY = re.compile(r"(?P<ascii>[A-Za-z]+)")
+
+
+def key_as_latex(key: str) -> str:
+    """Write a front-matter name as LaTeX: `theta_12` → `\\theta_{12}`, `J'_P` as it stands, `T_w^tool` braced."""
+    spelled = re.sub(r"(?<![\\A-Za-z])(theta|alpha|beta|gamma|phi|psi|omega|sigma|delta|lambda|mu|rho|varphi|tau)(?![A-Za-z])", r"\\\1", key)
+    spelled = re.sub(r"([_^])([A-Za-z0-9]{2,})", r"\1{\2}", spelled)
+    return spelled

@@ -1,0 +1,174 @@
+"""From rows and cells to statements: chains of relations, and what connects them."""
+
+from __future__ import annotations
+
+from lark import Token
+
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.latex.tokens import LAYOUTS
+
+Cell = list  # of Node and Token, in the order of the line
+PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
+
+
+class _Statements:
+    """Collects chains as the parts of a display go by."""
+
+    def __init__(self) -> None:
+        self.done: list[n.Statement] = []
+        self.members: list[n.Node] = []
+        self.relations: list[str] = []
+
+    def close(self) -> None:
+        """End the chain that is open, if any."""
+        if not self.members:
+            return
+        if len(self.relations) >= len(self.members):
+            self.relations = self.relations[: len(self.members) - 1]
+        for member in self.members[:-1]:
+            if isinstance(member, n.Layout):
+                raise ReadError("several equations stand where one value is expected", member.span[0])
+        if len(self.members) == 1 and isinstance(self.members[0], n.Layout):
+            self.done.extend(self.members[0].statements)
+        else:
+            span = (self.members[0].span[0], self.members[-1].span[1])
+            self.done.append(n.Chain(tuple(self.members), tuple(self.relations), span=span))
+        self.members, self.relations = [], []
+
+    def reopen(self) -> None:
+        """Take up the last chain again: a line or a display that begins with a relation continues it."""
+        if self.done and isinstance(self.done[-1], n.Chain):
+            last = self.done.pop()
+            assert isinstance(last, n.Chain)
+            self.members, self.relations = list(last.members), list(last.relations)
+        else:
+            self.members = [PREVIOUS]
+
+    def expression(self, node: n.Node) -> None:
+        if len(self.members) > len(self.relations):
+            self.close()
+        self.members.append(node)
+
+    def relation(self, token: Token) -> None:
+        if not self.members:
+            self.reopen()
+        if len(self.relations) >= len(self.members):
+            raise ReadError(f"two relations in a row at '{token.value}'", token.start_pos)
+        self.relations.append(token.value)
+
+    def connective(self, kind: str, token: Token) -> None:
+        self.close()
+        self.done.append(n.Connective(kind, token.value, span=(token.start_pos, token.end_pos)))
+
+
+def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
+    """Read the lines of a display, or of a layout environment, as statements."""
+    found = _Statements()
+    for row in rows:
+        parts = [part for cell in row for part in cell]
+        first = next((p for p in parts if not (isinstance(p, Token) and p.type == "SEP")), None)
+        has_relation = any(isinstance(p, Token) and p.type in ("REL", "CONN") for p in parts)
+        if isinstance(first, n.Sum) and not has_relation and _starts_with_sign(first) and (found.members or found.done):
+            _continue_sum(found, first)
+            parts = parts[parts.index(first) + 1 :]
+        elif not (found.members and len(found.relations) == len(found.members)):
+            found.close()
+        for part in parts:
+            if isinstance(part, n.Node):
+                found.expression(part)
+            elif part.type == "REL":
+                found.relation(part)
+            elif part.type == "CONN":
+                found.connective(part.value, part)
+            elif part.type == "TEXT":
+                found.connective(_word_kind(part.value), part)
+            elif not (found.members and len(found.relations) == len(found.members)):  # SEP, COMMA
+                found.close()
+    found.close()
+    return found.done
+
+
+def _word_kind(text: str) -> str:
+    words = text.strip(" .,;:").lower()
+    if words in ("or", "ou", "oder", "o"):
+        return "or"
+    if words in ("and", "et", "und", "y", "e"):
+        return "and"
+    if words in ("if and only if", "iff", "si et seulement si", "ssi"):
+        return "⇔"
+    if words in ("if", "si", "when", "for", "pour", "lorsque", "provided", "wenn", "for all"):
+        return "if"
+    return "words"
+
+
+def _starts_with_sign(node: n.Sum) -> bool:
+    first = node.terms[0][1]
+    return node.span[0] < first.span[0]
+
+
+def _continue_sum(found: _Statements, more: n.Sum) -> None:
+    """A line that begins with a sign and states no relation goes on with the sum of the line before."""
+    if not found.members:
+        found.reopen()
+    if not found.members or found.members[-1] is PREVIOUS:
+        raise ReadError("a line begins with a sign but continues nothing", more.span[0])
+    last = found.members[-1]
+    terms = last.terms if isinstance(last, n.Sum) else (("+", last),)
+    found.members[-1] = n.Sum((*terms, *more.terms), span=(last.span[0], more.span[1]))
+
+
+def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
+    """A matrix, lines of equations, or a brace of cases, by what the cells hold."""
+    rows = _without_empty(rows)
+    relations = [any(isinstance(part, Token) and part.type == "REL" for part in cell) for row in rows for cell in row[:1]]
+    anywhere = any(isinstance(part, Token) and part.type in ("REL", "CONN") for row in rows for cell in row for part in cell)
+    if name in ("cases", "dcases", "rcases") and not any(relations):
+        return _cases(rows, span, text)
+    if name in LAYOUTS or anywhere:
+        if len(rows) == 1 and len(rows[0]) == 1 and len(rows[0][0]) == 1 and isinstance(rows[0][0][0], n.Node):
+            return rows[0][0][0]  # an alignment that holds one expression
+        return n.Layout(tuple(build_statements(rows)), span=span)
+    return n.Matrix(tuple(tuple(_matrix_cell(cell, span) for cell in row) for row in _checked(rows, span)), name, span=span)
+
+
+def _checked(rows: list[list[Cell]], span: tuple[int, int]) -> list[list[Cell]]:
+    if not rows:
+        raise ReadError("a matrix without cells", span[0])
+    return rows
+
+
+def _without_empty(rows: list[list[Cell]]) -> list[list[Cell]]:
+    """Drop empty lines, and the empty columns that `&&` leaves."""
+    rows = [row for row in rows if any(cell for cell in row)]
+    width = max((len(row) for row in rows), default=0)
+    empty = [all(len(row) <= column or not row[column] for row in rows) for column in range(width)]
+    return [[cell for column, cell in enumerate(row) if not empty[column]] for row in rows]
+
+
+def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
+    parts = [part for part in cell if not (isinstance(part, Token) and part.type in ("SEP", "COMMA"))]
+    if len(parts) == 1 and isinstance(parts[0], n.Node):
+        return parts[0]
+    words = [part for part in parts if isinstance(part, Token) and part.type == "TEXT"]
+    if words:
+        text = " ".join(str(part.value) for part in words)
+        return n.Name("words", text=text, span=(words[0].start_pos, words[-1].end_pos))
+    if not parts:
+        raise ReadError("a cell of a matrix is empty: write 0 where a zero is meant", span[0])
+    second = parts[1]
+    where = second.start_pos if isinstance(second, Token) else second.span[0]
+    raise ReadError("a cell of a matrix holds more than one expression", where)
+
+
+def _cases(rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
+    branches: list[tuple[n.Node, str]] = []
+    for row in rows:
+        value = next((part for part in row[0] if isinstance(part, n.Node)), None)
+        if value is None:
+            raise ReadError("a case without a value", span[0])
+        rest = [part for cell in row for part in cell if part is not value]
+        ends = [(p.start_pos, p.end_pos) if isinstance(p, Token) else p.span for p in rest]
+        condition = text[min(e[0] for e in ends) : max(e[1] for e in ends)] if ends else ""
+        branches.append((value, condition.strip(" ,&")))
+    return n.Cases(tuple(branches), span=span)

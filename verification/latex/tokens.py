@@ -1,0 +1,442 @@
+"""The tokens of kinematic LaTeX: a lexer for the grammar in `kinematics.lark`.
+
+Layout commands vanish here, scripts are taken whole (their text is read later, once it is known what they
+are attached to), and each token keeps its place in the display so that every message can point at it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+
+from lark import Token
+from lark.lexer import Lexer
+
+from verification.errors import ReadError
+
+MAX_TOKENS = 20_000
+MAX_DEPTH = 60
+
+GREEK = (
+    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi rho sigma tau "
+    "upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega ell"
+).split()
+VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon", "ell": "l"}
+
+UNICODE = {
+    "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
+    "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
+    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ",
+    "α": r"\alpha ", "β": r"\beta ", "γ": r"\gamma ", "θ": r"\theta ", "ϑ": r"\theta ", "φ": r"\phi ", "ϕ": r"\phi ",
+    "ψ": r"\psi ", "π": r"\pi ", "ω": r"\omega ", "σ": r"\sigma ", "λ": r"\lambda ", "μ": r"\mu ", "ρ": r"\rho ",
+    "τ": r"\tau ", "δ": r"\delta ", "\u00a0": " ",
+}  # fmt: skip
+
+# how the functions of kinematics are spelt: the spelling → the function
+FUNCTIONS = {
+    "cos": "cos", "sin": "sin", "tan": "tan", "cot": "cot", "sec": "sec", "csc": "csc",
+    "arccos": "acos", "acos": "acos", "arcsin": "asin", "asin": "asin", "arctan": "atan", "atan": "atan",
+    "Arccos": "acos", "Arcsin": "asin", "Arctan": "atan", "Cos": "cos", "Sin": "sin", "Tan": "tan",
+    "atan2": "atan2", "Atan2": "atan2", "ATAN2": "atan2", "arctan2": "atan2", "Arctan2": "atan2", "arctg": "atan",
+    "tg": "tan", "sen": "sin",
+    "det": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
+    "cof": "com", "tr": "tr", "Tr": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
+    "diag": "diag",
+}  # fmt: skip
+# bare letters are a product unless they spell one of these
+BARE_WORDS = sorted((set(FUNCTIONS) - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot"}), key=len, reverse=True)
+BARE_GREEK = ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma")
+
+RELATIONS = {
+    "=": "=", "equiv": "=", "triangleq": "=", "coloneqq": "=", ":=": "=", "approx": "≈", "simeq": "≈",
+    "leq": "≤", "le": "≤", "leqslant": "≤", "geq": "≥", "ge": "≥", "geqslant": "≥", "<": "<", ">": ">",
+    "neq": "≠", "ne": "≠", "in": "∈", "notin": "∉", "lt": "<", "gt": ">", "subset": "⊂", "propto": "∝",
+}  # fmt: skip
+CONNECTIVES = {
+    "Rightarrow": "⇒", "implies": "⇒", "Longrightarrow": "⇒", "to": "⇒", "rightarrow": "⇒", "longrightarrow": "⇒",
+    "iff": "⇔", "Leftrightarrow": "⇔", "Longleftrightarrow": "⇔", "Leftarrow": "⇐", "therefore": "⇒",
+    "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒",
+}  # fmt: skip
+
+MATRICES = {"matrix", "bmatrix", "pmatrix", "vmatrix", "Vmatrix", "Bmatrix", "smallmatrix", "array", "bsmallmatrix",
+            "psmallmatrix"}  # fmt: skip
+LAYOUTS = {"aligned", "align", "split", "gather", "gathered", "alignat", "alignedat", "eqnarray", "multline",
+           "cases", "dcases", "rcases", "flalign"}  # fmt: skip
+TRANSPARENT = {"equation", "displaymath", "math", "subequations", "small", "footnotesize", "center"}
+
+STYLES = (
+    "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
+    "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
+    "ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
+)
+SPACES = (
+    r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hfill|noindent|"
+    r"normalsize|small|footnotesize|scriptsize|tiny|large|Large|centering|allowbreak|"
+    r"thinspace|medspace|thickspace|negthinspace|middle|[bB]igg?[lrm]?|toprule|midrule|bottomrule|strut|relax|null"
+)
+
+_MASTER = re.compile(
+    r"""
+    (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n)|%%[^\n]*\n)+)
+  | (?P<TAG>\\(?:tag\*?|label|color|hspace\*?|vspace\*?|cline|arraycolsep|cmidrule|rule|eqno|setlength|renewcommand)\s*\{[^{}]*\})
+  | (?P<NEWLINE>\\\\\*?(?:\s*\[\s*-?[\d.]+\s*(?:ex|em|pt|mm|cm|in|\\baselineskip)\s*\])?|\\cr(?![A-Za-z])|\\newline(?![A-Za-z])|\\tabularnewline(?![A-Za-z]))
+  | (?P<BEGIN>\\begin\s*\{\s*([A-Za-z]+)\*?\s*\})
+  | (?P<END>\\end\s*\{\s*([A-Za-z]+)\*?\s*\})
+  | (?P<SCRIPT>[_^])
+  | (?P<NUMBER>\d+(?:(?:\.|\{,\})\d+)?|\.\d+)
+  | (?P<BRACESPACE>\{\s*\})
+  | (?P<FENCE>\\(?:left|right)\s*(?:\\[lr](?:brace|brack|vert|angle|Vert)|\\[{}|]|\\rangle|[][()|/<>.]))
+  | (?P<MACRO>\\(?:[A-Za-z]+|[{}|&%%$\#_]))
+  | (?P<BARE>%s)
+  | (?P<LETTER>[A-Za-z])
+  | (?P<ASSIGN>:=)
+  | (?P<CHAR>.)
+    """
+    % (SPACES, "|".join([*BARE_WORDS, *BARE_GREEK])),
+    re.VERBOSE | re.DOTALL,
+)
+_STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
+_ENDS_OPERAND = frozenset(
+    ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
+)
+_CHARS = {
+    "+": "PLUS", "-": "MINUS", "/": "SLASH", "(": "LPAR", "[": "LPAR", ")": "RPAR", "]": "RPAR", "{": "LBRACE",
+    "}": "RBRACE", "&": "AMP", ",": "COMMA", ";": "SEP", ":": "SEP", "=": "REL", "<": "REL", ">": "REL", "'": "PRIME",
+    ".": "DOT", "*": "STAR", "!": "SPACE",
+}  # fmt: skip
+_MACROS = {
+    "pm": "PM", "mp": "PM", "cdot": "CDOT", "times": "TIMES", "wedge": "TIMES", "ast": "CDOT", "star": "CDOT",
+    "bullet": "CDOT", "circ": "CDOT", "div": "SLASH", "frac": "FRAC", "dfrac": "FRAC", "tfrac": "FRAC", "cfrac": "FRAC",
+    "sqrt": "SQRT", "partial": "PARTIAL", "dots": "DOTS", "ldots": "DOTS", "cdots": "DOTS", "vdots": "DOTS",
+    "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
+    "overset": "OVERSET", "underset": "OVERSET", "stackrel": "OVERSET",
+    "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "colon": "SEP",
+    "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",
+    "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
+    "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
+}  # fmt: skip
+_PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}
+
+
+class _Scanner:
+    """One pass over a display: the state that a token's meaning may depend on."""
+
+    def __init__(self, text: str, words: frozenset[str]) -> None:
+        self.text = text
+        self.words = words
+        self.fences: list[str] = []
+        self.transparent_braces: set[int] = set()
+        self.depth = 0
+        self.previous = ""
+        self.bar_open = False
+
+    def token(self, kind: str, value: str, start: int, end: int) -> Token:
+        self.previous = kind
+        return Token(kind, value, start_pos=start, end_pos=end)
+
+    def scan(self) -> Iterator[Token]:
+        text, position, count = self.text, 0, 0
+        match = _MASTER.match
+        while position < len(text):
+            found = match(text, position)
+            if found is None:  # the last alternative takes any character
+                raise ReadError(f"cannot read '{text[position]}'", position)
+            kind = found.lastgroup or ""
+            # the inner groups of BEGIN and END would hide the outer name
+            if found.group("BEGIN"):
+                kind = "BEGIN"
+            elif found.group("END"):
+                kind = "END"
+            if kind in ("SPACE", "TAG"):
+                position = found.end()
+                continue
+            handler = getattr(self, "on_" + kind.lower())
+            tokens, position = handler(found.group(kind), position, found.end())
+            count += len(tokens)
+            if count > MAX_TOKENS:
+                raise ReadError(f"the display is too long: more than {MAX_TOKENS:,} tokens", position)
+            yield from tokens
+
+    # Each handler returns the tokens and where to go on.
+
+    def on_newline(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
+        return [self.token("NEWLINE", r"\\", start, end)], end
+
+    def on_begin(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        name = value[value.index("{") + 1 : value.rindex("}")].strip().rstrip("*")
+        if name in TRANSPARENT:
+            return [], end
+        if name not in MATRICES and name not in LAYOUTS:
+            known = ", ".join(sorted(MATRICES | LAYOUTS))
+            raise ReadError(f"environment '{name}' is not read; those that are: {known}", start)
+        end = self._skip_arguments(end, braces=name in ("array", "alignat", "alignedat"))
+        self._deeper(start)
+        return [self.token("BEGIN", name, start, end)], end
+
+    def on_end(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        name = value[value.index("{") + 1 : value.rindex("}")].strip().rstrip("*")
+        if name in TRANSPARENT:
+            return [], end
+        self.depth -= 1
+        return [self.token("END", name, start, end)], end
+
+    def _skip_arguments(self, position: int, *, braces: bool) -> int:
+        """Skip `[t]` and, where the environment has one, the `{cc|c}` column specification."""
+        option = re.compile(r"\s*\[[tbclrTBCLR]\]").match(self.text, position)
+        position = option.end() if option else position
+        if braces:
+            specification = re.compile(r"\s*\{(?:[^{}]|\{[^{}]*\})*\}").match(self.text, position)
+            position = specification.end() if specification else position
+        return position
+
+    def _deeper(self, position: int) -> None:
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise ReadError(f"nested more than {MAX_DEPTH} deep", position)
+
+    def on_script(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        argument, end = self._script_argument(start, end)
+        kind = "SUB" if value == "_" else "SUP"
+        if kind == "SUP" and set(argument.replace("\\prime", "'").replace(" ", "")) == {"'"}:
+            return [self.token("PRIME", "'", start, end)], end
+        return [self.token(kind, argument, start, end)], end
+
+    def _script_argument(self, start: int, position: int) -> tuple[str, int]:
+        text = self.text
+        while position < len(text) and text[position].isspace():
+            position += 1
+        if position >= len(text):
+            raise ReadError(f"'{text[start]}' at the end of the display has no script", start)
+        if text[position] == "{":
+            close = self._matching_brace(position)
+            return text[position + 1 : close], close + 1
+        if text[position] == "\\":
+            macro = re.compile(r"\\(?:[A-Za-z]+|.)", re.DOTALL).match(text, position)
+            if macro is None:
+                raise ReadError(f"'{text[start]}' has no script", start)
+            end = macro.end()
+            if re.fullmatch(r"\\(?:%s)" % STYLES, macro.group()) and text[end : end + 1] == "{":
+                end = self._matching_brace(end) + 1
+            return text[position:end], end
+        digits = re.compile(r"\d+" if text[start] == "_" else r"\d").match(text, position)
+        if digits:
+            return digits.group(), digits.end()
+        return text[position], position + 1
+
+    def _matching_brace(self, position: int) -> int:
+        depth = 0
+        for index in range(position, len(self.text)):
+            character = self.text[index]
+            if character == "{" and self.text[index - 1 : index] != "\\":
+                depth += 1
+                if depth > MAX_DEPTH:
+                    raise ReadError(f"nested more than {MAX_DEPTH} deep", index)
+            elif character == "}" and self.text[index - 1 : index] != "\\":
+                depth -= 1
+                if depth == 0:
+                    return index
+        raise ReadError("'{' is never closed", position)
+
+    def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
+            return [self.token("NUMBER", value[0], start, start + 1), self.token("NUMBER", value[1], start + 1, start + 2)], start + 2
+        return [self.token("NUMBER", value, start, end)], end
+
+    def on_bracespace(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
+        """`{}` carries pre-scripts where scripts follow; elsewhere it prints nothing."""
+        if re.compile(r"(?:\s|\\!)*[_^]").match(self.text, end):
+            return [self.token("PRE", "{}", start, end)], end
+        return [], end
+
+    def on_fence(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        opening = value.startswith("\\left")
+        mark = value[5:].strip() if opening else value[6:].strip()
+        if mark == ".":
+            if opening:
+                self.fences.append(".")
+                return [self.token("OPEN_EMPTY", mark, start, end)], end
+            opened = self.fences.pop() if self.fences else "."
+            kind = {"(": "RPAR", "[": "RPAR", "|": "CLOSE_BAR", "{": "CLOSE_EMPTY"}.get(opened, "CLOSE_EMPTY")
+            return [self.token(kind, mark, start, end)], end
+        if mark in (r"\{", r"\lbrace", r"\}", r"\rbrace"):
+            if opening:
+                self.fences.append("{")
+                return [self.token("OPEN_EMPTY", "{", start, end)], end
+            if self.fences:
+                self.fences.pop()
+            return [self.token("CLOSE_EMPTY", "}", start, end)], end
+        if mark in ("|", r"\|", r"\lvert", r"\rvert", r"\vert", r"\lVert", r"\rVert"):
+            if opening:
+                self.fences.append("|")
+                return [self.token("OPEN_BAR", "|", start, end)], end
+            opened = self.fences.pop() if self.fences else "|"
+            return [self.token("CLOSE_EMPTY" if opened in ".{" else "CLOSE_BAR", "|", start, end)], end
+        if opening:
+            self.fences.append("(")
+        elif self.fences:
+            opened = self.fences.pop()
+            if opened in ".{":
+                return [self.token("CLOSE_EMPTY", mark, start, end)], end
+        return [self.token("LPAR" if opening else "RPAR", mark, start, end)], end
+
+    def on_macro(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        name = value[1:]
+        if re.fullmatch(STYLES, name):
+            return self._style(name, start, end)
+        if name in ("left", "right"):
+            raise ReadError(f"\\{name} needs a delimiter such as ( [ | or .", start)
+        if name == "textcolor":
+            colour = re.compile(r"\s*\{[^{}]*\}").match(self.text, end)
+            return [], colour.end() if colour else end
+        if name == "operatornamewithlimits":
+            return self._style("operatorname", start, end)
+        if name in _MACROS:
+            kind = _MACROS[name]
+            if kind == "BAR":
+                return self._bar(start, end)
+            if kind == "LETTER":
+                return self._letter(name, start, end)
+            return [self.token(kind, name, start, end)], end
+        if name in FUNCTIONS:
+            return self._function(name, start, end)
+        if name in GREEK:
+            return self._letter(VARIANTS.get(name, name), start, end)
+        if name in RELATIONS:
+            return [self.token("REL", RELATIONS[name], start, end)], end
+        if name in CONNECTIVES:
+            return [self.token("CONN", CONNECTIVES[name], start, end)], end
+        if name in _PUNCTUATION:
+            return [self.token("TEXT", name, start, end)], end
+        raise ReadError(f"'{value}' is not a command of kinematic LaTeX", start)
+
+    def _style(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
+        """`\\mathbf{J}` is J; `\\text{Atan2}` a function; `\\mathrm{tool}` a name; `\\text{if } x` words."""
+        if name in ("boxed", "fbox", "ensuremath"):
+            brace = self.text.find("{", end)
+            if brace >= 0 and not self.text[end:brace].strip():
+                self.transparent_braces.add(self._matching_brace(brace))
+                return [], brace + 1
+        word = _STYLED_WORD.match(self.text, end)
+        if word is None:
+            return [], end  # the group that follows is read as it stands
+        content, after = word.group(1), word.end()
+        if content in FUNCTIONS:
+            return self._function(content, start, after)
+        if content in VARIANTS or content in GREEK:
+            return self._letter(VARIANTS.get(content, content), start, after)
+        if name in ("text", "textbf", "textit", "textrm", "textsf", "mbox", "hbox", "emph") and content not in self.words:
+            if len(content) == 1 and content.isalpha() and content not in "àa":
+                return self._letter(content, start, after)
+            if re.fullmatch(r"[a-zA-Z]\d+", content):
+                return [], end
+            return [self.token("TEXT", content, start, after)], after
+        if re.fullmatch(r"[A-Za-z]+", content) and (len(content) > 1) and not re.fullmatch(r"(?:boxed|fbox|vec|overline|bar|hat)", name):
+            return self._letter(content, start, after)
+        if re.fullmatch(r"[A-Za-z]", content):
+            return self._letter(content, start, after)
+        return [], end
+
+    def _function(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
+        if FUNCTIONS[name] in ("atan", "tan") or (name == "a"):
+            two = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\big|\\Big|\(|\{\s*\())").match(self.text, end)
+            if two and FUNCTIONS[name] == "atan":
+                return [self.token("FUNC", "atan2", start, two.end())], two.end()
+        if name == "sqrt":
+            return [self.token("SQRT", name, start, end)], end
+        return [self.token("FUNC", FUNCTIONS[name], start, end)], end
+
+    def _letter(self, base: str, start: int, end: int) -> tuple[list[Token], int]:
+        """A letter glued to digits is an indexed name: C12, l1, q3."""
+        digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end)
+        if base in ("a", "A") and (two := re.compile(r"\\?tan\s*_?\s*\{?2\}?").match(self.text, end)):
+            return [self.token("FUNC", "atan2", start, two.end())], two.end()
+        tokens = [self.token("LETTER", base, start, end)]
+        if digits and base not in ("pi",):
+            tokens.append(self.token("SUB", digits.group(), end, digits.end()))
+            return tokens, digits.end()
+        return tokens, end
+
+    def on_bare(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        longer = self._known_word(start)
+        if longer and len(longer) >= len(value):
+            return self._letter(longer, start, start + len(longer))
+        if value in FUNCTIONS:
+            return self._function(value, start, end)
+        return self._letter(value, start, end)
+
+    def _known_word(self, start: int) -> str:
+        return next((w for w in sorted(self.words, key=len, reverse=True) if self.text.startswith(w, start)), "")
+
+    def on_letter(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        word = self._known_word(start)
+        if word:
+            return self._letter(word, start, start + len(word))
+        return self._letter(value, start, end)
+
+    def on_assign(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
+        return [self.token("REL", "=", start, end)], end
+
+    def _bar(self, start: int, end: int) -> tuple[list[Token], int]:
+        opening = self.previous not in _ENDS_OPERAND if not self.bar_open else False
+        if not opening and not self.bar_open:
+            return [self.token("TEXT", "|", start, end)], end
+        self.bar_open = opening
+        return [self.token("OPEN_BAR" if opening else "CLOSE_BAR", "|", start, end)], end
+
+    def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
+        if value == "|":
+            return self._bar(start, end)
+        if value in "!\u200b" or start in self.transparent_braces:
+            return [], end
+        kind = _CHARS.get(value)
+        if kind is None:
+            raise ReadError(f"cannot read '{value}'", start)
+        if kind == "LBRACE":
+            self._deeper(start)
+        elif kind == "RBRACE":
+            self.depth -= 1
+        elif kind == "LPAR":
+            self._deeper(start)
+        elif kind == "RPAR":
+            self.depth -= 1
+        elif kind == "DOT":
+            if re.compile(r"\s*(?:\\[\w{}]|[A-Za-z({\[^])").match(self.text, end) and self.previous in _ENDS_OPERAND:
+                return [self.token("CDOT", value, start, end)], end
+            return [], end  # a full stop
+        elif kind == "STAR":
+            return [self.token("CDOT", value, start, end)], end
+        return [self.token(kind, RELATIONS.get(value, value), start, end)], end
+
+
+def normalise_unicode(text: str) -> str:
+    """Write the Unicode signs of mathematics as their LaTeX commands."""
+    return _UNICODE.sub(lambda found: UNICODE[found.group()], text) if not text.isascii() else text
+
+
+_UNICODE = re.compile("[" + "".join(UNICODE) + "]")
+
+
+@lru_cache(maxsize=4096)
+def canonical_script(text: str) -> str:
+    """Return a script's text without styles, braces, spaces and backslashes: `{\\text{tool}}` → `tool`.
+
+    `\\theta_{1}` → `theta_1`, `i-1` → `i-1`, `0, G` → `0,G`, `*` → ``.
+    """
+    text = re.sub(r"\\(?:%s)(?![A-Za-z])" % STYLES, "", text)
+    text = re.sub(r"\\[,;:!> ]|[{}\s$~]|\\left|\\right|\\quad", "", text)
+    text = re.sub(r"\\(?:ast|star)(?![A-Za-z])", "*", text).replace("*", "")
+    text = text.replace("\\prime", "'").replace("\\times", "x")
+    text = re.sub(r"\\(var)?(theta|phi|epsilon)", r"\2", text)
+    return text.replace("\\", "")
+
+
+class LatexLexer(Lexer):
+    """Lark's lexer interface over `_Scanner`."""
+
+    def __init__(self, lexer_conf: object) -> None:
+        self.words: frozenset[str] = frozenset()
+
+    def lex(self, data: object) -> Iterator[Token]:
+        text, words = data  # type: ignore[misc]
+        return _Scanner(text, words).scan()

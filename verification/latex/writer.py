@@ -1,0 +1,233 @@
+"""Write terms in a document's own hand: its letters, its way with sines and cosines, its spelling of products."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from verification.latex import nodes as n
+
+SWAPPED = {"cos": "sin", "sin": "cos", "\\cos": "\\sin", "\\sin": "\\cos", "C": "S", "S": "C", "c": "s", "s": "c", "Cos": "Sin",
+           "Sin": "Cos", "\\mathrm{c}": "\\mathrm{s}", "\\mathrm{s}": "\\mathrm{c}"}  # fmt: skip
+
+
+@dataclass
+class Notation:
+    """How one display, or its document, writes symbols and trigonometric functions.
+
+    symbols: model symbol → LaTeX; style and head of the first trigonometric function met, e.g. "index" and "C".
+    """
+
+    symbols: dict[str, str] = field(default_factory=dict)
+    style: str = "macro()"
+    cosine: str = "\\cos"
+    underscore: bool = True
+    braces: bool = True
+    learnt: bool = False
+
+    def learn(self, call: n.Call, text: str) -> None:
+        """Take over the style of a trigonometric function as written."""
+        if self.learnt or call.function not in ("cos", "sin"):
+            return
+        head = call.head if call.function == "cos" else SWAPPED.get(call.head, call.head)
+        self.learnt = True
+        self.style, self.cosine = call.style, head
+        if call.style == "index":
+            self.underscore = "_" in text
+            self.braces = "{" in text or not self.underscore
+        if call.style == "macro":
+            self.style = "macro()"
+
+    def symbol(self, name: str) -> str:
+        """Return a model symbol in the document's letters."""
+        return self.symbols.get(name) or symbol_as_latex(name)
+
+    def trig(self, function: str, angle: Mapping[str, Fraction]) -> str:
+        """Write cos or sin of a sum of angles."""
+        head = self.cosine if function == "cos" else SWAPPED.get(self.cosine, self.cosine)
+        digits = self._digits(angle)
+        if self.style == "index" and digits is not None:
+            if not self.underscore:
+                return f"{head}{digits}" if re.fullmatch(r"\d+", digits) else f"{head}_{{{digits}}}"
+            return f"{head}_{{{digits}}}" if len(digits) > 1 else f"{head}_{digits}"
+        argument = self.angle(angle)
+        if self.style == "letter" and len(angle) == 1 and argument.startswith("\\"):
+            return f"{head}{argument}"
+        if self.style == "script":
+            return f"{head}_{{{argument}}}"
+        if self.style in ("letter", "letter()"):
+            return f"{head}({argument})" if len(angle) > 1 or self.style == "letter()" else f"{head}{argument}"
+        if self.style == "index":
+            head = "\\cos" if function == "cos" else "\\sin"
+        return f"{head}({argument})"
+
+    def angle(self, angle: Mapping[str, Fraction]) -> str:
+        """Write a sum of angles."""
+        parts: list[str] = []
+        for name, coefficient in angle.items():
+            size = "" if abs(coefficient) == 1 else number(abs(coefficient)) + " "
+            text = f"{size}{self.symbol(name)}" if name != "pi" else _pi(abs(coefficient))
+            parts.append(("-" if coefficient < 0 else "+") + " " + text)
+        joined = " ".join(parts)
+        return joined[2:] if joined.startswith("+ ") else "-" + joined[2:]
+
+    def _digits(self, angle: Mapping[str, Fraction]) -> str | None:
+        digits = ""
+        for position, (name, coefficient) in enumerate(sorted(angle.items())):
+            found = re.fullmatch(r"(?:theta|q)_(\d)", name)
+            if found is None or abs(coefficient) != 1:
+                return None
+            digits += ("-" if coefficient < 0 else "+" if "-" in digits and position else "") + found.group(1)
+        return digits
+
+
+def symbol_as_latex(name: str) -> str:
+    """Write a model symbol as LaTeX: theta_12 → \\theta_{12}, dot theta_1 → \\dot{\\theta}_1."""
+    dots = 0
+    while name.startswith("dot "):
+        name, dots = name[4:], dots + 1
+    base, _, index = name.partition("_")
+    greek = base in ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma", "lambda", "mu", "rho", "tau", "delta")
+    letter = f"\\{base}" if greek else base
+    if dots:
+        letter = f"\\{'d' * dots}ot{{{letter}}}"
+    return letter + (f"_{{{index}}}" if len(index) > 1 else f"_{index}" if index else "")
+
+
+def number(value: Fraction) -> str:
+    """Write a rational number."""
+    if value.denominator == 1:
+        return str(value.numerator)
+    decimal = _decimal(value)
+    if decimal is not None:
+        return decimal
+    sign = "-" if value < 0 else ""
+    return f"{sign}\\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+
+
+def _decimal(value: Fraction) -> str | None:
+    """0.054 rather than 27/500, 1/2 rather than 0.5: decimals for what is not a plain fraction."""
+    if value.denominator <= 12:
+        return None
+    denominator = value.denominator
+    for factor in (2, 5):
+        while denominator % factor == 0:
+            denominator //= factor
+    return f"{float(value):.12g}" if denominator == 1 else None
+
+
+def _pi(coefficient: Fraction) -> str:
+    if coefficient == 1:
+        return "\\pi"
+    above = "\\pi" if coefficient.numerator == 1 else f"{coefficient.numerator}\\pi"
+    return above if coefficient.denominator == 1 else f"\\frac{{{above}}}{{{coefficient.denominator}}}"
+
+
+def join_factors(factors: Iterable[str]) -> str:
+    """Juxtapose factors so that they are read back as they were."""
+    text = ""
+    for factor in factors:
+        text = factor if not text else f"{text} {factor}"
+    return text
+
+
+class Writer:
+    """Writes a tree; parts that come unchanged from `source` are copied from it."""
+
+    def __init__(self, source: str, original: n.Node, notation: Notation) -> None:
+        self.source = source
+        self.notation = notation
+        self.kept = {id(node) for node in n.walk(original)}
+        self._alive = original  # ids stay valid while the original lives
+
+    def write(self, node: n.Node) -> str:
+        """Return LaTeX for a tree, the spelling of the source wherever it was not changed."""
+        if id(node) in self.kept:
+            return self.source[node.span[0] : node.span[1]].strip()
+        if isinstance(node, n.Number):
+            return node.text or number(node.value)
+        if isinstance(node, n.Name):
+            return node.text
+        if isinstance(node, n.Sum):
+            return self._sum(node)
+        if isinstance(node, n.Product):
+            return self._product(node)
+        if isinstance(node, n.Call):
+            return self._call(node)
+        if isinstance(node, n.Group):
+            opening, closing = ("{", "}") if node.brackets == "{}" else tuple(node.brackets)
+            return f"{opening}{self.write(node.inner)}{closing}"
+        if isinstance(node, n.Quotient):
+            if node.style == "slash":
+                return f"{self._tight(node.numerator)}/{self._tight(node.denominator)}"
+            return f"\\frac{{{self.write(node.numerator)}}}{{{self.write(node.denominator)}}}"
+        if isinstance(node, n.Power):
+            return f"{self._tight(node.base)}^{{{self.write(node.exponent)}}}"
+        if isinstance(node, n.Postfix):
+            above = "\\circ" if node.operator == "deg" else node.operator
+            return f"{self._tight(node.base)}^{{{above}}}"
+        if isinstance(node, n.Matrix):
+            rows = r" \\ ".join(" & ".join(self.write(cell) for cell in row) for row in node.rows)
+            return f"\\begin{{{node.environment}}} {rows} \\end{{{node.environment}}}"
+        if isinstance(node, n.Sequence):
+            opening, closing = ("\\{", "\\}") if node.brackets == "{}" else tuple(node.brackets)
+            return f"{opening}{', '.join(self.write(item) for item in node.items)}{closing}"
+        if isinstance(node, n.Labelled):
+            return self.write(node.inner)
+        if isinstance(node, n.Derivative):
+            return f"\\frac{{\\partial {self._tight(node.operand)}}}{{\\partial {self._tight(node.variable)}}}"
+        raise NotImplementedError(type(node).__name__)
+
+    def _tight(self, node: n.Node) -> str:
+        text = self.write(node)
+        return f"({text})" if isinstance(node, n.Sum | n.Product | n.Quotient) else text
+
+    def _sum(self, node: n.Sum) -> str:
+        text = ""
+        for sign, term in node.terms:
+            written = self.write(term)
+            if isinstance(term, n.Sum):
+                written = f"({written})"
+            mark = {"+": "+", "-": "-", "±": "\\pm", "∓": "\\mp"}[sign]
+            if not text:
+                text = written if mark == "+" else f"{mark} {written}" if mark.startswith("\\") else f"{mark}{written}"
+            else:
+                text += f" {mark} {written}"
+        return text
+
+    def _product(self, node: n.Product) -> str:
+        text = ""
+        for index, factor in enumerate(node.factors):
+            written = self.write(factor)
+            if isinstance(factor, n.Sum):
+                written = f"({written})"
+            operator = node.operators[index - 1] if index else ""
+            mark = {"": " ", "⋅": " \\cdot ", "×": " \\times "}[operator]
+            text = written if not index else f"{text}{mark}{written}"
+        return text
+
+    def _call(self, node: n.Call) -> str:
+        if node.function in ("cos", "sin") and isinstance(node.arguments[0], n.JointAngles):
+            angle = node.arguments[0]
+            digits = "".join(("-" if sign < 0 else "+" if k and any(s < 0 for s, _ in angle.terms) else "") + str(index)
+                             for k, (sign, index) in enumerate(angle.terms))  # fmt: skip
+            tight = not self.notation.underscore and digits.isdigit() and self.notation.style == "index"
+            if tight:
+                return f"{node.head}{digits}"
+            return f"{node.head}_{{{digits}}}" if len(digits) > 1 else f"{node.head}_{digits}"
+        inside = ", ".join(self.write(argument) for argument in node.arguments)
+        if node.function == "name":
+            return f"{node.head}({', '.join(self.write(a) for a in node.arguments[1:])})"
+        if node.style == "bars":
+            return f"\\left|{inside}\\right|"
+        if node.function == "sqrt":
+            return f"\\sqrt{{{inside}}}"
+        if node.style == "script" and node.function in ("cos", "sin"):
+            return f"{node.head}_{{{inside}}}"
+        if node.style == "letter" and isinstance(node.arguments[0], n.Name):
+            return f"{node.head}{inside}"
+        if node.style == "macro" and isinstance(node.arguments[0], n.Name | n.Matrix):
+            return f"{node.head} {inside}" if inside[:1].isalnum() else f"{node.head}{inside}"
+        return f"{node.head}({inside})"

@@ -1,0 +1,162 @@
+"""What the names of a document mean: front matter first, then earlier displays, the arm, and common notation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from models.arm import Arm
+from verification.algebras import Algebra, Value
+from verification.errors import DocumentError, ReadError
+from verification.latex import nodes as n
+from verification.latex.reader import Reader, key_as_latex
+from verification.quantities import Quantity, implied_quantity, read_quantity
+
+FREE_IN_GENERAL = re.compile(r"[a-z]|theta|alpha|beta|gamma|phi|psi|omega|sigma|lambda|mu|rho|tau|delta|epsilon|Delta")
+COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A name's meaning: how to get its value in an algebra, and the display that gave it."""
+
+    evaluate: Callable[[Any], Value]
+    line: int = 0
+
+
+@dataclass
+class Names:
+    """The bindings of one document, growing as its displays are read."""
+
+    arm: Arm | None
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    quantities: Mapping[str, Quantity] = field(default_factory=dict)
+    transforms: str = "upper"
+    definitions: dict[str, Definition] = field(default_factory=dict)
+    reader: Reader = field(default_factory=Reader)
+    used: set[str] = field(default_factory=set)  # free letters that displays have used so far
+
+    def known_symbol(self, key: str) -> str | None:
+        """Return the model's symbol for a scalar name of the document, or None."""
+        if key in self.symbols:
+            return self.symbols[key]
+        if self.arm is None:
+            return None
+        joints = {joint.symbol: joint for joint in self.arm.joints}
+        if key in joints or key in self.arm.lengths or key in self.arm.angles:
+            return key
+        found = re.fullmatch(r"(q|theta|d|r)_(\d+)", key)
+        if found and 1 <= int(found.group(2)) <= len(self.arm.joints):
+            letter, index = found.group(1), int(found.group(2))
+            joint = self._joint_of_index(index)
+            if joint is not None and (letter == "q" or (letter == "theta") == (joint.kind == "revolute")):
+                return str(joint.symbol)
+        return None
+
+    def _joint_of_index(self, index: int) -> Any:
+        """The joint whose symbol carries the index; else the index-th from the base."""
+        assert self.arm is not None
+        named = [joint for joint in self.arm.joints if joint.symbol.endswith(f"_{index}")]
+        if len(named) > 1:  # an index that an angle and a slide share is the angle's
+            named = [joint for joint in named if joint.kind == "revolute"]
+        if len(named) == 1:
+            return named[0]
+        return self.arm.joints[index - 1] if not named and index <= len(self.arm.joints) else None
+
+    def joint_angle(self, index: int) -> str | None:
+        """Return the symbol of the angle that the digit in c_{12} names."""
+        for key in (f"theta_{index}", f"q_{index}"):
+            if key in self.symbols:
+                return self.symbols[key]
+        if self.arm is None:
+            return f"theta_{index}"
+        joint = self._joint_of_index(index)
+        return str(joint.symbol) if joint is not None and joint.kind == "revolute" else None
+
+    def quantity(self, name: n.Name) -> Quantity | None:
+        """Return the arm's quantity that a name stands for, or None."""
+        if name.key in self.quantities:
+            return self.quantities[name.key]
+        if self.arm is None:
+            return None
+        return implied_quantity(name, self.arm, self.transforms)
+
+    def is_free(self, name: n.Name) -> bool:
+        """Whether an unbound name is a free scalar: in a document of general statements, a letter with indices."""
+        if self.arm is not None or name.pre_sub or name.pre_sup:
+            return False
+        component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
+        return component or bool(FREE_IN_GENERAL.fullmatch(name.base))
+
+    def is_new(self, name: n.Name) -> bool:
+        """Whether a letter that could be free has not been used or defined: one side of an equation may define it."""
+        return self.is_free(name) and name.key not in self.used and name.key not in self.definitions
+
+    def define(self, key: str, evaluate: Callable[[Algebra], Value], line: int = 0) -> None:
+        """Give a name its meaning, unless it has one."""
+        self.definitions.setdefault(key, Definition(evaluate, line))
+
+
+def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
+    """Return the bindings of a front matter; raises DocumentError with the key and the valid choices."""
+    symbols_spec = front.get("symbols") or {}
+    quantities_spec = front.get("quantities") or {}
+    transforms = front.get("transforms", "upper")
+    for key, value in (("symbols", symbols_spec), ("quantities", quantities_spec)):
+        if not isinstance(value, Mapping):
+            raise DocumentError(f"'{key}' must be a mapping from names to meanings, not {value!r}")
+    if transforms not in ("upper", "lower"):
+        raise DocumentError(f"'transforms' must be upper or lower, not {transforms!r}")
+    words = frozenset(
+        word
+        for key in [*symbols_spec, *quantities_spec]
+        for word in re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key))
+        if not _is_greek(word)
+    ) - {"dot", "ddot", "vec", "mathbf", "mathrm", "text", "prime", "hat", "bar", "operatorname", "mathcal", "boldsymbol", "star", "frac"}
+    plain = Reader(words=words)
+    symbols: dict[str, str] = {}
+    for key, value in symbols_spec.items():
+        if not isinstance(value, str):
+            raise DocumentError(f"symbol '{key}' must be bound to a symbol of the arm, not {value!r}")
+        if arm is not None and value not in (known := _scalars(arm)):
+            raise DocumentError(f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)}")
+        symbols[name_key(plain, str(key))] = value
+    quantities = {name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()}
+    bound = frozenset(symbols) | frozenset(quantities)
+    # A trig letter bound with any index (s_x) or an applied name (J(q)) is bound as written.
+    reader = Reader(lambda key: key in bound, words)
+    return Names(arm, symbols, quantities, transforms, {}, reader)
+
+
+def _is_greek(word: str) -> bool:
+    from verification.latex.tokens import FUNCTIONS, GREEK
+
+    return word in GREEK or word in FUNCTIONS
+
+
+def _scalars(arm: Arm) -> list[str]:
+    return [*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles]
+
+
+def name_key(reader: Reader, key: str) -> str:
+    """Return the canonical key of a front-matter name, such as J(q), J'_P, {}^0P_{1,G} or theta_12."""
+    latex = key_as_latex(key)
+    probe = Reader(lambda _key: True, reader.words)
+    try:
+        node = probe.read_expression(latex)
+    except ReadError as error:
+        raise DocumentError(f"'{key}' is not a name: {error}") from None
+    if isinstance(node, n.Name):
+        return node.key
+    if isinstance(node, n.Call) and node.function == "name":
+        return call_key(node)
+    raise DocumentError(f"'{key}' is not a name; write it as in the displays, such as P_x, J(q) or {{}}^0T_4")
+
+
+def call_key(node: n.Call) -> str:
+    """Return the key of a name with arguments: J(q)."""
+    name, *arguments = node.arguments
+    assert isinstance(name, n.Name)
+    return f"{name.key}({','.join(a.key for a in arguments if isinstance(a, n.Name))})"

@@ -1,0 +1,58 @@
+"""The report as workflow commands of GitHub Actions, which it shows as annotations beside the lines of a document."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from verification.batch import Failure
+from verification.report.text import describe_entry, describe_place, describe_total, ordered_records
+from verification.verdict import DocumentResult, Record, Verdict
+
+
+def github_report(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> list[str]:
+    """Return a line for each display that does not pass or is unchecked and each document that cannot be checked.
+
+    The total follows, as plain lines of the log.
+    """
+    lines: list[str] = []
+    for result in results:
+        if isinstance(result, Failure):
+            lines.append(_command("error", result.path, result.line, "cannot be checked", result.reason))
+            continue
+        for record in ordered_records(result):
+            if not record.passes:
+                lines.append(_annotate("error", result.path, record))
+            elif record.verdict is Verdict.UNCHECKED and not record.erratum:
+                lines.append(_annotate("error" if strict else "warning", result.path, record))
+    return [*lines, *describe_total(results, strict=strict)]
+
+
+def _annotate(level: str, path: str, record: Record) -> str:
+    title = f"erratum {record.verdict.value}, not refuted" if record.erratum else record.verdict.value
+    parts = [record.message, *(describe_entry(entry) for entry in record.entries)]
+    if record.cell is not None:  # a notebook's line counts within its cell
+        return _command(level, path, None, title, "\n".join([describe_place(record), *filter(None, parts)]))
+    return _command(level, path, record.line, title, "\n".join(filter(None, parts)))
+
+
+def _command(level: str, path: str, line: int | None, title: str, message: str) -> str:
+    place = f"file={_property(_from_here(path))}" + (f",line={line}" if line is not None else "")
+    return f"::{level} {place},title={_property(f'Armproof: {title}')}::{_data(message)}"
+
+
+def _from_here(path: str) -> str:
+    """Return a path relative to the working folder, the root of the checkout, where it lies inside."""
+    try:
+        return str(Path(path).resolve().relative_to(Path(os.getcwd()).resolve()))
+    except ValueError:
+        return path
+
+
+def _data(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _property(text: str) -> str:
+    return _data(text).replace(":", "%3A").replace(",", "%2C")

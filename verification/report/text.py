@@ -1,0 +1,142 @@
+"""The report for people: a line a document, then what does not pass in it, then a total."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+
+from verification.batch import Failure
+from verification.report.lines import Line
+from verification.verdict import DocumentResult, Record, Verdict, WrongEntry
+
+GOOD, BAD, WARN, FAINT, STRONG = "green", "bold red", "yellow", "dim", "bold"
+_ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
+_STYLES = {Verdict.REFUTED: BAD, Verdict.UNREADABLE: BAD, Verdict.UNCHECKED: WARN}
+
+
+def text_report(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> list[Line]:
+    """Return the report of the documents that could be checked; those that could not are only counted."""
+    lines: list[Line] = []
+    for result in results:
+        if isinstance(result, DocumentResult):
+            lines.extend(_describe_document(result, strict))
+    if lines:
+        lines.append(())
+    total = describe_total(results, strict=strict)
+    passed = all(isinstance(result, DocumentResult) and passes(result, strict) for result in results)
+    return [*lines, *(((text, STRONG),) for text in total[:-1]), ((total[-1], GOOD if passed else BAD),)]
+
+
+def passes(result: DocumentResult, strict: bool) -> bool:
+    """Whether a document passes; with `strict`, an unchecked display does not."""
+    return result.passed_strictly() if strict else result.passed
+
+
+def ordered_records(result: DocumentResult) -> list[Record]:
+    """Return the displays and the DH tables of a document as they stand in it."""
+    records = (*result.equations, *result.tables)
+    return sorted(records, key=lambda record: (-1 if record.cell is None else record.cell, record.line))
+
+
+def describe_total(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> list[str]:
+    """Return the total in words: what the displays came to, and how many documents pass."""
+    documents = [result for result in results if isinstance(result, DocumentResult)]
+    records = [record for document in documents for record in document.equations]
+    tables = [record for document in documents for record in document.tables]
+    total = f"{_count(len(documents), 'document')}, {_tally(records, 'display')}"
+    if tables:
+        total += f"; {_tally(tables, 'DH table')}"
+    lines = [total]
+    errors = [record.max_error for record in (*records, *tables) if record.max_error is not None and record.samples]
+    if errors:
+        samples = max(record.samples for record in records)
+        lines.append(
+            f"also evaluated on Drake's numerical plant at {samples:,} configurations: largest error {max(errors):.1e}"
+        )
+    failing = sum(not passes(document, strict) for document in documents)
+    unable = len(results) - len(documents)
+    verdicts = [f"{_count(failing, 'document')} {'does' if failing == 1 else 'do'} not pass"] if failing else []
+    if unable:
+        verdicts.append(f"{_count(unable, 'document')} could not be checked")
+    return [*lines, "; ".join(verdicts) or ("everything passes" if documents else "nothing to check")]
+
+
+def describe_place(record: Record) -> str:
+    """Return where a display stands: "line 41", or "cell 3, line 5" in a notebook."""
+    return f"line {record.line}" if record.cell is None else f"cell {record.cell}, line {record.line}"
+
+
+def describe_entry(entry: WrongEntry) -> str:
+    """Return a wrong entry on one line."""
+    change = f" ({entry.change})" if entry.change else ""
+    return f"{_cell(entry)}: printed {entry.printed}, correct {entry.correct}{change}"
+
+
+# -- one document ------------------------------------------------------------------------------------------------------
+
+
+def _describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
+    passed = passes(result, strict)
+    tables = f"; {_tally(result.tables, 'DH table')}" if result.tables else ""
+    arm = f" ({result.arm})" if result.arm else ""
+    yield (
+        ("passes " if passed else "FAILS  ", GOOD if passed else BAD),
+        (result.path, STRONG),
+        (arm, FAINT),
+        (f"  {_tally(result.equations, 'display')}{tables}", ""),
+    )
+    records = ordered_records(result)
+    tables_of_result = set(map(id, result.tables))
+    for record in records:
+        if not record.passes or (record.verdict is Verdict.UNCHECKED and not record.erratum):
+            yield from _describe_record(record, id(record) in tables_of_result)
+    errata = [record for record in records if record.erratum and record.passes]
+    if errata:
+        places = ", ".join(_short_place(record) for record in errata)
+        yield (("    ", ""), (f"{_errata(len(errata))} refuted, as they must be: {places}", FAINT))
+
+
+def _describe_record(record: Record, is_table: bool) -> Iterator[Line]:
+    section = f"  {record.section}" if record.section else ""
+    what = "DH table " if is_table else ""
+    verdict = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
+    style = BAD if not record.passes else _STYLES.get(record.verdict, "")
+    yield (("    ", ""), (describe_place(record), STRONG), ("  ", ""), (what + verdict, style), (section, FAINT))
+    if record.message:
+        yield (("        ", ""), (record.message, ""))
+    for entry in record.entries:
+        cell = _cell(entry)
+        change = ((f"   ({entry.change})", FAINT),) if entry.change else ()
+        yield ((f"        {cell}   printed  ", ""), (entry.printed, BAD))
+        yield ((f"        {'':{len(cell)}}   correct  ", ""), (entry.correct, GOOD), *change)
+    if record.counterexample:
+        values = ", ".join(f"{symbol} = {value:.6g}" for symbol, value in record.counterexample.items())
+        yield (("        ", ""), (f"for example at {values}", FAINT))
+
+
+def _cell(entry: WrongEntry) -> str:
+    place = "" if entry.row is None else f", row {entry.row}, column {entry.column}"
+    return f"equation {entry.equation}{place}"
+
+
+def _short_place(record: Record) -> str:
+    return f"{record.line}" if record.cell is None else f"{record.cell}:{record.line}"
+
+
+def _errata(number: int) -> str:
+    return "1 erratum" if number == 1 else f"{number} errata"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def _tally(records: Iterable[Record], noun: str) -> str:
+    """Return "12 displays: 8 proved, 1 refuted, 3 errata refuted"; an erratum that is refuted is as it should be."""
+    records = list(records)
+    counts = Counter(record.verdict for record in records if not (record.erratum and record.passes))
+    words = [f"{counts[verdict]} {verdict.value}" for verdict in _ORDER if counts[verdict]]
+    errata = sum(record.erratum and record.passes for record in records)
+    if errata:
+        words.append(f"{_errata(errata)} refuted")
+    return f"{_count(len(records), noun)}" + (f": {', '.join(words)}" if words else "")

@@ -1,0 +1,162 @@
+"""Which column of a DH table holds which parameter: the headers, and the convention and units that they state."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from verification.latex.tokens import STYLES, normalise_unicode
+
+CONVENTIONS = ("classic", "modified")
+_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋", "0123456789ij-")
+_SCRIPTS = re.compile("[₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋]+")
+
+# a unit in a header: in brackets, or after "in"
+_UNITS = {
+    "deg": r"deg(?:rees?)?\.?|degr[eé]s?|grad[oi]s?|graus?|\^circ|\^\{circ\}|°",
+    "rad": r"rad(?:ians?|ianes?|ianos?)?\.?",
+    "mm": r"mm|milli\w+",
+    "cm": r"cm|centi\w+",
+    "m": r"m|met(?:er|re)s?|m[eè]tres?|metros?",
+}
+_UNIT = re.compile(r"(?:[(\[]|,\s*|\bin\s+|\ben\s+)\s*(?:%s)\s*[)\]]?$" % "|".join(f"(?P<{k}>{v})" for k, v in _UNITS.items()))
+_BARE_DEGREES = re.compile(r"\s*(?:\^circ|°)$")
+
+_SYMBOL = re.compile(
+    r"(?<![A-Za-z])(?P<letter>alpha|theta|sigma|[adrqb])(?![A-Za-z])\s*(?:_?\s*\(?(?P<index>[ijkn](?:\s*-\s*1)?)\)?(?![A-Za-z]))?"
+)
+_WORDS = (
+    (r"twist|torsion|torsión|verdrehung|verwindung", "alpha"),
+    (r"link length|longueur|longitud|comprimento|length", "a"),
+    (r"joint angle|rotation|angle|ángulo|ângulo|winkel", "theta"),
+    (r"offset|décalage|desplazamiento|deslocamento", "d"),
+    (r"type|kind|tipo", "sigma"),
+    (r"variables?", "q"),
+)
+_LABEL = re.compile(
+    r"(?:[ijkn](?:-1)?|n[°o]|no\.?|#|(?:the )?(?:links?|joints?|segments?|corps|liaisons?|articulations?|frames?|rep[eè]res?|row|ax[ie]s|axe|bod(?:y|ies)"
+    r"|solide|eslab[oó]n|elo|articulaci[oó]n|juntas?|gelenk|glied|achse|step|transforms?|matri(?:x|ces))(?: (?:no\.?|number|n°|#))?(?: ?[ijkn])?"
+    r"|[ijkn][-–,/][ijkn](?:-1)?|[ijkn]-1[-–,/ ]*(?:to )?[ijkn]|\{?\}?\^?\{?[ijkn]-1\}?_?\{?[ijkn]?\}?[TAH](?:_?\{?[ijkn]\}?)?|[TAH]_?\{?[ijkn]\}?(?:\^\{?[ijkn]-1\}?)?|)"
+)
+
+
+@dataclass(frozen=True)
+class Header:
+    """What one header says. `role`: alpha, theta, sigma, a, d, r, q or b for a letter, label, or "" for anything else.
+
+    `convention` is that of the letter's index (i-1: modified, i: classic), `unit` deg, rad, m, cm, mm or "".
+    """
+
+    text: str
+    role: str
+    convention: str = ""
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to read a table: the convention, and the column (from 0; None: not printed, all 0) of each parameter."""
+
+    convention: str
+    a: int | None
+    alpha: int
+    d: int | None
+    theta: int
+
+    @property
+    def columns(self) -> dict[str, int | None]:
+        """The columns by parameter."""
+        return {"a": self.a, "alpha": self.alpha, "d": self.d, "theta": self.theta}
+
+
+@dataclass(frozen=True)
+class Columns:
+    """The columns of a DH table; `stated` is the convention that its headers state, or ""."""
+
+    headers: tuple[Header, ...]
+    stated: str
+    lengths: tuple[tuple[int | None, int | None], ...]  # the columns of (a, d), the likeliest first
+    alpha: int
+    theta: int
+    contradictory: bool = False
+    is_khalil: bool = False  # d for the length along x and r for the offset along z
+
+    def readings(self, conventions: Sequence[str]) -> Iterator[Reading]:
+        """Yield the ways to read the table, by convention in the order given."""
+        for convention in conventions:
+            for a, d in self.lengths:
+                yield Reading(convention, a, self.alpha, d, self.theta)
+
+    def first(self, *roles: str) -> int | None:
+        """Return the first column of one of these roles."""
+        return next((k for k, header in enumerate(self.headers) if header.role in roles), None)
+
+
+def plain(text: str) -> str:
+    """Return a cell without dollars, emphasis, styles and spacing commands, its Unicode letters spelt in LaTeX."""
+    text = _SCRIPTS.sub(lambda found: "_{" + found.group().translate(_SUBSCRIPTS) + "}", text)
+    text = normalise_unicode(text.replace("$", " ")).replace("\\(", " ").replace("\\)", " ")
+    text = re.sub(r"\*\*|__", "", text)
+    text = re.sub(r"\\(?:text\w*|%s)\s*(?![A-Za-z])(?:\{([^{}]*)\})?" % STYLES, lambda found: f" {found.group(1) or ''} ", text)
+    text = re.sub(r"\\[,;:!> ]|\\q?quad(?![A-Za-z])|~", " ", text)
+    return text.replace("\\degree", "^\\circ").strip()
+
+
+def read_header(text: str) -> Header:
+    """Return what a header says."""
+    spelt = re.sub(r"\s+", " ", plain(text).replace("\\", "").replace("−", "-")).strip()
+    spelt = re.sub(r"\bvartheta\b", "theta", spelt)
+    unit = ""
+    if found := _UNIT.search(spelt):
+        unit = next(name for name, value in found.groupdict().items() if value)
+        spelt = spelt[: found.start()].strip()
+    elif found := _BARE_DEGREES.search(spelt):
+        unit, spelt = "deg", spelt[: found.start()].strip()
+    bare = re.sub(r"[{}]", "", spelt).strip()
+    if _LABEL.fullmatch(bare.lower() if len(bare) > 3 else bare) or _LABEL.fullmatch(spelt):
+        return Header(text, "label", "", unit)
+    rest = re.sub(r"\^\s*(?:\*|ast|star)|\*|\(t\)", "", bare)
+    symbols = list(_SYMBOL.finditer(rest))
+    if len(symbols) == 1 and re.fullmatch(r"[^+=/0-9]*", rest[: symbols[0].start()] + rest[symbols[0].end() :]):
+        index = re.sub(r"\s", "", symbols[0].group("index") or "")
+        convention = "" if not index else "modified" if index.endswith("-1") else "classic"
+        return Header(text, symbols[0].group("letter"), convention, unit)
+    if not symbols:
+        for words, role in _WORDS:
+            if re.search(rf"\b(?:{words})\b", rest.lower()):
+                return Header(text, role, "", unit)
+    return Header(text, "", "", unit)
+
+
+def read_columns(header: Sequence[str]) -> Columns | None:
+    """Return the columns of a DH table, or None where the header is not that of one."""
+    headers = tuple(read_header(text) for text in header)
+    place: dict[str, int] = {}
+    for k, one in enumerate(headers):
+        place.setdefault(one.role, k)
+    theta = place.get("theta", place.get("q"))
+    if "alpha" not in place or theta is None or not place.keys() & {"a", "d", "r", "b"}:
+        return None
+    a, d, r, b = (place.get(letter) for letter in "adrb")
+    is_khalil = a is None and d is not None and r is not None
+    lengths: tuple[tuple[int | None, int | None], ...]
+    if is_khalil:
+        lengths = ((d, r), (r, d))
+    elif a is not None:
+        lengths = ((a, d if d is not None else r if r is not None else b),)
+    else:
+        lengths = ((None, d if d is not None else r if r is not None else b),)
+    stated = {headers[k].convention for k in (lengths[0][0], place["alpha"]) if k is not None} - {""}
+    if is_khalil and stated == {"classic"}:  # Khalil's d_j and α_j are the modified parameters
+        stated = set()
+    contradictory = len(stated) > 1
+    return Columns(
+        headers,
+        "" if contradictory or not stated else stated.pop(),
+        lengths,
+        place["alpha"],
+        theta,
+        contradictory,
+        is_khalil,
+    )

@@ -1,0 +1,134 @@
+"""The verdicts, and the record of one display."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any
+
+
+class Verdict(str, Enum):
+    """What became of an equation, from best to worst."""
+
+    PROVED = "proved"
+    CONFIRMED = "confirmed"
+    DEFINED = "defined"
+    UNCHECKED = "unchecked"
+    UNREADABLE = "unreadable"
+    REFUTED = "refuted"
+
+
+# A display carries the worst verdict of its equations; one that only defines a name yields to one that was checked.
+_WEIGHT = {
+    Verdict.DEFINED: 0,
+    Verdict.PROVED: 1,
+    Verdict.CONFIRMED: 2,
+    Verdict.UNCHECKED: 3,
+    Verdict.UNREADABLE: 4,
+    Verdict.REFUTED: 5,
+}
+
+
+def worst(verdicts: list[Verdict]) -> Verdict:
+    """Return the worst verdict; refuted is the worst, defined yields to everything."""
+    return max(verdicts, key=_WEIGHT.__getitem__, default=Verdict.DEFINED)
+
+
+@dataclass(frozen=True)
+class WrongEntry:
+    """One wrong cell, in the document's notation; a scalar has no row and column. `span` is its place in the display."""
+
+    equation: int
+    row: int | None
+    column: int | None
+    printed: str
+    correct: str
+    change: str = ""
+    span: tuple[int, int] | None = None
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the entry as the report's JSON writes it."""
+        place = {} if self.row is None else {"row": self.row, "column": self.column}
+        change = {"change": self.change} if self.change else {}
+        return {"equation": self.equation, **place, "printed": self.printed, "correct": self.correct, **change}
+
+
+@dataclass(frozen=True)
+class Record:
+    """The verdict of one display, or of one DH table."""
+
+    line: int
+    latex: str
+    verdict: Verdict
+    erratum: bool = False
+    message: str = ""
+    entries: tuple[WrongEntry, ...] = ()
+    counterexample: Mapping[str, float] = field(default_factory=dict)
+    samples: int = 0
+    max_error: float | None = None
+    cell: int | None = None
+    section: str = ""
+
+    @property
+    def passes(self) -> bool:
+        """Whether the display does not fail its document: an erratum must be refuted, everything else must not."""
+        if self.erratum:
+            return self.verdict is Verdict.REFUTED
+        return self.verdict not in (Verdict.REFUTED, Verdict.UNREADABLE)
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the record as the report's JSON writes it."""
+        return {
+            "line": self.line,
+            **({} if self.cell is None else {"cell": self.cell}),
+            "latex": self.latex,
+            "verdict": self.verdict.value,
+            "erratum": self.erratum,
+            "message": self.message,
+            "entries": [entry.as_json() for entry in self.entries],
+            "counterexample": dict(self.counterexample),
+            "samples": self.samples,
+            "max_error": self.max_error,
+        }
+
+
+@dataclass(frozen=True)
+class DocumentResult:
+    """The verdicts of one document, in the order of its displays; DH tables beside them."""
+
+    path: str
+    arm: str
+    equations: tuple[Record, ...]
+    tables: tuple[Record, ...] = ()
+    seconds: float = 0.0
+
+    @property
+    def passed(self) -> bool:
+        """All equations proved, confirmed, defined or (without strict) unchecked, and all errata refuted."""
+        return all(record.passes for record in (*self.equations, *self.tables))
+
+    def passed_strictly(self) -> bool:
+        """As `passed`, and nothing unchecked."""
+        return self.passed and not any(record.verdict is Verdict.UNCHECKED for record in (*self.equations, *self.tables))
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the document as the report's JSON writes it."""
+        tables = {"tables": [record.as_json() for record in self.tables]} if self.tables else {}
+        return {
+            "path": self.path,
+            "arm": self.arm,
+            "passed": self.passed,
+            "equations": [record.as_json() for record in self.equations],
+            **tables,
+        }
+
+
+def summary(results: list[DocumentResult]) -> dict[str, int]:
+    """Count the verdicts of all displays."""
+    counts = {verdict.value: 0 for verdict in (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED,
+                                               Verdict.UNCHECKED, Verdict.UNREADABLE)}  # fmt: skip
+    for result in results:
+        for record in result.equations:
+            counts[record.verdict.value] += 1
+    return counts
