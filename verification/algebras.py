@@ -15,6 +15,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from models.arm import Arm
+from models.exact import angle_value
 from verification.errors import EvaluationError
 from verification.matrix import Matrix, column, exact_rank
 from verification.quantities import COMPONENTS, Quantity
@@ -229,11 +230,8 @@ class SampledAlgebra:
         return np.arctan2(self.from_exact(sine), self.from_exact(cosine))
 
     def _angle(self, name: str) -> np.ndarray:
-        found = re.fullmatch(r"(?:(\d+)\*)?pi/(\d+)", name)
-        if found:
-            return self.rational(Fraction(int(found.group(1) or 1), int(found.group(2)))) * np.pi
-        if re.fullmatch(r"[\d.]+(?:e-?\d+)?", name):
-            return self.rational(Fraction(name))
+        if "pi/" in name or re.fullmatch(r"[\d.]+", name):
+            return _constant(angle_value(name), self.samples)
         symbol, _, parts = name.rpartition("/")
         if symbol and parts.isdigit():
             return self.symbol(symbol) / int(parts)

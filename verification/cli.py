@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Sequence
-from enum import Enum
+from enum import StrEnum
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -35,7 +35,7 @@ app = typer.Typer(
 )
 
 
-class Format(str, Enum):
+class Format(StrEnum):
     """The formats of the report."""
 
     text = "text"
@@ -45,7 +45,7 @@ class Format(str, Enum):
 
 Paths = Annotated[
     list[Path] | None,
-    typer.Argument(help="Documents, notebooks or folders; by default course/.", show_default=False),
+    typer.Argument(metavar="PATH", help="Documents, notebooks or folders; by default course/.", show_default=False),
 ]
 ReportFormat = Annotated[
     Format,

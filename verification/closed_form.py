@@ -59,7 +59,7 @@ def _write_term(value: Scalar, coefficient: Fraction, rest: Rest, trig: Trig, no
         else:
             text = notation.symbol(name)
         factors.append(text if power == 1 else f"{text}^{{{power}}}" if power > 9 else f"{text}^{power}")
-    for function, angle, power in trig:
+    for function, angle, power in sorted(trig, key=lambda factor: (factor[1], factor[0])):
         text = notation.trig(function, dict(angle))
         factors.append(text if power == 1 else f"{text}^{power}" if notation.style in ("index",) else f"({text})^{power}")
     if coefficient != 1 or not factors:

@@ -5,15 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from verification.algebras import SampledAlgebra, Value
 from verification.closed_form import write_scalar
-from verification.compare import Pair, exactly_equal
-from verification.edits import Edit, Letters, single_edits
+from verification.compare import Pair, different_entries, exactly_equal
+from verification.edits import Edit, Letters, single_edits, swapped_lengths
 from verification.equation import ChainChecker, Outcome
 from models.errors import ArmproofError
 from verification.errors import EvaluationError, ReadError
@@ -65,8 +64,10 @@ class Diagnostician:
                 continue
             notation = self._learn(latex, outcome)
             found = self._entries(latex, outcome, notation)
-            whole = explain_whole(self.checker, outcome) if len(outcome.wrong) > 1 or not found else None
-            if whole is not None:
+            whole = None
+            if len(outcome.wrong) > 1:
+                whole = explain_whole(self.checker, outcome) or self._swapped_throughout(outcome) or _swapped_cells(outcome)
+            if whole:
                 words.append(whole)
             elif outcome.sampled_only:
                 words.append(outcome.message)
@@ -81,6 +82,16 @@ class Diagnostician:
             self._remember(record.line, outcome, found)
         message = "; ".join(dict.fromkeys(word for word in words if word)) or record.message
         return replace(record, message=message, entries=tuple(entries), counterexample=counterexample)
+
+    def _swapped_throughout(self, outcome: Outcome) -> str:
+        """Say if exchanging two lengths in the whole printed value mends it."""
+        assert outcome.pair is not None and outcome.printed is not None
+        for edit in swapped_lengths(outcome.printed.node, self._letters(outcome.printed.node)):
+            member = self.checker.member(edit.node)
+            if member.known and isinstance(member.value, Matrix) and member.value.shape == outcome.pair.true.shape:
+                if not different_entries(replace(outcome.pair, printed=member.value), exactly_equal):
+                    return f"{edit.words} throughout"
+        return ""
 
     def _summary(self, entries: list[WrongEntry]) -> Iterator[str]:
         for entry in entries:
@@ -141,7 +152,22 @@ class Diagnostician:
                             return text, edit.words
                 except (ArmproofError, NotImplementedError):
                     continue
-        return "", ""
+        return self._missing_term(latex, cell, true, notation)
+
+    def _missing_term(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, str]:
+        """Return the cell with one term added, where just one is missing."""
+        try:
+            printed = as_scalar(Evaluator(self.names, self.checker.exact).evaluate(cell))
+            if not isinstance(printed, Scalar) or printed.is_zero():
+                return "", ""
+            missing = self._written(true - printed, notation)
+        except EvaluationError:
+            return "", ""
+        if re.search(r".[ ][-+] ", missing) or "frac" in missing:
+            return "", ""
+        text = latex[cell.span[0] : cell.span[1]].strip()
+        joined = f"{text} - {missing[1:]}" if missing.startswith("-") else f"{text} + {missing}"
+        return (joined, f"the term {missing} is missing") if self._reads_as(joined, true) else ("", "")
 
     def _agrees(self, edit: Edit, target: np.ndarray, scale: np.ndarray, probe: SampledAlgebra) -> bool:
         try:
@@ -188,12 +214,14 @@ class Diagnostician:
         symbols = self._notation.symbols
         arm = self.names.arm
         if arm is None:
-            names = {below.key: below for below in n.walk(cell) if isinstance(below, n.Name)}
+            free = [symbol for symbol in symbols if not symbol.startswith("dot ")]
+            names = {key: n.Name(*_base_and_index(key), text=symbols[key]) for key in free}
             angles = tuple(name for name in names.values() if name.base in ("theta", "alpha", "phi", "psi", "beta"))
-            lengths = tuple(name for name in names.values() if name not in angles)
+            lengths = tuple(name for name in names.values() if name not in angles)[:12]
             joints = sorted({index for below in n.walk(cell) if isinstance(below, n.JointAngles) for _, index in below.terms})
             return Letters(tuple(joints), angles, lengths)
         read = self.names.reader.read_expression
+
         def names_of(keys: list[str]) -> tuple[n.Name, ...]:
             nodes = [read(symbols.get(key) or symbol_as_latex(key)) for key in keys]
             return tuple(node for node in nodes if isinstance(node, n.Name))
@@ -233,11 +261,14 @@ class Diagnostician:
         for member in (outcome.true, outcome.printed):
             for below in n.walk(member.node):
                 symbol = self.names.known_symbol(below.key) if isinstance(below, n.Name) else None
-                if symbol is None and isinstance(below, n.Name) and self.names.is_free(below) and below.key not in self.names.definitions:
+                if symbol is None and isinstance(below, n.Name) and self._is_free_symbol(below):
                     symbol = below.key
                 if symbol is not None:
                     values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
         return values
+
+    def _is_free_symbol(self, name: n.Name) -> bool:
+        return self.names.is_free(name) and name.key in self.names.used and name.key not in self.names.definitions
 
     def _sampled_difference(self, outcome: Outcome, probe: SampledAlgebra) -> np.ndarray:
         assert outcome.true is not None and outcome.printed is not None
@@ -319,6 +350,11 @@ class Diagnostician:
         return None
 
 
+def _base_and_index(key: str) -> tuple[str, str]:
+    base, _, index = key.partition("_")
+    return base, index
+
+
 def _cell(node: n.Node, row: int, column: int) -> n.Node | None:
     """Return the tree of a printed entry, where the printed member is a matrix written out."""
     while isinstance(node, n.Group | n.Labelled):
@@ -355,6 +391,18 @@ def _cell_of_blocks(node: n.Matrix, row: int, column: int) -> n.Node | None:
     return None
 
 
+def _swapped_cells(outcome: Outcome) -> str:
+    """Say if the two wrong entries are each other's."""
+    pair = outcome.pair
+    if pair is None or len(outcome.wrong) != 2 or outcome.sampled_only:
+        return ""
+    (r, c), (s, d) = outcome.wrong
+    true, printed = pair.true.rows, pair.printed.rows
+    if exactly_equal(true[r][c], printed[s][d]) and exactly_equal(true[s][d], printed[r][c]):
+        return f"entries ({r + 1}, {c + 1}) and ({s + 1}, {d + 1}) are swapped"
+    return ""
+
+
 def _moved_cell(pair: Pair, row: int, column: int) -> str:
     """Say if the printed entry is the true one of another place: swapped cells or a transposed matrix."""
     printed = pair.printed.rows[row][column]
@@ -365,6 +413,3 @@ def _moved_cell(pair: Pair, row: int, column: int) -> str:
             if (r, c) != (row, column) and exactly_equal(true, printed):
                 return f"what is printed belongs in entry ({r + 1}, {c + 1})"
     return ""
-
-
-_ = Fraction

@@ -39,7 +39,7 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from _on_all(root, _functions)
     yield from _on_all(root, lambda node: _indices(node, letters))
     yield from _on_all(root, lambda node: _names(node, letters))
-    yield from _swapped_lengths(root, letters)
+    yield from swapped_lengths(root, letters)
     yield from _on_all(root, _dropped_factors)
     yield from _on_all(root, _numbers)
     yield from _on_all(root, _dropped_terms)
@@ -123,7 +123,7 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
             yield replace(node, arguments=(longer,), style=style), "index", f"angle {_show(angle)} is missing"
 
 
-def _swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
+def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Two lengths, exchanged throughout."""
     keys = [length.key for length in letters.lengths if any(isinstance(b, n.Name) and b.key == length.key for b in n.walk(root))]
     named = {length.key: length for length in letters.lengths}

@@ -167,7 +167,28 @@ class ChainChecker:
         assert best is not None
         outcome.pair, outcome.wrong = best
         outcome.message = best[0].note
+        if self._holds_of_table_angles(outcome):
+            outcome.verdict, outcome.wrong = Verdict.PROVED, []
+            outcome.message = "with the joint angles read as those of the DH table, offsets included"
+            return outcome
         return self._doubt(outcome, branches)
+
+    def _holds_of_table_angles(self, outcome: Outcome) -> bool:
+        """Whether the equation holds where θ_i means the table's angle and not the variable it is offset from."""
+        arm = self.names.arm
+        assert outcome.pair is not None and outcome.true is not None
+        if arm is None or arm.dh is None or outcome.true.rank < 3:
+            return False
+        pi, rational = self.exact.pi(), self.exact.rational
+        shifts = {
+            row.joint: (self.exact.symbol(row.joint) - pi * rational(row.theta.pi) - rational(row.theta.number)) * row.sign
+            for row in arm.dh.rows
+            if row.kind == "revolute" and (row.theta.pi or row.theta.number)
+        }
+        if not shifts:
+            return False
+        shifted = self.exact.substitute(outcome.pair.true, shifts)
+        return not different_entries(replace(outcome.pair, true=shifted), exactly_equal)
 
     def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
         """With ±, an entry is right when the product of its differences over the branches vanishes."""

@@ -16,6 +16,8 @@ from fractions import Fraction
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from models.entry import Entry
+from models.exact import cos_sin_of_pi, cos_sin_of_radians
 from verification.errors import EvaluationError, TooComplex
 
 Generator = tuple[str, str]
@@ -174,8 +176,7 @@ class Ring:
 
     def _cos_sin_term(self, powers: dict[Generator, int], coefficient: Fraction) -> tuple[Scalar, Scalar]:
         if not powers:
-            number = f"{float(coefficient):g}" if coefficient.denominator < 10**9 else str(float(coefficient))
-            return self._signed(self._pair(number.lstrip("-")), coefficient < 0)
+            return self._from_entries(cos_sin_of_radians(coefficient))
         if len(powers) != 1 or set(powers.values()) != {1}:
             raise EvaluationError("the cosine of something that is not a sum of angles")
         (kind, name), _ = powers.popitem()
@@ -206,27 +207,11 @@ class Ring:
         return self._signed((cosine, sine), times < 0)
 
     def _constant_angle(self, turns: Fraction) -> tuple[Scalar, Scalar]:
-        """Return (cos, sin) of turns·π: exact radicals for multiples of π/12, else a constant pair."""
-        turns = turns % 2
-        twelfths = turns * 12
-        if twelfths.denominator == 1:
-            steps = int(twelfths)
-            return self._cosine_of_twelfths(steps), self._cosine_of_twelfths(steps - 6)
-        name = f"{turns.numerator}*pi/{turns.denominator}" if turns.numerator != 1 else f"pi/{turns.denominator}"
-        return self._pair(name)
+        """Return (cos, sin) of turns·π, named as a trace names them: radicals for multiples of π/12, else a pair."""
+        return self._from_entries(cos_sin_of_pi(turns))
 
-    def _cosine_of_twelfths(self, steps: int) -> Scalar:
-        """Return cos(steps·π/12)."""
-        steps = steps % 24
-        steps = min(steps, 24 - steps)
-        if steps > 6:
-            return -self._cosine_of_twelfths(12 - steps)
-        two, three = self.sqrt(self.rational(2)), self.sqrt(self.rational(3))
-        half, quarter = self.rational(Fraction(1, 2)), self.rational(Fraction(1, 4))
-        return [
-            self.one, (three + self.one) * two * quarter, three * half, two * half, half,
-            (three - self.one) * two * quarter, self.zero,
-        ][steps]  # fmt: skip
+    def _from_entries(self, pair: tuple[Entry, Entry]) -> tuple[Scalar, Scalar]:
+        return self.from_entry(pair[0]), self.from_entry(pair[1])
 
     # -- square roots and arc functions ----------------------------------------------------------------------------
 
@@ -293,7 +278,8 @@ class Ring:
     def arc(self, cosine: Scalar, sine: Scalar) -> Scalar:
         """Return the angle with this cosine and sine, a generator that cos_sin turns back into them."""
         for twelfths in range(-11, 13):  # arccos 1 is 0, atan2(1, 0) is π/2
-            if (cosine - self._cosine_of_twelfths(twelfths)).is_zero() and (sine - self._cosine_of_twelfths(twelfths - 6)).is_zero():
+            known_cosine, known_sine = self._constant_angle(Fraction(twelfths, 12))
+            if (cosine - known_cosine).is_zero() and (sine - known_sine).is_zero():
                 return self.generator(("pi", "")) * self.rational(Fraction(twelfths, 12))
         for name, (known_cosine, known_sine) in self.arcs.items():
             if (known_cosine - cosine).is_zero() and (known_sine - sine).is_zero():
@@ -438,6 +424,10 @@ class Scalar:
 
     def __add__(self, other: object) -> Scalar:
         a, b = self._coerce(other)
+        if a.numerator.is_zero():
+            return b
+        if b.numerator.is_zero():
+            return a
         if a.denominator == b.denominator:
             total = Scalar(a.ring, a.numerator + b.numerator, a.denominator)
             return total if a.denominator.is_one() else total.normal()
@@ -454,6 +444,10 @@ class Scalar:
 
     def __mul__(self, other: object) -> Scalar:
         a, b = self._coerce(other)
+        if a.numerator.is_zero() or b.is_one():
+            return a
+        if b.numerator.is_zero() or a.is_one():
+            return b
         numerator = a.ring.multiply(a.numerator, b.numerator)
         if a.denominator.is_one() and b.denominator.is_one():
             return Scalar(a.ring, numerator, a.denominator)
@@ -499,6 +493,10 @@ class Scalar:
     def is_zero(self) -> bool:
         """Decide whether the value is zero for every configuration."""
         return bool(self.numerator.is_zero())
+
+    def is_one(self) -> bool:
+        """Decide whether the value is one for every configuration."""
+        return bool(self.numerator.is_one() and self.denominator.is_one())
 
     def as_fraction(self) -> Fraction | None:
         """Return the value where it is a rational constant, else None."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
+from functools import cache
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,15 +205,26 @@ Statement = Chain | Connective
 
 def children(node: Node) -> Iterator[Node]:
     """Yield the nodes directly below."""
-    for spec in fields(node):
-        yield from _nodes_in(getattr(node, spec.name))
+    for name in _branching(type(node)):
+        value = getattr(node, name)
+        if isinstance(value, Node):
+            yield value
+        elif isinstance(value, tuple):
+            yield from _nodes_in(value)
 
 
-def _nodes_in(value: object) -> Iterator[Node]:
-    if isinstance(value, Node):
-        yield value
-    elif isinstance(value, tuple):
-        for item in value:
+@cache
+def _branching(kind: type[Node]) -> tuple[str, ...]:
+    """The fields of a class that may hold nodes."""
+    plain = ("str", "int", "Fraction", "tuple[int, int]", "tuple[int, int] | None", "tuple[tuple[int, int], ...]", "tuple[str, ...]")
+    return tuple(spec.name for spec in fields(kind) if spec.type not in plain)
+
+
+def _nodes_in(values: tuple[object, ...]) -> Iterator[Node]:
+    for item in values:
+        if isinstance(item, Node):
+            yield item
+        elif isinstance(item, tuple):
             yield from _nodes_in(item)
 
 
@@ -230,11 +242,11 @@ def substitute(node: Node, old: Node, new: Node) -> Node:
     if node is old:
         return new
     changes = {}
-    for spec in fields(node):
-        before = getattr(node, spec.name)
+    for name in _branching(type(node)):
+        before = getattr(node, name)
         after = _substitute_in(before, old, new)
         if after is not before:
-            changes[spec.name] = after
+            changes[name] = after
     return replace(node, **changes) if changes else node
 
 

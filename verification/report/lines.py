@@ -7,6 +7,7 @@ import re
 import sys
 from collections.abc import Iterable
 from typing import TextIO
+from unicodedata import combining, normalize
 
 Span = tuple[str, str]  # a text and its style, "" for none
 Line = tuple[Span, ...]
@@ -43,8 +44,9 @@ def _printable(text: str, stream: TextIO) -> str:
 
 
 def to_ascii(text: str) -> str:
-    """Spell a text in ASCII: θ as theta, ⇒ as =>, and what has no spelling as its code."""
+    """Spell a text in ASCII: θ as theta, ⇒ as =>, é as e, and what has no spelling as its code."""
     spelled = "".join(_ASCII.get(character, character) for character in text)
+    spelled = "".join(character for character in normalize("NFKD", spelled) if not combining(character))
     return spelled.encode("ascii", "backslashreplace").decode("ascii")
 
 

@@ -49,7 +49,7 @@ def describe_total(results: Sequence[DocumentResult | Failure], *, strict: bool 
     lines = [total]
     errors = [record.max_error for record in (*records, *tables) if record.max_error is not None and record.samples]
     if errors:
-        samples = max(record.samples for record in records)
+        samples = max(record.samples for record in (*records, *tables))
         lines.append(
             f"also evaluated on Drake's numerical plant at {samples:,} configurations: largest error {max(errors):.1e}"
         )
@@ -92,8 +92,7 @@ def _describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
             yield from _describe_record(record, id(record) in tables_of_result)
     errata = [record for record in records if record.erratum and record.passes]
     if errata:
-        places = ", ".join(_short_place(record) for record in errata)
-        yield (("    ", ""), (f"{_errata(len(errata))} refuted, as they must be: {places}", FAINT))
+        yield ((f"    errata refuted, as they must be: {_places(errata)}", FAINT),)
 
 
 def _describe_record(record: Record, is_table: bool) -> Iterator[Line]:
@@ -119,8 +118,12 @@ def _cell(entry: WrongEntry) -> str:
     return f"equation {entry.equation}{place}"
 
 
-def _short_place(record: Record) -> str:
-    return f"{record.line}" if record.cell is None else f"{record.cell}:{record.line}"
+def _places(records: Sequence[Record]) -> str:
+    if len(records) == 1:
+        return describe_place(records[0])
+    if any(record.cell is not None for record in records):
+        return "; ".join(map(describe_place, records))
+    return "lines " + ", ".join(str(record.line) for record in records)
 
 
 def _errata(number: int) -> str:

@@ -1,0 +1,95 @@
+r"""DH tables that stand in a display: an `array` with `\hline` and `&`, taken apart into header and rows."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from verification.document import Display, Table
+
+_OPENING = re.compile(
+    r"\s*(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?"
+    r"\\begin\s*\{(?P<name>array|tabular|[bpvB]?matrix|aligned)\}\s*(?:\[\w\])?"
+)
+_CLOSING = re.compile(r"\s*(?:\\right\s*\\?[\])}|.]\s*)?[.,;]?\s*(?:\\(?:tag|label)\{[^}]*\}\s*)?[.,;]?\s*")
+_RULE = re.compile(r"\\(?:hline|toprule|midrule|bottomrule|hdashline|(?:cline|cmidrule)\s*(?:\([^)]*\))?\s*\{[^}]*\}|addlinespace)(?![A-Za-z])")
+_TOKEN = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\\(?:\s*\[[^\]]*\])?|\\.|[{}&]", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class ArrayTable:
+    """A table taken from a display, with the place of each cell of its body in the LaTeX."""
+
+    table: Table
+    spans: tuple[tuple[tuple[int, int], ...], ...]
+
+
+def read_array(display: Display) -> ArrayTable | None:
+    """Return the table of a display that holds one array and nothing else, or None."""
+    latex = display.latex
+    opening = _OPENING.match(latex)
+    if opening is None:
+        return None
+    start = opening.end()
+    if opening.group("name") in ("array", "tabular"):
+        start = _after_group(latex, start)
+    cut = _cut(latex, start)
+    if cut is None:
+        return None
+    rows, end = cut
+    if not re.match(r"\\end\s*\{%s\}" % opening.group("name"), latex[end:]) or not _CLOSING.fullmatch(latex, latex.index("}", end) + 1):
+        return None
+    cells = [[_trimmed(latex, a, b) for a, b in row] for row in rows]
+    cells = [row for row in cells if any(a < b for a, b in row)]
+    width = max((len(row) for row in cells), default=0)
+    kept = [k for k in range(width) if any(len(row) > k and row[k][0] < row[k][1] for row in cells)]
+    if len(cells) < 2:
+        return None
+    spans = [[row[k] if k < len(row) else (row[-1][1], row[-1][1]) for k in kept] for row in cells]
+    texts = [tuple(_RULE.sub("", latex[a:b]).strip() for a, b in row) for row in spans]
+    table = Table(display.line, texts[0], tuple(texts[1:]), display.erratum, display.cell, display.section)
+    return ArrayTable(table, tuple(tuple(row) for row in spans[1:]))
+
+
+def _after_group(latex: str, start: int) -> int:
+    """Return the place after the braces of the column specification."""
+    found = re.compile(r"\s*\{").match(latex, start)
+    if found is None:
+        return start
+    depth, at = 1, found.end()
+    while at < len(latex) and depth:
+        depth += {"{": 1, "}": -1}.get(latex[at], 0)
+        at += 1
+    return at
+
+
+def _cut(latex: str, start: int) -> tuple[list[list[tuple[int, int]]], int] | None:
+    r"""Return the places of the cells, cut at & and \\ outside braces and inner environments, and that of \end."""
+    rows: list[list[tuple[int, int]]] = [[]]
+    begin, depth = start, 0
+    for token in _TOKEN.finditer(latex, start):
+        text = token.group()
+        if text.startswith("\\end") and depth == 0:
+            rows[-1].append((begin, token.start()))
+            return rows, token.start()
+        if text.startswith("\\begin"):
+            depth += 2  # the environment, and the brace of its name; at its end the brace's closing takes both back
+        elif text == "{":
+            depth += 1
+        elif text == "}":
+            depth -= 1
+        elif depth == 0 and (text == "&" or text.startswith("\\\\")):
+            rows[-1].append((begin, token.start()))
+            begin = token.end()
+            if text != "&":
+                rows.append([])
+    return None
+
+
+def _trimmed(latex: str, start: int, end: int) -> tuple[int, int]:
+    """Return the place of a cell without blanks and rules."""
+    while (found := re.compile(r"\s+|%s" % _RULE.pattern).match(latex, start, end)) is not None and found.end() > start:
+        start = found.end()
+    while end > start and latex[end - 1].isspace():
+        end -= 1
+    return start, end
