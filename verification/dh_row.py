@@ -65,7 +65,9 @@ def right_row(pose: Matrix, convention: str, variables: Iterable[str]) -> RightR
     if any(name in names for part in alpha for name in _names(part)):
         return None
     made = _matrix_of(convention, a, alpha, d, theta)
-    same = all((x - y).is_zero() for row, other in zip(made.rows, t, strict=True) for x, y in zip(row, other, strict=True))
+    same = all(
+        (x - y).is_zero() for row, other in zip(made.rows, t, strict=True) for x, y in zip(row, other, strict=True)
+    )
     return RightRow(a, alpha, d, theta) if same else None
 
 
@@ -105,7 +107,9 @@ def in_radians(value: Scalar) -> Scalar:
     return value - ring.rational(degrees) + ring.rational(degrees / 180) * ring.generator(("pi", ""))
 
 
-def angle_as_scalar(ring: Ring, angle: Angle, symbols: Iterable[str], constants: Iterable[Scalar] = ()) -> Scalar | None:
+def angle_as_scalar(
+    ring: Ring, angle: Angle, symbols: Iterable[str], constants: Iterable[Scalar] = ()
+) -> Scalar | None:
     """Return an angle of known cosine and sine as ±symbol + k·π/12 (k·π/2 where that will do), or None."""
     zero, pi = ring.zero, ring.generator(("pi", ""))
     bases = [zero, *(ring.symbol(symbol) for symbol in symbols), *constants]

@@ -34,7 +34,7 @@ class Letters:
 
 def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Yield every tree that one small change makes of `root`, the most likely slips first."""
-    yield Edit(_negated(root), "sign", "the sign")
+    yield Edit(_negated(root), "sign", "wrong sign")
     yield from _on_all(root, _signs)
     yield from _on_all(root, _functions)
     yield from _on_all(root, lambda node: _indices(node, letters))
@@ -68,7 +68,7 @@ def _signs(node: n.Node) -> Iterator[Change]:
     flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
     for k, (sign, term) in enumerate(node.terms):
         terms = (*node.terms[:k], (flipped[sign], term), *node.terms[k + 1 :])
-        yield replace(node, terms=terms), "sign", f"the sign of term {k + 1}"
+        yield replace(node, terms=terms), "sign", f"wrong sign of term {k + 1}"
 
 
 def _functions(node: n.Node) -> Iterator[Change]:
@@ -89,9 +89,9 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
                 terms = (*node.terms[:k], (sign, joint), *node.terms[k + 1 :])
                 yield replace(node, terms=terms), "index", f"index {index} where {joint} belongs"
         if rest:
-            yield replace(node, terms=rest), "index", f"an index {index} too many"
+            yield replace(node, terms=rest), "index", f"index {index} does not belong"
             if k:
-                yield replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])), "index", f"the sign of angle {index}"
+                yield replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])), "index", f"wrong sign of angle {index}"
     for joint in letters.joints:
         if joint not in present:
             yield replace(node, terms=tuple(sorted((*node.terms, (1, joint)), key=lambda t: t[1]))), "index", f"index {joint} is missing"
@@ -147,7 +147,7 @@ def _dropped_factors(node: n.Node) -> Iterator[Change]:
         factors = (*node.factors[:k], *node.factors[k + 1 :])
         operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
         smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
-        yield smaller, "factor", f"a factor {k + 1} too many"
+        yield smaller, "factor", f"factor {k + 1} does not belong"
 
 
 def _dropped_terms(node: n.Node) -> Iterator[Change]:
@@ -161,9 +161,9 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
 def _numbers(node: n.Node) -> Iterator[Change]:
     if isinstance(node, n.Number) and node.value:
         for value in (node.value * 2, node.value / 2, node.value + 1):
-            yield n.Number(value, span=node.span), "number", f"the number {node.text}"
+            yield n.Number(value, span=node.span), "number", f"wrong number {node.text}"
     if isinstance(node, n.Power) and isinstance(node.exponent, n.Number):
-        yield node.base, "number", "the power"
+        yield node.base, "number", "the power does not belong"
     if isinstance(node, n.Name | n.Call):
         yield n.Power(node, n.Number(Fraction(2), "2"), span=node.span), "number", "a square is missing"
 

@@ -42,7 +42,7 @@ def _candidates(checker: ChainChecker, outcome: Outcome) -> Iterator[tuple[str, 
     if true.shape[0] == true.shape[1] > 1:
         yield "the matrix is transposed", true.transpose
     if not pair.is_scalar:
-        yield "the sign of the whole", true.map(lambda cell: -cell)
+        yield "wrong sign of the whole", true.map(lambda cell: -cell)
     if quantity is None:
         if true.shape == (4, 4):
             yield "the inverse is printed", _inverse_pose(true)

@@ -12,7 +12,9 @@ _OPENING = re.compile(
     r"\\begin\s*\{(?P<name>array|tabular|[bpvB]?matrix|aligned)\}\s*(?:\[\w\])?"
 )
 _CLOSING = re.compile(r"\s*(?:\\right\s*\\?[\])}|.]\s*)?[.,;]?\s*(?:\\(?:tag|label)\{[^}]*\}\s*)?[.,;]?\s*")
-_RULE = re.compile(r"\\(?:hline|toprule|midrule|bottomrule|hdashline|(?:cline|cmidrule)\s*(?:\([^)]*\))?\s*\{[^}]*\}|addlinespace)(?![A-Za-z])")
+_RULE = re.compile(
+    r"\\(?:hline|toprule|midrule|bottomrule|hdashline|(?:cline|cmidrule)\s*(?:\([^)]*\))?\s*\{[^}]*\}|addlinespace)(?![A-Za-z])"
+)
 _TOKEN = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\\(?:\s*\[[^\]]*\])?|\\.|[{}&]", re.DOTALL)
 
 
@@ -37,7 +39,9 @@ def read_array(display: Display) -> ArrayTable | None:
     if cut is None:
         return None
     rows, end = cut
-    if not re.match(r"\\end\s*\{%s\}" % opening.group("name"), latex[end:]) or not _CLOSING.fullmatch(latex, latex.index("}", end) + 1):
+    if not re.match(r"\\end\s*\{%s\}" % opening.group("name"), latex[end:]) or not _CLOSING.fullmatch(
+        latex, latex.index("}", end) + 1
+    ):
         return None
     cells = [[_trimmed(latex, a, b) for a, b in row] for row in rows]
     cells = [row for row in cells if any(a < b for a, b in row)]

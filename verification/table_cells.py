@@ -17,7 +17,10 @@ from verification.trig import Scalar
 
 _BLANK = re.compile(r"(?:-|–|—|−|−−|--|---|/|\\times|×|\.|\\cdot|\\dots|\\ldots)?")
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
-_TOOL = re.compile(r"\b(?:grip\w*|tool\w*|tcp|end|effect\w*|hand|flange|pince|outil|organe|preneur|greifer|e|ee|g|p|t)\b", re.IGNORECASE)
+_TOOL = re.compile(
+    r"\b(?:grip\w*|tool\w*|tcp|end|effect\w*|hand|flange|pince|outil|organe|preneur|greifer|e|ee|g|p|t)\b",
+    re.IGNORECASE,
+)
 _RANGE = re.compile(r"\D*(\d+)\s*(?:-|–|→|\\(?:right)?arrow|\\to|/|,|to|à)\s*(\d+)\D*")
 
 
@@ -129,5 +132,9 @@ def _labelled(names: Names, arm: Arm, frames: list[str], extra: list[str], label
 def _between(arm: Arm, frames: list[str], extra: list[str], reference: str, frame: str) -> Frames | None:
     if reference not in arm.frames or frame not in arm.frames:
         return None
-    joint = frames.index(frame) if frame in frames and frames.index(frame) > 0 and frames[frames.index(frame) - 1] == reference else None
+    joint = (
+        frames.index(frame)
+        if frame in frames and frames.index(frame) > 0 and frames[frames.index(frame) - 1] == reference
+        else None
+    )
     return Frames(frame, reference, joint)

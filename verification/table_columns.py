@@ -20,7 +20,9 @@ _UNITS = {
     "cm": r"cm|centi\w+",
     "m": r"m|met(?:er|re)s?|m[eè]tres?|metros?",
 }
-_UNIT = re.compile(r"(?:[(\[]|,\s*|\bin\s+|\ben\s+)\s*(?:%s)\s*[)\]]?$" % "|".join(f"(?P<{k}>{v})" for k, v in _UNITS.items()))
+_UNIT = re.compile(
+    r"(?:[(\[]|,\s*|\bin\s+|\ben\s+)\s*(?:%s)\s*[)\]]?$" % "|".join(f"(?P<{k}>{v})" for k, v in _UNITS.items())
+)
 _BARE_DEGREES = re.compile(r"\s*(?:\^circ|°)$")
 
 _SYMBOL = re.compile(
@@ -98,7 +100,9 @@ def plain(text: str) -> str:
     text = _SCRIPTS.sub(lambda found: "_{" + found.group().translate(_SUBSCRIPTS) + "}", text)
     text = normalise_unicode(text.replace("$", " ")).replace("\\(", " ").replace("\\)", " ")
     text = re.sub(r"\*\*|__", "", text)
-    text = re.sub(r"\\(?:text\w*|%s)\s*(?![A-Za-z])(?:\{([^{}]*)\})?" % STYLES, lambda found: f" {found.group(1) or ''} ", text)
+    text = re.sub(
+        r"\\(?:text\w*|%s)\s*(?![A-Za-z])(?:\{([^{}]*)\})?" % STYLES, lambda found: f" {found.group(1) or ''} ", text
+    )
     text = re.sub(r"\\[,;:!> ]|\\q?quad(?![A-Za-z])|~", " ", text)
     return text.replace("\\degree", "^\\circ").strip()
 

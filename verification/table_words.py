@@ -56,7 +56,9 @@ class Notation:
         size = abs(coefficient)
         if degrees is not None and powers == {("pi", ""): 1}:
             return f"{sign}{_number(size * 180)}{degrees}"
-        factors = [self._generator(kind, name) + (f"^{power}" if power > 1 else "") for (kind, name), power in powers.items()]
+        factors = [
+            self._generator(kind, name) + (f"^{power}" if power > 1 else "") for (kind, name), power in powers.items()
+        ]
         if not factors:
             return sign + _number(size)
         product = " ".join(factors)
@@ -65,7 +67,11 @@ class Notation:
         if size.denominator == 1 or ("pi", "") not in powers:
             return f"{sign}{_number(size)} {product}"
         above = product if size.numerator == 1 else f"{size.numerator}{product}"
-        return f"{sign}{above}/{size.denominator}" if self._slash else f"{sign}{self._fraction}{{{above}}}{{{size.denominator}}}"
+        return (
+            f"{sign}{above}/{size.denominator}"
+            if self._slash
+            else f"{sign}{self._fraction}{{{above}}}{{{size.denominator}}}"
+        )
 
     def _generator(self, kind: str, name: str) -> str:
         if kind == "pi":
@@ -120,7 +126,11 @@ def change_of_angle(printed: Scalar, right: Scalar) -> str:
         return "it is in degrees, the header says radians"
     difference = (printed - right).normal()
     if difference.denominator.is_one():
-        parts = {next(iter(powers), ("", ""))[0]: c for powers, c in ring.terms(difference.numerator) if sum(powers.values()) <= 1}
+        parts = {
+            next(iter(powers), ("", ""))[0]: c
+            for powers, c in ring.terms(difference.numerator)
+            if sum(powers.values()) <= 1
+        }
         if set(parts) == {"", "pi"} and abs(float(parts[""]) + math.pi * float(parts["pi"])) < 5e-3:
             return "a rounded number, which no equation can match"
     if printed.is_zero():
@@ -128,7 +138,11 @@ def change_of_angle(printed: Scalar, right: Scalar) -> str:
     if right.is_zero():
         return "it should vanish"
     if _symbols(printed) == _symbols(right):
-        return "the constant offset" if _symbols(printed) and _signs(printed) == _signs(right) else _change_of_terms(printed, right)
+        return (
+            "the constant offset"
+            if _symbols(printed) and _signs(printed) == _signs(right)
+            else _change_of_terms(printed, right)
+        )
     return _change_of_terms(printed, right)
 
 
@@ -136,7 +150,11 @@ def _change_of_terms(printed: Scalar, right: Scalar) -> str:
     one, other = _symbols(printed), _symbols(right)
     gone, more = sorted(other - one), sorted(one - other)
     if len(gone) == len(more) == 1:
-        return "the index" if letter_of(gone[0]) == letter_of(more[0]) else f"{latex_name(more[0])} for {latex_name(gone[0])}"
+        return (
+            "the index"
+            if letter_of(gone[0]) == letter_of(more[0])
+            else f"{latex_name(more[0])} for {latex_name(gone[0])}"
+        )
     if len(gone) == 1 and not more:
         return f"{latex_name(gone[0])} is missing"
     if len(more) == 1 and not gone:
@@ -156,4 +174,8 @@ def _symbols(value: Scalar) -> set[str]:
 
 
 def _signs(value: Scalar) -> dict[str, bool]:
-    return {" ".join(sorted(name for _, name in powers)): c < 0 for powers, c in value.ring.terms(value.numerator) if powers and ("pi", "") not in powers}
+    return {
+        " ".join(sorted(name for _, name in powers)): c < 0
+        for powers, c in value.ring.terms(value.numerator)
+        if powers and ("pi", "") not in powers
+    }

@@ -105,7 +105,7 @@ def _describe_record(record: Record, is_table: bool) -> Iterator[Line]:
         yield (("        ", ""), (record.message, ""))
     for entry in record.entries:
         cell = _cell(entry)
-        change = ((f"   ({entry.change})", FAINT),) if entry.change else ()
+        change = ((f"   ({entry.change})", FAINT),) if entry.change and entry.change not in record.message else ()
         yield ((f"        {cell}   printed  ", ""), (entry.printed, BAD))
         yield ((f"        {'':{len(cell)}}   correct  ", ""), (entry.correct, GOOD), *change)
     if record.counterexample:

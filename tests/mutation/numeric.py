@@ -1,0 +1,79 @@
+"""A second opinion on whether two formulas are equal: their values at random configurations of random arms."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from models.errors import ArmproofError
+from tests.mutation.place import Place
+from verification.algebras import SampledAlgebra
+from verification.evaluate import Evaluator, Identity, as_scalar, identity
+from verification.latex import nodes as n
+from verification.matrix import Matrix
+
+SAMPLES = 24
+TOLERANCE = 1e-9
+
+
+def sampled_algebra(place: Place, seed: int = 1) -> SampledAlgebra:
+    """Return values at random joint positions and, unlike the checker's second route, at random lengths."""
+    random = np.random.default_rng(seed)
+    arm = place.checker.names.arm
+    if arm is None:
+        return SampledAlgebra(place.checker.exact, np.zeros((SAMPLES, 0)), seed)
+    q = np.column_stack([random.uniform(-2.9, 2.9, SAMPLES) for _ in arm.joints])
+    lengths = {symbol: random.uniform(0.2, 1.4, SAMPLES) for symbol in arm.lengths}
+    return SampledAlgebra(place.checker.exact, q, seed, lengths)
+
+
+def agree(place: Place, a: n.Node, b: n.Node) -> bool | None:
+    """Return whether two trees have one value at every sample; None where one of them has no value."""
+    algebra = sampled_algebra(place)
+    with np.errstate(all="ignore"):
+        try:
+            (a_plus, a_minus), (b_plus, b_minus) = (_values(place, node, algebra) for node in (a, b))
+        except (ArmproofError, TypeError):
+            return None
+    if a_plus.shape != b_plus.shape:
+        return False
+    together = _close(a_plus, b_plus) & _close(a_minus, b_minus)
+    crossed = _close(a_plus, b_minus) & _close(a_minus, b_plus)
+    usable = np.isfinite(a_plus) & np.isfinite(b_plus)
+    if not usable.any():
+        return None
+    return bool((together | crossed | ~usable).all())
+
+
+def agree_as_conditions(place: Place, a: tuple[n.Node, ...], b: tuple[n.Node, ...]) -> bool | None:
+    """Return whether two equations hold at the same configurations of quarter turns."""
+    arm = place.checker.names.arm
+    assert arm is not None
+    random = np.random.default_rng(2)
+    turns = random.integers(-2, 3, (400, len(arm.joints))) * 0.5
+    scale = [np.pi if joint.kind == "revolute" else 1.0 for joint in arm.joints]
+    lengths = {symbol: random.uniform(0.2, 1.4, len(turns)) for symbol in arm.lengths}
+    algebra = SampledAlgebra(place.checker.exact, turns * scale, 2, lengths)
+    try:
+        holds = [_close(*(_values(place, node, algebra)[0] for node in equation)) for equation in (a, b)]
+    except (ArmproofError, TypeError):
+        return None
+    return bool((holds[0] == holds[1]).all())
+
+
+def _values(place: Place, node: n.Node, algebra: SampledAlgebra) -> tuple[np.ndarray, np.ndarray]:
+    """Return the values for either sign of ±, as arrays (rows, columns, samples)."""
+    return tuple(_array(Evaluator(place.checker.names, algebra, branch).evaluate(node), algebra) for branch in (1, -1))  # type: ignore[return-value]
+
+
+def _array(value: object, algebra: SampledAlgebra) -> np.ndarray:
+    value = as_scalar(value)
+    if isinstance(value, Identity):
+        value = identity(algebra, 3)
+    if isinstance(value, list):
+        value = Matrix(tuple((item,) for item in value))
+    rows = value.rows if isinstance(value, Matrix) else ((value,),)
+    return np.array([[np.broadcast_to(cell, (algebra.samples,)) for cell in row] for row in rows])
+
+
+def _close(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.abs(a - b) <= TOLERANCE * (1 + np.abs(a))

@@ -1,0 +1,123 @@
+"""A display in its place in a document: other LaTeX is checked there, and leaves no trace."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+from models.catalogue import load_arm
+from verification.check import DocumentChecker
+from verification.document import Display, Document, read_document
+from verification.latex import nodes as n
+from verification.trig import AngleFraction
+from verification.verdict import Record, Verdict
+
+HANDOUTS = Path(__file__).resolve().parents[2] / "course" / "handouts"
+
+
+def handouts() -> list[Path]:
+    """Return the course's documents that hold displays."""
+    return [path for path in sorted(HANDOUTS.glob("*.md")) if "$$" in path.read_text(encoding="utf-8")]
+
+
+@lru_cache(maxsize=64)
+def load(path: Path) -> Document:
+    """Return a document as read."""
+    return read_document(path)
+
+
+@dataclass
+class Place:
+    """A display and its verdict, and a checker that has read everything before it."""
+
+    document: Document
+    index: int
+    record: Record
+    denominators: dict[str, int]
+    checker: DocumentChecker
+
+    @property
+    def display(self) -> Display:
+        """The display that stands here."""
+        return self.document.displays[self.index]
+
+    @property
+    def where(self) -> str:
+        """`file:line` of the display."""
+        return f"{self.document.path.name}:{self.display.line}"
+
+    def read(self, latex: str) -> list[n.Statement]:
+        """Return the statements of LaTeX that stands here."""
+        return self.checker.names.reader.read(latex)
+
+    def check(self, latex: str, *, confirm: bool = False) -> Record:
+        """Return the record of other LaTeX in this place; `confirm` evaluates it on the double plant as well."""
+        self.checker.checker.confirm = confirm
+        try:
+            with self.altered():
+                return self.checker.check_display(replace(self.display, latex=latex))
+        except AngleFraction as fraction:  # in this LaTeX alone: the angles become finer for one check
+            finer = {**self.denominators, fraction.symbol: fraction.denominator}
+            return Place(self.document, self.index, self.record, finer, _replay(self.document, self.index, finer)).check(latex, confirm=confirm)
+        finally:
+            self.checker.checker.confirm = False
+
+    @contextmanager
+    def altered(self) -> Iterator[None]:
+        """Let displays be checked here; what they define is forgotten afterwards, and the roots that they adjoin."""
+        checker, ring = self.checker, self.checker.ring
+        general = checker.general._general.names
+        definitions, used, used_in_general = dict(checker.names.definitions), set(checker.names.used), set(general.used)
+        subject, errors = checker.subject, list(checker.diagnostician.errors)
+        roots = len(ring.radicands), len(ring.arcs)
+        try:
+            yield
+        finally:
+            checker.names.definitions.clear()
+            checker.names.definitions.update(definitions)
+            for names, before in ((checker.names, used), (general, used_in_general)):
+                names.used.clear()
+                names.used.update(before)
+            checker.subject = subject
+            checker.diagnostician.errors[:] = errors
+            if (len(ring.radicands), len(ring.arcs)) != roots:  # generators cannot be taken back
+                self.checker = _replay(self.document, self.index, self.denominators)
+
+
+def proved_places(path: Path) -> Iterator[Place]:
+    """Yield the displays of a document that are proved and no errata, in order."""
+    document = load(path)
+    denominators, records = _records(document)
+    checker = _new_checker(document, denominators)
+    for index, (display, record) in enumerate(zip(document.displays, records, strict=True)):
+        if record.verdict is Verdict.PROVED and not display.erratum:
+            place = Place(document, index, record, denominators, checker)
+            yield place
+            checker = place.checker
+        checker.check_display(display)
+
+
+def _records(document: Document) -> tuple[dict[str, int], list[Record]]:
+    denominators: dict[str, int] = {}
+    while True:  # until the angles are fine enough for the document
+        checker = _new_checker(document, denominators)
+        try:
+            return denominators, [checker.check_display(display) for display in document.displays]
+        except AngleFraction as fraction:
+            denominators[fraction.symbol] = fraction.denominator
+
+
+def _replay(document: Document, index: int, denominators: dict[str, int]) -> DocumentChecker:
+    checker = _new_checker(document, denominators)
+    for display in document.displays[:index]:
+        checker.check_display(display)
+    return checker
+
+
+def _new_checker(document: Document, denominators: dict[str, int]) -> DocumentChecker:
+    spec = document.front.get("arm")
+    arm = None if spec is None else load_arm(spec, document.path.parent)
+    return DocumentChecker(document, arm, denominators, confirm=False)
