@@ -69,6 +69,7 @@ class Diagnostician:
                 whole = explain_whole(self.checker, outcome) or self._swapped_throughout(outcome) or _swapped_cells(outcome)
             if whole:
                 words.append(whole)
+                found = [replace(entry, change="") for entry in found]
             elif outcome.sampled_only:
                 words.append(outcome.message)
             else:
@@ -94,6 +95,9 @@ class Diagnostician:
         return ""
 
     def _summary(self, entries: list[WrongEntry]) -> Iterator[str]:
+        if len(entries) > 4 and not any(entry.change for entry in entries):
+            yield f"{len(entries)} entries are wrong"
+            return
         for entry in entries:
             where = "" if entry.row is None else f"entry ({entry.row}, {entry.column}): "
             if entry.change:

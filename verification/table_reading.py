@@ -137,9 +137,7 @@ class TableReading:
         """Return the link matrix of the row as printed; raises EvaluationError where an entry has no value."""
         if verdict.problems:
             raise EvaluationError(next(iter(verdict.problems.values())))
-        return row_matrix(
-            self.claim.algebra, self.convention, *(verdict.values[parameter] for parameter in PARAMETERS)
-        )
+        return row_matrix(self.claim.algebra, self.convention, *(verdict.values[parameter] for parameter in PARAMETERS))
 
     @cached_property
     def product(self) -> Matrix | None:
@@ -178,7 +176,9 @@ class TableReading:
                 values = self._values(parameter, column, cell, verdict)
             except EvaluationError as problem:
                 verdict.problems[parameter] = str(problem)
-                if isinstance(problem, UnboundName) and (name := unbound_name(self.claim.names, self.claim.algebra, cell)):
+                if isinstance(problem, UnboundName) and (
+                    name := unbound_name(self.claim.names, self.claim.algebra, cell)
+                ):
                     verdict.unbound[parameter] = name
                 continue
             verdict.values[parameter] = values[0]
@@ -206,7 +206,9 @@ class TableReading:
             values = [self.claim.algebra.substitute(value, self.claim.lengths) for value in values]
         if parameter not in ANGLES:
             scale = _SCALES.get(unit)
-            return [v * self.claim.algebra.rational(scale) if scale and v.as_fraction() is not None else v for v in values]
+            return [
+                v * self.claim.algebra.rational(scale) if scale and v.as_fraction() is not None else v for v in values
+            ]
         return [self._angle(value, unit) for value in values]
 
     def _angle(self, value: Scalar, unit: str) -> Scalar:

@@ -96,6 +96,12 @@ _MASTER = re.compile(
     % (SPACES, "|".join([*BARE_WORDS, *BARE_GREEK])),
     re.VERBOSE | re.DOTALL,
 )
+# what may follow a dot that is a product: not the end of a line, a word or a blank after a full stop
+_FACTOR = re.compile(
+    r"(?:\\[,;:! ]|[ \t])*(?:\\(?!(?:end|right|q?quad|text|textrm|tag|label|hspace|vspace|mbox|hbox|newline|cr|notag|nonumber|"
+    r"Rightarrow|implies|iff|to|therefore|Leftrightarrow|dots|ldots|cdots)(?![A-Za-z]))[A-Za-z{]|[A-Za-z({\[^])"
+)
+_BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
     ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
@@ -109,7 +115,7 @@ _MACROS = {
     "pm": "PM", "mp": "PM", "cdot": "CDOT", "times": "TIMES", "wedge": "TIMES", "ast": "CDOT", "star": "CDOT",
     "bullet": "CDOT", "circ": "CDOT", "div": "SLASH", "frac": "FRAC", "dfrac": "FRAC", "tfrac": "FRAC", "cfrac": "FRAC",
     "sqrt": "SQRT", "partial": "PARTIAL", "dots": "DOTS", "ldots": "DOTS", "cdots": "DOTS", "vdots": "DOTS",
-    "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
+    "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "dotsm": "DOTS", "prod": "DOTS", "sum": "DOTS", "int": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
     "overset": "OVERSET", "underset": "OVERSET", "stackrel": "OVERSET",
     "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "colon": "SEP",
     "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",
@@ -393,6 +399,9 @@ class _Scanner:
         if kind is None:
             raise ReadError(f"cannot read '{value}'", start)
         if kind == "LBRACE":
+            word = _BRACED_FUNCTION.match(self.text, start)
+            if word and word.group(1) in FUNCTIONS and len(word.group(1)) > 2:
+                return self._function(word.group(1), start, word.end())
             self._deeper(start)
         elif kind == "RBRACE":
             self.depth -= 1
@@ -401,7 +410,7 @@ class _Scanner:
         elif kind == "RPAR":
             self.depth -= 1
         elif kind == "DOT":
-            if re.compile(r"\s*(?:\\[\w{}]|[A-Za-z({\[^])").match(self.text, end) and self.previous in _ENDS_OPERAND:
+            if self.previous in _ENDS_OPERAND and _FACTOR.match(self.text, end):
                 return [self.token("CDOT", value, start, end)], end
             return [], end  # a full stop
         elif kind == "STAR":
