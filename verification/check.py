@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -20,13 +19,13 @@ from verification.algebras import ExactAlgebra, SampledAlgebra
 from verification.conditions import check_implication, check_relation, is_condition
 from verification.diagnose import Diagnostician
 from verification.document import Display, Document, Table, read_document
-from verification.equation import ChainChecker, Outcome, bare_key
-from verification.errors import DocumentError, EvaluationError, ReadError, TooComplex, UnboundName
+from verification.equation import ChainChecker, Outcome
+from verification.errors import DocumentError, ReadError, TooComplex
 from verification.general import GeneralStatements
 from verification.latex import nodes as n
 from verification.latex.statements import PREVIOUS
 from verification.names import read_names
-from verification.tables import check_table
+from verification.tables import check_array_table, check_table
 from verification.trig import AngleFraction, Ring
 from verification.verdict import DocumentResult, Record, Verdict, worst
 
@@ -115,6 +114,8 @@ class DocumentChecker:
         if not display.closed:
             return replace(record, message="the display opened by $$ never ends")
         self.ring.deadline = time.monotonic() + SECONDS_PER_DISPLAY
+        if (table := check_array_table(self.checker, display)) is not None:
+            return table
         try:
             statements = self.names.reader.read(display.latex)
         except ReadError as error:
@@ -292,7 +293,3 @@ def _place(display: Display, offset: int) -> str:
     column = offset - (before.rfind("\n") + 1) + 1
     where = f"line {line}" if display.cell is None else f"cell {display.cell}, line {line}"
     return f"{where}, column {column} of the display"
-
-
-__all__ = ["DocumentChecker", "UnboundName", "EvaluationError", "bare_key", "check_document", "verify"]
-_ = Any

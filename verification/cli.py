@@ -6,6 +6,7 @@ Nothing heavy is imported before it is needed: `armproof --help` loads neither D
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable, Sequence
 from enum import StrEnum
@@ -62,7 +63,15 @@ Version = Annotated[bool, typer.Option("--version", help="Show the version.")]
 
 def main() -> None:
     """Run the command line."""
-    app(prog_name="armproof")
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by the caller
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - open to the end
+    try:
+        app(prog_name="armproof")
+    except OSError as error:  # standard output takes no more: Python would try once again as it ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _complain([f"cannot write the report: {error.strerror}"])
+        sys.exit(CANNOT_RUN)
 
 
 @app.callback(invoke_without_command=True)
@@ -124,9 +133,14 @@ def check_paths(paths: Sequence[Path]) -> list[DocumentResult | Failure]:
     found: dict[Path | Failure, None] = {}
     for path in paths:
         try:
-            found.update(dict.fromkeys(find_documents([path])))
+            if path.exists() and not (path.is_dir() or path.is_file()):  # a pipe or a device, which may never end
+                found[Failure(str(path), f"{path}: not a file")] = None
+            else:
+                found.update(dict.fromkeys(find_documents([path])))
         except ArmproofError as error:
             found[Failure(str(path), str(error))] = None
+        except OSError as error:
+            found[Failure(str(path), f"{path}: cannot be read: {error.strerror}")] = None
     documents = [each for each in found if isinstance(each, Path)]
     checked = dict(zip(documents, check_all(documents), strict=True))
     return [checked[each] if isinstance(each, Path) else each for each in found]

@@ -27,7 +27,7 @@ def write_scalar(value: Scalar, notation: Notation) -> str:
 def _write_polynomial(value: Scalar, polynomial: object, notation: Notation) -> str:
     groups: dict[Rest, dict[Trig, Fraction]] = defaultdict(dict)
     for powers, coefficient in value.ring.terms(polynomial):  # type: ignore[arg-type]
-        trig = tuple(sorted((kind, ((name, Fraction(1)),), power) for (kind, name), power in powers.items() if kind in ("cos", "sin")))
+        trig: Trig = tuple(sorted((kind, ((name, Fraction(1)),), power) for (kind, name), power in powers.items() if kind in ("cos", "sin")))
         rest = tuple(sorted((generator, power) for generator, power in powers.items() if generator[0] not in ("cos", "sin")))
         groups[rest][trig] = coefficient
     terms: list[tuple[bool, str]] = []

@@ -94,8 +94,8 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
                 yield Pair(true.block([0, 1, 3], [0, 1, 3]), printed, "the planar transform, without its z row and column")
     if (m, k, r, c) == (3, 3, 4, 4) and _is_constant(printed.rows[3][3], 1):
         zero = printed.rows[3][3] * 0
-        rows = (*((*row, zero) for row in true.rows), (zero, zero, zero, zero + 1))
-        yield Pair(Matrix(rows), printed)
+        padded = (*((*row, zero) for row in true.rows), (zero, zero, zero, zero + 1))
+        yield Pair(Matrix(padded), printed)
     if m == 6 and c == k and r < 6:
         for rows in _jacobian_rows(true, r):
             note = f"rows {', '.join(str(i + 1) for i in rows)} of the geometric Jacobian"

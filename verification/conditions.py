@@ -52,7 +52,7 @@ def _factors(checker: ChainChecker, chain: n.Chain) -> list[Scalar]:
         raise Undecided("a chain stands where one condition is expected")
     multiple = _integer_multiple_of_pi(last)
     if multiple is not None:
-        _, sine = checker.exact.cos_sin((evaluator.scalar(first[0]) / checker.exact.rational(multiple)))
+        _, sine = checker.exact.cos_sin(evaluator.scalar(first[0]) / checker.exact.rational(multiple))
         return [sine]
     left, right = as_scalar(evaluator.evaluate(first[0])), as_scalar(evaluator.evaluate(last))
     if isinstance(left, Matrix) or isinstance(right, Matrix):

@@ -6,6 +6,7 @@ modified: {}^{i-1}T_i = Rot_x(α_{i-1}) Trans_x(a_{i-1}) Rot_z(θ_i) Trans_z(d_i
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -105,6 +106,13 @@ def in_radians(value: Scalar) -> Scalar:
     degrees = rational_part(value)
     ring = value.ring
     return value - ring.rational(degrees) + ring.rational(degrees / 180) * ring.generator(("pi", ""))
+
+
+def constant_angle(ring: Ring, name: str) -> Scalar:
+    """Return a constant angle of the trace, "2*pi/5" or "0.3" (rad)."""
+    times, is_pi, parts = re.fullmatch(r"([\d.e+-]*)\*?(pi)?/?(\d*)", name).groups()  # type: ignore[union-attr]
+    size = ring.rational(Fraction(times or 1) / int(parts or 1))
+    return size * ring.generator(("pi", "")) if is_pi else size
 
 
 def angle_as_scalar(

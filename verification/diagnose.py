@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from models.errors import ArmproofError
 from verification.algebras import SampledAlgebra, Value
 from verification.closed_form import write_scalar
 from verification.compare import Pair, different_entries, exactly_equal
 from verification.edits import Edit, Letters, single_edits, swapped_lengths
 from verification.equation import ChainChecker, Outcome
-from models.errors import ArmproofError
 from verification.errors import EvaluationError, ReadError
 from verification.evaluate import Evaluator, as_scalar
 from verification.explain import explain_whole
@@ -89,9 +89,10 @@ class Diagnostician:
         assert outcome.pair is not None and outcome.printed is not None
         for edit in swapped_lengths(outcome.printed.node, self._letters(outcome.printed.node)):
             member = self.checker.member(edit.node)
-            if member.known and isinstance(member.value, Matrix) and member.value.shape == outcome.pair.true.shape:
-                if not different_entries(replace(outcome.pair, printed=member.value), exactly_equal):
-                    return f"{edit.words} throughout"
+            if not (member.known and isinstance(member.value, Matrix) and member.value.shape == outcome.pair.true.shape):
+                continue
+            if not different_entries(replace(outcome.pair, printed=member.value), exactly_equal):
+                return f"{edit.words} throughout"
         return ""
 
     def _summary(self, entries: list[WrongEntry]) -> Iterator[str]:
@@ -127,7 +128,8 @@ class Diagnostician:
             if not change and not pair.is_scalar and mend:
                 change = _moved_cell(pair, row, column)
             place = (None, None) if pair.is_scalar else (row + 1, column + 1)
-            entries.append(WrongEntry(outcome.equation, *place, printed, correct, change, cell.span if cell is not None else None))
+            span = cell.span if cell is not None else None
+            entries.append(WrongEntry(outcome.equation, place[0], place[1], printed, correct, change, span))
         return entries
 
     def _written(self, value: Any, notation: Notation) -> str:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -157,9 +158,9 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
         front = {}
     if not isinstance(front, dict):
         raise DocumentError(f"{path}:{first_line}: the front matter must be a mapping of keys such as 'arm: scara'")
-    lines = {}
-    for number, line in enumerate(block.split("\n")):
-        if found := re.match(r"([A-Za-z_]+)\s*:", line):
+    lines: dict[str, int] = {}
+    for number, text in enumerate(block.split("\n")):
+        if found := re.match(r"([A-Za-z_]+)\s*:", text):
             lines.setdefault(found.group(1), first_line + number)
     for key in front:
         if key not in FRONT_MATTER_KEYS and key not in FOREIGN_KEYS:
@@ -275,7 +276,7 @@ def _read_percent(path: Path, text: str) -> Document:
     tables: list[Table] = []
     source = text.replace("\r\n", "\n").split("\n")
     starts = [k for k, line in enumerate(source) if line.startswith("# %%")] + [len(source)]
-    for number, (start, end) in enumerate(zip(starts, starts[1:], strict=False)):
+    for number, (start, end) in enumerate(pairwise(starts)):
         if not re.match(r"# %%.*\[(?:markdown|md|raw)\]", source[start]):
             continue
         body = "\n".join(re.sub(r"^# ?", "", line) for line in source[start + 1 : end])

@@ -41,7 +41,7 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from _on_all(root, lambda node: _names(node, letters))
     yield from swapped_lengths(root, letters)
     yield from _on_all(root, _dropped_factors)
-    yield from _on_all(root, _numbers)
+    yield from _on_all(root, lambda node: _numbers(node, letters))
     yield from _on_all(root, _dropped_terms)
     yield from _added_factors(root, letters)
 
@@ -143,7 +143,7 @@ def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
 def _dropped_factors(node: n.Node) -> Iterator[Change]:
     if not isinstance(node, n.Product) or "×" in node.operators:
         return
-    for k, factor in enumerate(node.factors):
+    for k in range(len(node.factors)):
         factors = (*node.factors[:k], *node.factors[k + 1 :])
         operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
         smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
@@ -158,13 +158,14 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
         yield replace(node, terms=terms), "term", f"term {k + 1} does not belong"
 
 
-def _numbers(node: n.Node) -> Iterator[Change]:
+def _numbers(node: n.Node, letters: Letters) -> Iterator[Change]:
     if isinstance(node, n.Number) and node.value:
         for value in (node.value * 2, node.value / 2, node.value + 1):
             yield n.Number(value, span=node.span), "number", f"wrong number {node.text}"
     if isinstance(node, n.Power) and isinstance(node.exponent, n.Number):
         yield node.base, "number", "the power does not belong"
-    if isinstance(node, n.Name | n.Call):
+    is_angle = isinstance(node, n.Name) and (not node.text or any(angle.key == node.key for angle in letters.angles))
+    if isinstance(node, n.Name | n.Call) and not is_angle:
         yield n.Power(node, n.Number(Fraction(2), "2"), span=node.span), "number", "a square is missing"
 
 

@@ -34,6 +34,7 @@ class Member:
 
     @property
     def known(self) -> bool:
+        """Whether it has a value."""
         return self.problem is None
 
 
@@ -131,7 +132,7 @@ class ChainChecker:
 
     def quantity_of(self, node: n.Node) -> Quantity | None:
         """Return the arm's quantity that a name, with or without arguments, stands for."""
-        if isinstance(node, n.Call) and node.function == "name":
+        if isinstance(node, n.Call) and node.function == "name" and all(isinstance(a, n.Name) for a in node.arguments):
             found = self.names.quantities.get(call_key(node))
             return found or self.quantity_of(node.arguments[0])
         return self.names.quantity(node) if isinstance(node, n.Name) else None
@@ -389,7 +390,7 @@ def bare_key(node: n.Node) -> str | None:
         node = node.inner
     if isinstance(node, n.Name):
         return node.key if node.base not in ("words", "=") else None
-    if isinstance(node, n.Call) and node.function == "name":
+    if isinstance(node, n.Call) and node.function == "name" and all(isinstance(a, n.Name) for a in node.arguments):
         return call_key(node)
     return None
 

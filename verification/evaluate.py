@@ -52,10 +52,10 @@ class Evaluator:
 
     # -- leaves ----------------------------------------------------------------------------------------------------
 
-    def number(self, node: n.Number) -> Value:
+    def _number(self, node: n.Number) -> Value:
         return self.algebra.rational(node.value)
 
-    def name(self, node: n.Name) -> Value:
+    def _name(self, node: n.Name) -> Value:
         algebra, names = self.algebra, self.names
         if node.base == "words":
             raise UnboundName(node.text, "words stand for a value")
@@ -84,7 +84,7 @@ class Evaluator:
             return column([algebra.symbol(joint.symbol) for joint in names.arm.joints])
         raise UnboundName(node.key)
 
-    def joint_angles(self, node: n.JointAngles) -> Any:
+    def _joint_angles(self, node: n.JointAngles) -> Any:
         total = self.algebra.rational(Fraction(0))
         for sign, index in node.terms:
             symbol = self.names.joint_angle(index)
@@ -94,15 +94,15 @@ class Evaluator:
             total = total + angle if sign > 0 else total - angle
         return total
 
-    def dots(self, _node: n.Dots) -> Value:
+    def _dots(self, _node: n.Dots) -> Value:
         raise UnboundName("…", "an ellipsis leaves terms to the reader")
 
-    def layout(self, _node: n.Layout) -> Value:
+    def _layout(self, _node: n.Layout) -> Value:
         raise EvaluationError("several equations stand where one value is expected")
 
     # -- arithmetic ------------------------------------------------------------------------------------------------
 
-    def sum(self, node: n.Sum) -> Value:
+    def _sum(self, node: n.Sum) -> Value:
         total: Value = None
         for sign, term in node.terms:
             value = as_scalar(self.evaluate(term))
@@ -123,7 +123,7 @@ class Evaluator:
             raise ShapeError(f"a sum of a scalar and a {matrix.size} matrix")
         return a + b
 
-    def product(self, node: n.Product) -> Value:
+    def _product(self, node: n.Product) -> Value:
         result = self.evaluate(node.factors[0])
         for operator, factor in zip(node.operators, node.factors[1:], strict=True):
             result = self._multiply(result, operator, self.evaluate(factor))
@@ -150,7 +150,7 @@ class Evaluator:
             return b.map(lambda cell: a * cell)
         return a * b
 
-    def quotient(self, node: n.Quotient) -> Value:
+    def _quotient(self, node: n.Quotient) -> Value:
         above = self.evaluate(node.numerator)
         below = self.scalar(node.denominator)
         self._divide_by(below)
@@ -158,7 +158,7 @@ class Evaluator:
             return above.map(lambda cell: cell / below)
         return above / below
 
-    def power(self, node: n.Power) -> Value:
+    def _power(self, node: n.Power) -> Value:
         base = as_scalar(self.evaluate(node.base))
         exponent = _integer(node.exponent)
         if exponent is None:
@@ -180,7 +180,7 @@ class Evaluator:
             return self.algebra.rational(Fraction(1)) / base**-exponent
         return base**exponent
 
-    def postfix(self, node: n.Postfix) -> Value:
+    def _postfix(self, node: n.Postfix) -> Value:
         value = as_scalar(self.evaluate(node.base))
         if node.operator == "deg":
             return value * self.algebra.pi() / self.algebra.rational(Fraction(180))
@@ -230,25 +230,25 @@ class Evaluator:
 
     # -- structure -------------------------------------------------------------------------------------------------
 
-    def group(self, node: n.Group) -> Value:
+    def _group(self, node: n.Group) -> Value:
         return self.evaluate(node.inner)
 
-    def sequence(self, node: n.Sequence) -> Value:
+    def _sequence(self, node: n.Sequence) -> Value:
         values = [as_scalar(self.evaluate(item)) for item in node.items]
         if node.brackets == "[]" and not any(isinstance(value, Matrix | Identity) for value in values):
             return Matrix((tuple(values),))
         return values
 
-    def labelled(self, node: n.Labelled) -> Value:
+    def _labelled(self, node: n.Labelled) -> Value:
         value = self.evaluate(node.inner)
         if node.size is not None and isinstance(value, Matrix) and value.shape != node.size:
             raise ShapeError(f"the matrix is {value.size}, the label says {node.size[0]}×{node.size[1]}")
         return value
 
-    def cases(self, _node: n.Cases) -> Value:
+    def _cases(self, _node: n.Cases) -> Value:
         raise UnboundName("cases", "a value that depends on words")
 
-    def at(self, node: n.At) -> Value:
+    def _at(self, node: n.At) -> Value:
         values: dict[str, Any] = {}
         for left, right in node.values:
             symbol = self.names.known_symbol(left.key) if isinstance(left, n.Name) else None
@@ -257,11 +257,15 @@ class Evaluator:
             if symbol is None:
                 raise EvaluationError("the configuration must give joint variables or lengths values")
             values[symbol] = self.scalar(right)
-        if isinstance(self.algebra, SampledAlgebra):
-            return Evaluator(self.names, self.algebra.at(values), self.branch).evaluate(node.inner)
-        return self.algebra.substitute(self.evaluate(node.inner), values)
+        return self._at_values(values, node.inner)
 
-    def matrix(self, node: n.Matrix) -> Value:
+    def _at_values(self, values: dict[str, Any], node: n.Node) -> Value:
+        """Return a tree's value where some joint variables or lengths have the values given."""
+        if isinstance(self.algebra, SampledAlgebra):
+            return Evaluator(self.names, self.algebra.at(values), self.branch).evaluate(node)
+        return self.algebra.substitute(self.evaluate(node), values)
+
+    def _matrix(self, node: n.Matrix) -> Value:
         rows = [[as_scalar(self.evaluate(cell)) for cell in row] for row in node.rows]
         rows = [[cell for value in row for cell in (value if isinstance(value, list) else [value])] for row in rows]
         if not any(isinstance(cell, Matrix | Identity) for row in rows for cell in row):
@@ -309,7 +313,7 @@ class Evaluator:
 
     # -- functions -------------------------------------------------------------------------------------------------
 
-    def call(self, node: n.Call) -> Value:
+    def _call(self, node: n.Call) -> Value:
         function = node.function
         if function == "name":
             return self._applied_name(node)
@@ -357,6 +361,14 @@ class Evaluator:
             return names.definitions[key].evaluate(self.algebra)
         name, *arguments = node.arguments
         assert isinstance(name, n.Name)
+        joints = names.arm.joints if names.arm is not None else ()
+        if arguments and not any(isinstance(a, n.Name) for a in arguments):
+            if len(arguments) == len(joints):
+                values = zip(joints, arguments, strict=True)
+                return self._at_values({joint.symbol: self.scalar(argument) for joint, argument in values}, name)
+            if len(arguments) == 1:
+                return self._multiply(self.evaluate(name), "", self.evaluate(arguments[0]))
+            raise EvaluationError(f"{name.key} is given {len(arguments)} values; the arm has {len(joints)} joints")
         ignorable = all(isinstance(a, n.Name) and (a.key in ("q", "t", "theta") or names.known_symbol(a.key)) for a in arguments)
         if ignorable or names.arm is not None:
             return self.evaluate(name)
@@ -382,7 +394,7 @@ class Evaluator:
 
     # -- derivatives -----------------------------------------------------------------------------------------------
 
-    def derivative(self, node: n.Derivative) -> Value:
+    def _derivative(self, node: n.Derivative) -> Value:
         if isinstance(self.algebra, SampledAlgebra):
             return self.algebra.from_exact(Evaluator(self.names, self.algebra.exact, self.branch).evaluate(node))
         value = self.evaluate(node.operand)
@@ -447,15 +459,18 @@ def _no_size() -> Any:
 
 
 def identity(algebra: Algebra, size: int) -> Matrix:
+    """Return the identity matrix of a size."""
     one, zero = algebra.rational(Fraction(1)), algebra.rational(Fraction(0))
     return Matrix(tuple(tuple(one if r == c else zero for c in range(size)) for r in range(size)))
 
 
 def as_scalar(value: Value) -> Value:
+    """Return the entry of a 1×1 matrix, anything else as it is."""
     return value.rows[0][0] if isinstance(value, Matrix) and value.shape == (1, 1) else value
 
 
 def is_zero(value: Any) -> bool:
+    """Whether a scalar of either algebra vanishes everywhere."""
     if hasattr(value, "is_zero"):
         return bool(value.is_zero())
     return bool((value == 0).all()) if hasattr(value, "all") else value == 0
@@ -488,22 +503,22 @@ _MATRIX_CALLS: dict[str, Callable[[Matrix], Value]] = {
 }
 
 _METHODS: dict[type[n.Node], Callable[[Evaluator, Any], Value]] = {
-    n.Number: Evaluator.number,
-    n.Name: Evaluator.name,
-    n.JointAngles: Evaluator.joint_angles,
-    n.Dots: Evaluator.dots,
-    n.Layout: Evaluator.layout,
-    n.Sum: Evaluator.sum,
-    n.Product: Evaluator.product,
-    n.Quotient: Evaluator.quotient,
-    n.Power: Evaluator.power,
-    n.Postfix: Evaluator.postfix,
-    n.Group: Evaluator.group,
-    n.Sequence: Evaluator.sequence,
-    n.Labelled: Evaluator.labelled,
-    n.Cases: Evaluator.cases,
-    n.At: Evaluator.at,
-    n.Matrix: Evaluator.matrix,
-    n.Call: Evaluator.call,
-    n.Derivative: Evaluator.derivative,
+    n.Number: Evaluator._number,
+    n.Name: Evaluator._name,
+    n.JointAngles: Evaluator._joint_angles,
+    n.Dots: Evaluator._dots,
+    n.Layout: Evaluator._layout,
+    n.Sum: Evaluator._sum,
+    n.Product: Evaluator._product,
+    n.Quotient: Evaluator._quotient,
+    n.Power: Evaluator._power,
+    n.Postfix: Evaluator._postfix,
+    n.Group: Evaluator._group,
+    n.Sequence: Evaluator._sequence,
+    n.Labelled: Evaluator._labelled,
+    n.Cases: Evaluator._cases,
+    n.At: Evaluator._at,
+    n.Matrix: Evaluator._matrix,
+    n.Call: Evaluator._call,
+    n.Derivative: Evaluator._derivative,
 }

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from models.errors import ArmproofError
 from verification.compare import exactly_equal
 from verification.equation import ChainChecker, Outcome
-from models.errors import ArmproofError
 from verification.latex import nodes as n
 from verification.matrix import Matrix, column
 from verification.quantities import Quantity, numbered_frames

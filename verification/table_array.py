@@ -20,10 +20,19 @@ _TOKEN = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\\(?:\s*\[[^\]]*\])?|\\.|[{}&]",
 
 @dataclass(frozen=True)
 class ArrayTable:
-    """A table taken from a display, with the place of each cell of its body in the LaTeX."""
+    """A table taken from a display, with the place of each cell in the LaTeX, the header's first."""
 
     table: Table
     spans: tuple[tuple[tuple[int, int], ...], ...]
+
+    def span(self, row: int | None, column: int | None, text: str) -> tuple[int, int] | None:
+        """Return the place of an entry of the body, or of the header of that text where there is no row."""
+        if row is None:
+            return next(
+                (span for span, header in zip(self.spans[0], self.table.header, strict=True) if header == text), None
+            )
+        inside = row < len(self.spans) and column is not None and column <= len(self.spans[row])
+        return self.spans[row][column - 1] if inside and column is not None else None
 
 
 def read_array(display: Display) -> ArrayTable | None:
@@ -52,7 +61,7 @@ def read_array(display: Display) -> ArrayTable | None:
     spans = [[row[k] if k < len(row) else (row[-1][1], row[-1][1]) for k in kept] for row in cells]
     texts = [tuple(_RULE.sub("", latex[a:b]).strip() for a, b in row) for row in spans]
     table = Table(display.line, texts[0], tuple(texts[1:]), display.erratum, display.cell, display.section)
-    return ArrayTable(table, tuple(tuple(row) for row in spans[1:]))
+    return ArrayTable(table, tuple(tuple(row) for row in spans))
 
 
 def _after_group(latex: str, start: int) -> int:

@@ -85,22 +85,22 @@ def unbound_name(names: Names, algebra: Algebra, cell: Cell) -> str | None:
     return None
 
 
-def row_frames(names: Names, arm: Arm, labels: list[str] | None, count: int) -> list[Frames | None]:
-    """Return the frames of each row, by its label or else in order."""
+def row_frames(names: Names, arm: Arm, labels: list[str] | None, count: int) -> tuple[list[Frames | None], bool]:
+    """Return the frames of each row, by its label or else in order, and whether the labels were passed over."""
     frames = numbered_frames(arm)
     extra = [frame for frame in arm.frames if frame not in frames]
     in_order: list[Frames | None] = [Frames(frame, frames[k], k + 1) for k, frame in enumerate(frames[1:])]
     in_order += [Frames(frame, (frames + extra)[len(frames) - 1 + k]) for k, frame in enumerate(extra)]
     in_order += [None] * max(0, count - len(in_order))
     if labels is None:
-        return in_order[:count]
+        return in_order[:count], False
     found = [_labelled(names, arm, frames, extra, label) for label in labels]
     if count == len(frames) and re.findall(r"\d+", labels[0]) == [frames[0]] and found[0] is None:
         found[0] = Frames(frames[0], frames[0])  # a row for the base
     chosen = [row.frame for row in found if row is not None]
     if len(chosen) != count or len(set(chosen)) != count:
-        return in_order[:count]
-    return found
+        return in_order[:count], any(labels)
+    return found, False
 
 
 def _labelled(names: Names, arm: Arm, frames: list[str], extra: list[str], label: str) -> Frames | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -15,6 +15,7 @@ from verification.dh_row import (
     PARAMETERS,
     RightRow,
     angle_as_scalar,
+    constant_angle,
     in_radians,
     is_free_of,
     rational_part,
@@ -56,7 +57,14 @@ class RowVerdict:
     @property
     def holds(self) -> bool:
         """Whether the row is the one that the frames call for."""
+        if self.row.frames is None:
+            return self.is_identity
         return self.right is not None and not self.wrong and not self.problems
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether nothing but zeros stands in the row."""
+        return len(self.values) == len(PARAMETERS) and all(value.is_zero() for value in self.values.values())
 
 
 @dataclass(frozen=True)
@@ -69,6 +77,7 @@ class Claim:
     columns: Columns
     rows: tuple[Row, ...]
     lengths: Mapping[str, Scalar] = field(default_factory=dict)
+    notes: dict[str, None] = field(default_factory=dict)  # what was taken for granted
 
     def pose(self, frame: str, reference: str) -> Matrix:
         """Return the arm's pose {}^{reference}T_{frame}."""
@@ -85,7 +94,7 @@ class TableReading:
         self.rows = claim.rows
         self.reading = reading
         self.convention = reading.convention
-        self.notes: dict[str, None] = {}
+        self._notes: dict[str, None] = {}
         self._variables = [joint.symbol for joint in claim.arm.joints]
 
     def but(self, **changes: Any) -> TableReading:
@@ -103,6 +112,11 @@ class TableReading:
         found = [self._judge(row) for row in self.rows]
         self._judge_unbound(found)
         return found
+
+    @property
+    def notes(self) -> list[str]:
+        """What was taken for granted."""
+        return list(dict.fromkeys([*self.claim.notes, *self._notes])) if self.verdicts else []
 
     @property
     def score(self) -> int:
@@ -160,7 +174,7 @@ class TableReading:
         ring = self.claim.algebra.ring
         own = self.joint_symbol(verdict.row)
         symbols = [*([own] if own else []), *(s for s in self._variables if s != own), *self.arm.angles]
-        constants = [ring.rational(Fraction(str(value))) for value in self.arm.trace.constants.values()]
+        constants = [constant_angle(ring, name) for name in self.arm.trace.constants if name not in self.arm.angles]
         return angle_as_scalar(ring, right, symbols, constants)
 
     # -- one row -----------------------------------------------------------------------------------------------------
@@ -190,7 +204,7 @@ class TableReading:
         zero = self.claim.algebra.ring.zero
         if cell.kind == "blank":
             if column is not None:
-                self.notes["an empty entry is read as 0"] = None
+                self._notes["an empty entry is read as 0"] = None
             return [zero]
         if cell.kind == "variable":
             own = self.joint_symbol(verdict.row)
@@ -219,7 +233,7 @@ class TableReading:
         if unit != "deg":
             if constant.denominator != 1 or constant % 15 or abs(constant) > 360:
                 return value
-            self.notes[f"the angle {constant} is read in degrees"] = None
+            self._notes[f"the angle {constant} is read in degrees"] = None
         return in_radians(value)
 
     def _judge_unbound(self, verdicts: list[RowVerdict]) -> None:

@@ -137,17 +137,17 @@ def change_of_angle(printed: Scalar, right: Scalar) -> str:
         return "it is missing"
     if right.is_zero():
         return "it should vanish"
-    if _symbols(printed) == _symbols(right):
+    if symbols_of(printed) == symbols_of(right):
         return (
             "the constant offset"
-            if _symbols(printed) and _signs(printed) == _signs(right)
+            if symbols_of(printed) and _signs(printed) == _signs(right)
             else _change_of_terms(printed, right)
         )
     return _change_of_terms(printed, right)
 
 
 def _change_of_terms(printed: Scalar, right: Scalar) -> str:
-    one, other = _symbols(printed), _symbols(right)
+    one, other = symbols_of(printed), symbols_of(right)
     gone, more = sorted(other - one), sorted(one - other)
     if len(gone) == len(more) == 1:
         return (
@@ -169,7 +169,8 @@ def letter_of(symbol: str) -> str:
     return symbol.partition("_")[0]
 
 
-def _symbols(value: Scalar) -> set[str]:
+def symbols_of(value: Scalar) -> set[str]:
+    """Return the symbols of a sum."""
     return {name for powers, _ in value.ring.terms(value.numerator) for kind, name in powers if kind == "symbol"}
 
 

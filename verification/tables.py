@@ -14,7 +14,7 @@ from verification.latex import nodes as n
 from verification.quantities import numbered_frames
 from verification.table_array import read_array
 from verification.table_cells import Cell, UnreadableCell, read_cell, row_frames
-from verification.table_columns import CONVENTIONS, Columns, Reading, read_columns
+from verification.table_columns import CONVENTIONS, Columns, read_columns
 from verification.table_faults import Faults, turned_tool
 from verification.table_plant import confirm_rows, confirm_tool, counterexample
 from verification.table_reading import Claim, Row, TableReading
@@ -44,11 +44,7 @@ def check_array_table(checker: ChainChecker, display: Display) -> Record | None:
     found = check_table(checker, array.table) if array is not None else None
     if array is None or found is None:
         return None
-    entries = []
-    for entry in found.entries:
-        row, column = (entry.row or 0) - 1, (entry.column or 0) - 1
-        inside = 0 <= row < len(array.spans) and 0 <= column < len(array.spans[row])
-        entries.append(replace(entry, span=array.spans[row][column]) if inside else entry)
+    entries = [replace(entry, span=array.span(entry.row, entry.column, entry.printed)) for entry in found.entries]
     return replace(found, latex=display.latex, entries=tuple(entries))
 
 
@@ -144,17 +140,19 @@ class _Check:
         labels = (
             [texts[label] if label < len(texts) else "" for texts in self.table.rows] if label is not None else None
         )
-        frames = row_frames(self.names, arm, labels, len(cells))
+        frames, passed_over = row_frames(self.names, arm, labels, len(cells))
         rows = tuple(Row(number, frames[number - 1], row) for number, row in enumerate(cells, start=1))
         claim = Claim(self.names, arm, self.checker.exact, self.columns, rows)
         found = self._best(claim)
+        if passed_over:
+            claim.notes["the labels name no frames of the arm: the rows are taken in order"] = None
         if not found.is_right and arm.lengths and self._has_lengths_in_numbers(rows):
             values = {
                 symbol: self.checker.exact.rational(Fraction(str(value))) for symbol, value in arm.lengths.items()
             }
             measured = self._best(replace(claim, lengths=values))
             if measured.score > found.score or not found.fits_frames:
-                measured.notes["lengths in numbers are compared with those of the model"] = None
+                claim.notes["lengths in numbers are compared with those of the model"] = None
                 found = measured
         if not found.is_right and not any(
             TableReading(claim, one).fits_frames for one in self.columns.readings(CONVENTIONS)
@@ -196,7 +194,8 @@ class _Check:
             said = [*([whole.words] if whole else []), *words[:MOST_WORDS], *more, *_counts(found), *found.notes]
             entries = tuple(entry for fault in [*([whole] if whole else []), *single] for entry in fault.entries)
             record = replace(self.blank, verdict=Verdict.REFUTED, message="; ".join(said), entries=entries)
-            return replace(record, counterexample=counterexample(found))
+            other = bool(self.columns.stated) and self.columns.stated != found.convention and found.is_right
+            return replace(record, counterexample=counterexample(found.otherwise if other else found))
         if unknown := self._open(found, faults):
             return replace(
                 self.blank, verdict=Verdict.UNCHECKED, message="; ".join([*unknown, *_counts(found), *found.notes])
@@ -225,7 +224,7 @@ class _Check:
                 if parameter in verdict.unbound and right is not None and not found.claim.lengths:
                     text += f"; the entry holds if it means {faults.notation.value(right)}: bind it under 'symbols'"
                 said.append(text)
-            if verdict.row.frames is None and not verdict.problems:
+            if verdict.row.frames is None and not verdict.problems and not verdict.is_identity:
                 said.append(f"row {verdict.row.number} has no frame on the arm to be checked against")
         return said
 
@@ -238,9 +237,7 @@ class _Check:
                 continue
             frame, turn = tool
             words = f"the last row's frame lies at frame {frame} and moves with it, for every configuration"
-            proved = replace(
-                self.blank, verdict=Verdict.PROVED, message="; ".join([words, reason, *found.notes, *reading.notes])
-            )
+            proved = replace(self.blank, verdict=Verdict.PROVED, message="; ".join([words, reason, *reading.notes]))
             return (
                 confirm_tool(reading, frame, first, turn, proved, self.checker.sampled())
                 if self.checker.confirm

@@ -45,7 +45,8 @@ def find_sites(place: Place, statements: list[n.Statement]) -> list[Site]:
         if not isinstance(statement, n.Chain) or any(relation != "=" for relation in statement.relations):
             continue
         for m, side in enumerate(statement.members):
-            if without_sides or id(side) in printed or id(side) in true:
+            cases = {id(value) for value, _ in side.branches} if isinstance(side, n.Cases) else set()
+            if without_sides or cases & printed or id(side) in printed | true:
                 sites.extend(_sites_of(side, s, m, id(side) in printed))
     return sites
 
@@ -62,6 +63,8 @@ def _sites_of(side: n.Node, statement: int, member: int, printed: bool) -> Itera
     plain = side
     while isinstance(plain, n.Group | n.Labelled):
         plain = plain.inner
+    if isinstance(plain, n.Cases):
+        yield from (Site(value, side, statement, member, printed=printed) for value, _ in plain.branches)
     if isinstance(plain, n.Name | n.Cases | n.Layout):
         return
     matrices = [below for below in n.walk(side) if isinstance(below, n.Matrix) and below.environment != "zeros"]

@@ -23,6 +23,8 @@ ANGLE_LETTERS = frozenset(["theta", "alpha", "beta", "gamma", "phi", "psi", "q",
 MATRIX_FUNCTIONS = frozenset(["det", "rank", "adj", "com", "tr"])
 _OPERATORS = {"T": "T", "t": "T", "top": "T", "intercal": "T", "-1": "-1", "-T": "-T", "+": "+", "dagger": "+", "#": "+",
               "circ": "deg", "o": "deg"}  # fmt: skip
+_SIZE = re.compile(r"\(?\dx[1-9n]\)?")
+_SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 _JOINT_DIGITS = re.compile(r"[+-]?\d(?:,?[+-]?\d)*")
 MAX_EXPONENT = 24
 
@@ -382,6 +384,8 @@ class TreeBuilder(Transformer):
 
     def _scripted(self, node: n.Node, scripts: Seq[Script], start: int) -> n.Node:
         """Apply what stands above an operand that is not a name: a power, a transpose, an inverse."""
+        if isinstance(node, n.Dots):  # \\prod_{i=1}^{n}: which terms are meant is left to the reader
+            return node
         for kind, text, span in scripts:
             if kind == "PRIME":
                 raise ReadError("a prime on an expression", span[0])
@@ -454,6 +458,9 @@ class TreeBuilder(Transformer):
                 head = self.text[item.start : item.end]
                 call = n.Call(function, (axis_name, following.node.inner), head, "script", span=(item.start, following.end))
                 return self._scripted(call, following.scripts, item.start), index + 2
+        elementary = self._elementary_letter(item)
+        if elementary is not None:
+            return elementary, index + 1
         name = self._name(item)
         if following is not None and following.kind == "list" and not following.pre:
             applied = self._application(name, following)
@@ -461,12 +468,30 @@ class TreeBuilder(Transformer):
                 return applied, index + 2
         return name, index + 1
 
+    def _elementary_letter(self, item: Item) -> n.Node | None:
+        """R_{z,\\theta} is the elementary rotation, 3×3."""
+        subs = [script for script in item.scripts if script[0] == "SUB"]
+        if item.base != "R" or item.pre or len(subs) != 1:
+            return None
+        _, text, span = subs[0]
+        amount = self._elementary_amount(text, span)
+        if amount is None or not any(isinstance(below, n.Name) and below.base in ANGLE_LETTERS for below in n.walk(amount)):
+            return None
+        axis = n.Name(canonical_script(text)[0].lower(), span=span)
+        call = n.Call("Rot3", (axis, amount), self.text[item.start : span[1]], "script", span=(item.start, span[1]))
+        return self._scripted(call, [script for script in item.scripts if script[0] != "SUB"], item.start)
+
     def _application(self, node: n.Node, following: Item) -> n.Node | None:
         """Read `J(q)` and `A_1(\\theta_1)` as names with arguments; `a_1(…)` stays a product."""
         if not isinstance(node, n.Name):
             return None
         group = following.node
         arguments = group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
+        if arguments and node.base[:1].isupper() and node.base not in TRIG_LETTERS and all(map(_is_constant, arguments)):
+            # {}^0T_3(0, 90^\\circ, 0), J(0, 0): the arm at a configuration
+            span = (node.span[0], following.end)
+            head = self.text[node.span[0] : node.span[1]]
+            return self._scripted(n.Call("name", (node, *arguments), head, "name", span=span), following.scripts, node.span[0])
         if not all(isinstance(argument, n.Name) for argument in arguments):
             return None
         inside = ",".join(argument.key for argument in arguments)  # type: ignore[attr-defined]
@@ -559,6 +584,8 @@ class TreeBuilder(Transformer):
                 primes += len(text)
             elif kind == "DOT":
                 dots += 1
+            elif kind == "SUB" and _SIZE.fullmatch(canonical) and item.base not in _SIZED:
+                pass  # R_{3×3}: how large it is
             elif kind == "SUB":
                 sub = f"{sub},{canonical}" if sub else canonical
             elif self._is_index(item.base, canonical, sub, has_sub, bool(item.pre)):
@@ -608,6 +635,12 @@ class TreeBuilder(Transformer):
                 powers.append((kind, text, span))
             elif kind == "SUB" and function in ("Rot", "Trans"):
                 axis = n.Name(canonical[:1].lower(), span=span)
+                amount = self._elementary_amount(text, span)
+                if amount is not None:
+                    head = self.text[item.start : span[1]]
+                    call = n.Call(function, (axis, amount), head, "script", span=(item.start, span[1]))
+                    rest = [script for script in item.scripts if script[0] != "SUB"]
+                    return self._scripted(call, rest, item.start), index + 1
             elif kind == "SUB" and function in ("cos", "sin"):
                 argument = self._trig_index(text, span)
                 if argument is None:
@@ -638,6 +671,11 @@ class TreeBuilder(Transformer):
         call = n.Call(function, (argument,), head, "macro", span=(item.start, argument.span[1]))
         return self._scripted(call, powers, item.start), after
 
+    def _elementary_amount(self, subscript: str, span: tuple[int, int]) -> n.Node | None:
+        """Return the angle or length of Rot_{z,\\theta_i} and Trans_{x,a_i}, or None where only the axis is given."""
+        parts = re.fullmatch(r"\s*[xyzXYZ]\s*(?:,|;|\\[,;: ])\s*(\S.*)", subscript, re.DOTALL)
+        return self.parse(parts.group(1), self.text.find(parts.group(1), span[0])) if parts else None
+
     def _bare_argument(self, items: Seq[Item], index: int, function: str) -> tuple[n.Node, int]:
         """cos θ_1 takes one operand; cos 2θ_1 a number and the operand after it."""
         first = items[index]
@@ -648,6 +686,16 @@ class TreeBuilder(Transformer):
             second, after = self._next_factor(items, after)
             return n.Product((node, second), ("",), span=(first.start, second.span[1])), after
         return node, after
+
+
+def _is_constant(node: n.Node) -> bool:
+    """Whether a tree is made of numbers, π and degrees alone."""
+    return all(
+        isinstance(below, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
+        or (isinstance(below, n.Postfix) and below.operator == "deg")
+        or (isinstance(below, n.Name) and below.key == "pi")
+        for below in n.walk(node)
+    )
 
 
 def _node_item(node: n.Node) -> Item:

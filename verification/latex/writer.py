@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
 from verification.latex import nodes as n
 
 SWAPPED = {"cos": "sin", "sin": "cos", "\\cos": "\\sin", "\\sin": "\\cos", "C": "S", "S": "C", "c": "s", "s": "c", "Cos": "Sin",
            "Sin": "Cos", "\\mathrm{c}": "\\mathrm{s}", "\\mathrm{s}": "\\mathrm{c}"}  # fmt: skip
+
+
+# letters whose superscript may be the name of a frame: T_1^2 is no square
+SCRIPTED = frozenset(["T", "A", "H", "R", "p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"])
 
 
 @dataclass
@@ -125,6 +129,41 @@ def _pi(coefficient: Fraction) -> str:
     return above if coefficient.denominator == 1 else f"\\frac{{{above}}}{{{coefficient.denominator}}}"
 
 
+def _differs_below_only(node: n.Node, original: n.Node) -> bool:
+    """Whether two nodes of one type have the same text around as many children."""
+    if len(list(n.children(node))) != len(list(n.children(original))):
+        return False
+    return all(_shape(getattr(node, spec.name)) == _shape(getattr(original, spec.name)) for spec in fields(node) if spec.name != "span")
+
+
+def _shape(value: object) -> object:
+    """Replace the nodes in a field by their mere presence."""
+    if isinstance(value, n.Node):
+        return n.Node
+    return tuple(_shape(item) for item in value) if isinstance(value, tuple) else value
+
+
+def _binds(parent: n.Node, before: n.Node, after: n.Node) -> bool:
+    """Whether a sum, product or quotient needs brackets in the place of what stood there."""
+    if isinstance(after, n.Sum) and isinstance(parent, n.Sum | n.Product):
+        return True
+    if isinstance(parent, n.Product):
+        return isinstance(after, n.Product | n.Quotient) and ("×" in parent.operators or isinstance(after, n.Quotient))
+    if isinstance(parent, n.Derivative):
+        return True
+    if isinstance(parent, n.Quotient) and parent.style == "slash":
+        return True
+    unbracketed = isinstance(parent, n.Call) and parent.style in ("letter", "macro")
+    return unbracketed and type(after) is not type(before)
+
+
+def _apart(before: str, text: str, after: str) -> str:
+    """Set off letters that would run together with a macro or a name beside them."""
+    front = " " if text[:1].isalpha() and re.search(r"\\[A-Za-z]+$", before) else ""
+    back = " " if after[:1].isalpha() and re.search(r"\\[A-Za-z]+$", text) else ""
+    return f"{front}{text}{back}"
+
+
 def join_factors(factors: Iterable[str]) -> str:
     """Juxtapose factors so that they are read back as they were."""
     text = ""
@@ -134,18 +173,50 @@ def join_factors(factors: Iterable[str]) -> str:
 
 
 class Writer:
-    """Writes a tree; parts that come unchanged from `source` are copied from it."""
+    """Writes a tree; whatever comes unchanged from `source` is copied from it, spaces and brackets included."""
 
     def __init__(self, source: str, original: n.Node, notation: Notation) -> None:
         self.source = source
         self.notation = notation
-        self.kept = {id(node) for node in n.walk(original)}
-        self._alive = original  # ids stay valid while the original lives
+        moved = {id(below) for node in n.walk(original) if isinstance(node, n.At) for value in node.values for side in value for below in n.walk(side)}
+        # the values under a bar are read apart and have no place of their own; ids stay valid while the nodes live
+        self.kept: dict[int, n.Node] = {id(node): node for node in n.walk(original) if id(node) not in moved}
+        self.at: dict[tuple[type, tuple[int, int]], n.Node] = {}
+        for node in self.kept.values():
+            self.at.setdefault((type(node), node.span), node)
 
     def write(self, node: n.Node) -> str:
         """Return LaTeX for a tree, the spelling of the source wherever it was not changed."""
         if id(node) in self.kept:
             return self.source[node.span[0] : node.span[1]].strip()
+        patched = self._patched(node)
+        return self._anew(node) if patched is None else patched
+
+    def _patched(self, node: n.Node) -> str | None:
+        """Write a node of which only something below has changed: the source with that part replaced."""
+        original = self.at.get((type(node), node.span))
+        if original is None or isinstance(node, n.At) or not _differs_below_only(node, original):
+            return None
+        if any(isinstance(child, n.JointAngles) for child in n.children(node)):
+            return None  # the digits of c_{12}
+        pieces: list[str] = []
+        position, end = original.span
+        for before, after in zip(n.children(original), n.children(node), strict=True):
+            start, stop = before.span
+            if not position <= start <= stop <= end:
+                return None
+            if before is not after:
+                text = self._bracketed(node, before, after)
+                pieces.append(self.source[position:start] + _apart(self.source[:start], text, self.source[stop:]))
+                position = stop
+        return ("".join(pieces) + self.source[position:end]).strip()
+
+    def _bracketed(self, parent: n.Node, before: n.Node, after: n.Node) -> str:
+        if isinstance(parent, n.Power | n.Postfix):
+            return self._base(after)
+        return self._tight(after) if _binds(parent, before, after) else self.write(after)
+
+    def _anew(self, node: n.Node) -> str:
         if isinstance(node, n.Number):
             return node.text or number(node.value)
         if isinstance(node, n.Name):
@@ -164,10 +235,10 @@ class Writer:
                 return f"{self._tight(node.numerator)}/{self._tight(node.denominator)}"
             return f"\\frac{{{self.write(node.numerator)}}}{{{self.write(node.denominator)}}}"
         if isinstance(node, n.Power):
-            return f"{self._tight(node.base)}^{{{self.write(node.exponent)}}}"
+            return f"{self._base(node.base)}^{{{self.write(node.exponent)}}}"
         if isinstance(node, n.Postfix):
             above = "\\circ" if node.operator == "deg" else node.operator
-            return f"{self._tight(node.base)}^{{{above}}}"
+            return f"{self._base(node.base)}^{{{above}}}"
         if isinstance(node, n.Matrix):
             rows = r" \\ ".join(" & ".join(self.write(cell) for cell in row) for row in node.rows)
             return f"\\begin{{{node.environment}}} {rows} \\end{{{node.environment}}}"
@@ -177,12 +248,28 @@ class Writer:
         if isinstance(node, n.Labelled):
             return self.write(node.inner)
         if isinstance(node, n.Derivative):
-            return f"\\frac{{\\partial {self._tight(node.operand)}}}{{\\partial {self._tight(node.variable)}}}"
+            order = f"^{node.order}" if node.order > 1 else ""
+            below = f"{self._tight(node.variable)}{order}"
+            return f"\\frac{{\\partial{order} {self._tight(node.operand)}}}{{\\partial {below}}}"
+        if isinstance(node, n.At):
+            values = ", ".join(f"{self.write(left)} = {self.write(right)}" for left, right in node.values)
+            return f"\\left. {self.write(node.inner)} \\right|_{{{values}}}"
         raise NotImplementedError(type(node).__name__)
 
     def _tight(self, node: n.Node) -> str:
         text = self.write(node)
         return f"({text})" if isinstance(node, n.Sum | n.Product | n.Quotient) else text
+
+    def _base(self, node: n.Node) -> str:
+        """Write what a script is set on; without brackets only where it cannot be read as part of the name."""
+        text = self.write(node)
+        if isinstance(node, n.Name):
+            plain = not (node.sup or node.pre_sub or node.pre_sup or node.dots) and node.base not in SCRIPTED
+        elif isinstance(node, n.Call):
+            plain = node.style in ("index", "script", "bars", "braces") and node.function in ("cos", "sin", "sqrt", "abs", "det")
+        else:
+            plain = isinstance(node, n.Number | n.Group | n.Matrix | n.Sequence)
+        return text if plain else f"({text})"
 
     def _sum(self, node: n.Sum) -> str:
         text = ""
@@ -213,11 +300,13 @@ class Writer:
             angle = node.arguments[0]
             digits = "".join(("-" if sign < 0 else "+" if k and any(s < 0 for s, _ in angle.terms) else "") + str(index)
                              for k, (sign, index) in enumerate(angle.terms))  # fmt: skip
-            tight = not self.notation.underscore and digits.isdigit() and self.notation.style == "index"
-            if tight:
+            if digits.isdigit() and not self._has_underscore(node):
                 return f"{node.head}{digits}"
             return f"{node.head}_{{{digits}}}" if len(digits) > 1 else f"{node.head}_{digits}"
-        inside = ", ".join(self.write(argument) for argument in node.arguments)
+        arguments = node.arguments
+        if node.function in ("Rot", "Rot3", "Trans") and isinstance(arguments[0], n.Name) and not arguments[0].text:
+            arguments = arguments[1:]  # the axis stands in the subscript of the head
+        inside = ", ".join(self.write(argument) for argument in arguments)
         if node.function == "name":
             return f"{node.head}({', '.join(self.write(a) for a in node.arguments[1:])})"
         if node.style == "bars":
@@ -231,3 +320,10 @@ class Writer:
         if node.style == "macro" and isinstance(node.arguments[0], n.Name | n.Matrix):
             return f"{node.head} {inside}" if inside[:1].isalnum() else f"{node.head}{inside}"
         return f"{node.head}({inside})"
+
+    def _has_underscore(self, call: n.Call) -> bool:
+        """Whether the source writes C_{12} and not C12, here or else in general."""
+        original = self.at.get((n.Call, call.span))
+        if original is not None and original.span != (0, 0):
+            return "_" in self.source[original.span[0] : original.span[1]]
+        return self.notation.underscore or self.notation.style != "index"

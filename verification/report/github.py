@@ -21,16 +21,17 @@ def github_report(results: Sequence[DocumentResult | Failure], *, strict: bool =
         if isinstance(result, Failure):
             lines.append(_command("error", result.path, result.line, "cannot be checked", result.reason))
             continue
-        for record in ordered_records(result):
-            if not record.passes:
-                lines.append(_annotate("error", result.path, record))
-            elif record.verdict is Verdict.UNCHECKED and not record.erratum:
-                lines.append(_annotate("error" if strict else "warning", result.path, record))
+        for record, kind in ordered_records(result):
+            if not record.passes or (strict and record.verdict is Verdict.UNCHECKED):
+                lines.append(_annotate("error", result.path, record, kind))
+            elif record.verdict is Verdict.UNCHECKED:
+                lines.append(_annotate("warning", result.path, record, kind))
     return [*lines, *describe_total(results, strict=strict)]
 
 
-def _annotate(level: str, path: str, record: Record) -> str:
-    title = f"erratum {record.verdict.value}, not refuted" if record.erratum else record.verdict.value
+def _annotate(level: str, path: str, record: Record, kind: str) -> str:
+    title = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
+    title = f"{kind} {title}".strip()
     parts = [record.message, *(describe_entry(entry) for entry in record.entries)]
     if record.cell is not None:  # a notebook's line counts within its cell
         return _command(level, path, None, title, "\n".join([describe_place(record), *filter(None, parts)]))

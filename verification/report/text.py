@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from verification.batch import Failure
 from verification.report.lines import Line
@@ -20,11 +21,11 @@ def text_report(results: Sequence[DocumentResult | Failure], *, strict: bool = F
     for result in results:
         if isinstance(result, DocumentResult):
             lines.extend(_describe_document(result, strict))
+    *totals, verdict = describe_total(results, strict=strict)
+    passed = all(isinstance(result, DocumentResult) and passes(result, strict) for result in results)
     if lines:
         lines.append(())
-    total = describe_total(results, strict=strict)
-    passed = all(isinstance(result, DocumentResult) and passes(result, strict) for result in results)
-    return [*lines, *(((text, STRONG),) for text in total[:-1]), ((total[-1], GOOD if passed else BAD),)]
+    return [*lines, *(((total, STRONG),) for total in totals), ((verdict, GOOD if passed else BAD),)]
 
 
 def passes(result: DocumentResult, strict: bool) -> bool:
@@ -32,10 +33,15 @@ def passes(result: DocumentResult, strict: bool) -> bool:
     return result.passed_strictly() if strict else result.passed
 
 
-def ordered_records(result: DocumentResult) -> list[Record]:
-    """Return the displays and the DH tables of a document as they stand in it."""
-    records = (*result.equations, *result.tables)
-    return sorted(records, key=lambda record: (-1 if record.cell is None else record.cell, record.line))
+def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
+    """Return the displays and the DH tables of a document as they stand in it, each with what it is ("" for a display).
+
+    Only a notebook's lines count within their cells: elsewhere `cell` is None.
+    """
+    records = [(record, "") for record in result.equations] + [(record, "DH table") for record in result.tables]
+    if not result.path.endswith(".ipynb"):
+        records = [(replace(record, cell=None), kind) for record, kind in records]
+    return sorted(records, key=lambda item: (-1 if item[0].cell is None else item[0].cell, item[0].line))
 
 
 def describe_total(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> list[str]:
@@ -43,22 +49,22 @@ def describe_total(results: Sequence[DocumentResult | Failure], *, strict: bool 
     documents = [result for result in results if isinstance(result, DocumentResult)]
     records = [record for document in documents for record in document.equations]
     tables = [record for document in documents for record in document.tables]
-    total = f"{_count(len(documents), 'document')}, {_tally(records, 'display')}"
-    if tables:
-        total += f"; {_tally(tables, 'DH table')}"
-    lines = [total]
+    lines = []
+    if documents:
+        of_tables = f"; {_tally(tables, 'DH table')}" if tables else ""
+        lines.append(f"{_count(len(documents), 'document')}, {_tally(records, 'display')}{of_tables}")
     errors = [record.max_error for record in (*records, *tables) if record.max_error is not None and record.samples]
     if errors:
         samples = max(record.samples for record in (*records, *tables))
         lines.append(
-            f"also evaluated on Drake's numerical plant at {samples:,} configurations: largest error {max(errors):.1e}"
+            f"evaluated on Drake's numerical plant at {samples:,} configurations: largest error {max(errors):.1e}"
         )
     failing = sum(not passes(document, strict) for document in documents)
     unable = len(results) - len(documents)
     verdicts = [f"{_count(failing, 'document')} {'does' if failing == 1 else 'do'} not pass"] if failing else []
     if unable:
-        verdicts.append(f"{_count(unable, 'document')} could not be checked")
-    return [*lines, "; ".join(verdicts) or ("everything passes" if documents else "nothing to check")]
+        verdicts.append(f"{unable} could not be checked")
+    return [*lines, "; ".join(verdicts) or "everything passes"]
 
 
 def describe_place(record: Record) -> str:
@@ -86,18 +92,17 @@ def _describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
         (f"  {_tally(result.equations, 'display')}{tables}", ""),
     )
     records = ordered_records(result)
-    tables_of_result = set(map(id, result.tables))
-    for record in records:
-        if not record.passes or (record.verdict is Verdict.UNCHECKED and not record.erratum):
-            yield from _describe_record(record, id(record) in tables_of_result)
-    errata = [record for record in records if record.erratum and record.passes]
+    for record, kind in records:
+        if not record.passes or record.verdict is Verdict.UNCHECKED:
+            yield from _describe_record(record, kind)
+    errata = [record for record, _ in records if record.erratum and record.passes]
     if errata:
         yield ((f"    errata refuted, as they must be: {_places(errata)}", FAINT),)
 
 
-def _describe_record(record: Record, is_table: bool) -> Iterator[Line]:
+def _describe_record(record: Record, kind: str) -> Iterator[Line]:
     section = f"  {record.section}" if record.section else ""
-    what = "DH table " if is_table else ""
+    what = f"{kind} " if kind else ""
     verdict = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
     style = BAD if not record.passes else _STYLES.get(record.verdict, "")
     yield (("    ", ""), (describe_place(record), STRONG), ("  ", ""), (what + verdict, style), (section, FAINT))

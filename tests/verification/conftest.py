@@ -1,0 +1,90 @@
+"""Small documents for the tests of verification/: displays under a front matter, checked without a file."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import settings
+
+from models.arm import Arm
+from models.catalogue import arm_names, load_arm
+from models.configurations import sample
+from verification.algebras import ExactAlgebra, SampledAlgebra
+from verification.check import check_document
+from verification.document import Display, Document
+from verification.evaluate import Evaluator
+from verification.names import Names, read_names
+from verification.trig import Ring
+from verification.verdict import DocumentResult, Record
+
+# The same examples at every run, none of them timed: a law holds or it does not.
+settings.register_profile("laws", derandomize=True, deadline=None, max_examples=50, database=None)
+settings.load_profile("laws")
+
+
+def check_displays(
+    *displays: str, arm: Any = "scara", errata: tuple[str, ...] = (), confirm: bool = True, **front: Any
+) -> DocumentResult:
+    """Return the verdicts of a document whose k-th display stands in line k, the errata last."""
+    matter = front if arm is None else {"arm": arm, **front}
+    found = [Display(line, latex, line > len(displays)) for line, latex in enumerate((*displays, *errata), 1)]
+    return check_document(Document(Path("page.md"), matter, tuple(found), ()), confirm=confirm)
+
+
+@pytest.fixture(scope="session")
+def check() -> Callable[..., DocumentResult]:
+    """Return a function: displays and the keys of a front matter → the verdicts of that document."""
+    return check_displays
+
+
+@pytest.fixture(scope="session")
+def judge() -> Callable[..., Record]:
+    """Return a function: displays and the keys of a front matter → the record of the last display."""
+
+    def last(*displays: str, **front: Any) -> Record:
+        return check_displays(*displays, **front).equations[-1]
+
+    return last
+
+
+class Workbench:
+    """An arm's names in both algebras: the exact one, and samples of the double plant."""
+
+    def __init__(self, arm: Arm | None, count: int = 60, denominators: dict[str, int] | None = None, **front: Any) -> None:
+        self.arm = arm
+        self.names: Names = read_names(arm, front)
+        self.exact = ExactAlgebra(Ring(denominators), arm)
+        q = sample(arm, count, np.random.default_rng(11))[0] if arm is not None else np.zeros((count, 0))
+        self.sampled = SampledAlgebra(self.exact, q, 5)
+
+    def value(self, latex: str, *, branch: int = 1) -> Any:
+        """Return the exact value of an expression."""
+        return Evaluator(self.names, self.exact, branch).evaluate(self.names.reader.read_expression(latex))
+
+    def samples(self, latex: str, *, branch: int = 1) -> np.ndarray:
+        """Return the sampled values of an expression, (rows, columns, N) where it is a matrix, else (N,)."""
+        return self.stack(Evaluator(self.names, self.sampled, branch).evaluate(self.names.reader.read_expression(latex)))
+
+    def stack(self, value: Any) -> np.ndarray:
+        """Return a sampled value as one array."""
+        if not hasattr(value, "rows"):
+            return np.broadcast_to(value, (self.sampled.samples,))
+        return np.array([[np.broadcast_to(cell, (self.sampled.samples,)) for cell in row] for row in value.rows])
+
+
+@pytest.fixture(scope="session")
+def workbench() -> Callable[..., Workbench]:
+    """Return a function: an arm's name (or None) and the keys of a front matter → its names and algebras."""
+
+    def lay_out(arm: Any = "scara", **options: Any) -> Workbench:
+        return Workbench(None if arm is None else load_arm(arm), **options)
+
+    return lay_out
+
+
+@pytest.fixture(scope="session", params=arm_names())
+def arm(request: pytest.FixtureRequest) -> Arm:
+    """Every arm of the catalogue."""
+    return load_arm(request.param)

@@ -1,0 +1,86 @@
+"""The rows of a DH table on the plant: the second route to a proved row, and a configuration that refutes a wrong one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from verification.algebras import SampledAlgebra
+from verification.compare import Pair, entry_errors
+from verification.dh_row import PARAMETERS, row_matrix
+from verification.equation import TOLERANCE
+from verification.matrix import Matrix
+from verification.quantities import Quantity
+from verification.table_reading import RowVerdict, TableReading
+from verification.verdict import Record, Verdict
+
+_FIRST, _STEP = 0.7, -0.15  # rad or m: generic values of the joint variables in a counterexample
+
+
+def confirm_rows(found: TableReading, proved: Record, sampled: SampledAlgebra) -> Record:
+    """Return the record of a proved table with the largest error of its link matrices on the double plant."""
+    worst = 0.0
+    for verdict in found.verdicts:
+        frames = verdict.row.frames
+        if frames is not None:
+            pose = sampled.quantity(Quantity("pose", frames.frame, frames.reference))
+            worst = max(worst, _largest_error(sampled, pose, _link(found, verdict, sampled)))
+    return _confirmed(proved, sampled, worst)
+
+
+def confirm_tool(
+    found: TableReading, frame: str, reference: str, turn: Matrix, proved: Record, sampled: SampledAlgebra
+) -> Record:
+    """Return the record of a table whose product, followed by the constant rotation `turn`, is a pose of the arm."""
+    links = [_link(found, verdict, sampled) for verdict in found.verdicts]
+    zero, one = turn.rows[0][0] * 0, turn.rows[0][0] * 0 + 1
+    total = sampled.from_exact(Matrix((*((*row, zero) for row in turn.rows), (zero, zero, zero, one))))
+    for link in reversed(links):
+        total = link @ total
+    return _confirmed(
+        proved, sampled, _largest_error(sampled, sampled.quantity(Quantity("pose", frame, reference)), total)
+    )
+
+
+def counterexample(found: TableReading) -> dict[str, float]:
+    """Return joint variables and lengths at which the first wrong row's link matrix is not the arm's pose."""
+    arm = found.arm
+    values = {joint.symbol: round(_FIRST + _STEP * (joint.index - 1), 2) for joint in arm.joints}
+    at = SampledAlgebra(found.claim.algebra, np.array([list(values.values())]))
+    for verdict in found.verdicts:
+        if verdict.holds or verdict.problems or verdict.row.frames is None:
+            continue
+        pairs = zip(found.pose(verdict.row.frames).rows, found.matrix(verdict).rows, strict=True)
+        differences = [x - y for one, other in pairs for x, y in zip(one, other, strict=True) if not (x - y).is_zero()]
+        if any(abs(float(at.from_exact(cell)[0])) > TOLERANCE for cell in differences):
+            involved = {
+                name for cell in differences for powers, _ in cell.ring.terms(cell.numerator) for _, name in powers
+            }
+            everything = {**values, **arm.lengths, **arm.angles}
+            return {name: float(value) for name, value in everything.items() if name in involved}
+    return {}
+
+
+def _link(found: TableReading, verdict: RowVerdict, sampled: SampledAlgebra) -> Matrix:
+    values = [sampled.from_exact(verdict.values[parameter]) for parameter in PARAMETERS]
+    return row_matrix(sampled, found.convention, *values)
+
+
+def _confirmed(proved: Record, sampled: SampledAlgebra, worst: float) -> Record:
+    if worst > TOLERANCE:
+        return replace(
+            proved, verdict=Verdict.REFUTED, message="the proof and the double plant disagree", max_error=worst
+        )
+    return replace(proved, samples=sampled.samples, max_error=worst)
+
+
+def _largest_error(sampled: SampledAlgebra, true: Matrix, printed: Matrix) -> float:
+    """The largest error of an entry over the samples, scaled by its size."""
+
+    def whole(matrix: Matrix) -> Matrix:
+        return matrix.map(lambda cell: np.broadcast_to(cell, (sampled.samples,)))
+
+    errors = entry_errors(Pair(whole(true), whole(printed)))
+    sizes = np.abs(np.array([list(row) for row in whole(true).rows]))
+    return float((errors / (1.0 + sizes)).max())
