@@ -66,7 +66,7 @@ def read_card(path: Path) -> Card:
     """
     try:
         root = yaml.compose(path.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, RecursionError) as error:
         mark = getattr(error, "problem_mark", None)
         line = f":{mark.line + 1}" if mark else ""
         raise ModelError(f"{path}{line}: not readable as YAML: {getattr(error, 'problem', error)}") from None

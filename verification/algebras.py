@@ -172,6 +172,7 @@ class SampledAlgebra:
         self.overrides = dict(overrides or {})
         self.free: dict[str, np.ndarray] = {}
         self.regular = np.ones(len(q), dtype=bool)
+        self.random = np.ones(len(q), dtype=bool)  # which samples are drawn at random, and not at a special configuration
         self._numeric = arm.numeric(q) if arm is not None else None
         self._cache: dict[Quantity, Value] = {}
 
@@ -221,6 +222,7 @@ class SampledAlgebra:
         (u,) = arguments
         if function == "atan":
             return np.arctan(u)
+        self.regular &= np.abs(np.abs(u) - 1) > 1e-8  # at ±1 half the digits are lost
         near = np.where((np.abs(u) > 1) & (np.abs(u) < 1 + 1e-9), np.sign(u), u)
         return np.arccos(near) if function == "acos" else np.arcsin(near)
 
@@ -288,7 +290,7 @@ class SampledAlgebra:
             else:
                 q[:, index] = value
         moved = SampledAlgebra(self.exact, q, self.seed, overrides)
-        moved.free, moved.regular = self.free, self.regular
+        moved.free, moved.regular, moved.random = self.free, self.regular, self.random
         return moved
 
     def quantity(self, quantity: Quantity) -> Value:

@@ -13,7 +13,7 @@ import numpy as np
 
 from models.arm import Arm
 from models.catalogue import load_arm
-from models.configurations import sample
+from models.configurations import FAMILIES, sample
 from models.errors import ArmproofError
 from verification.algebras import ExactAlgebra, SampledAlgebra
 from verification.conditions import check_implication, check_relation, is_condition
@@ -24,6 +24,7 @@ from verification.errors import DocumentError, ReadError, TooComplex
 from verification.general import GeneralStatements
 from verification.latex import nodes as n
 from verification.latex.statements import PREVIOUS
+from verification.latex.tokens import normalise_unicode
 from verification.names import read_names
 from verification.tables import check_array_table, check_table
 from verification.trig import AngleFraction, Ring
@@ -62,9 +63,10 @@ def _load(document: Document) -> Arm | None:
 
 
 @lru_cache(maxsize=32)
-def _configurations(arm: Arm) -> np.ndarray:
-    q, _ = sample(arm, SAMPLES, np.random.default_rng(SEED))
-    return q
+def _configurations(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
+    """The configurations, and which of them are drawn at random."""
+    q, family = sample(arm, SAMPLES, np.random.default_rng(SEED))
+    return q, np.isin(family, [FAMILIES.index("generic"), FAMILIES.index("wide")])
 
 
 class DocumentChecker:
@@ -76,7 +78,7 @@ class DocumentChecker:
         try:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
-            raise DocumentError(f"{document.at('quantities')}: {error}") from None
+            raise DocumentError(f"{document.at(error.key or 'quantities')}: {error}") from None
         self.ring = Ring(denominators)
         self.exact = ExactAlgebra(self.ring, arm)
         self._sampled: SampledAlgebra | None = None
@@ -89,8 +91,10 @@ class DocumentChecker:
     def sampled(self) -> SampledAlgebra:
         """The double plant at the configurations of the six families."""
         if self._sampled is None:
-            q = _configurations(self.arm) if self.arm is not None else np.zeros((SAMPLES, 0))
+            everywhere = np.zeros((SAMPLES, 0)), np.ones(SAMPLES, dtype=bool)
+            q, at_random = _configurations(self.arm) if self.arm is not None else everywhere
             self._sampled = SampledAlgebra(self.exact, q, SEED)
+            self._sampled.random = at_random
         return self._sampled
 
     def run(self) -> DocumentResult:
@@ -128,7 +132,7 @@ class DocumentChecker:
             return replace(record, verdict=Verdict.UNCHECKED, message="too large to decide: nested too deeply")
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
-        outcomes, extra = self.outcomes(statements, display.line, define=not display.erratum)
+        outcomes, extra = self._with_later_definitions(statements, display)
         if not outcomes:
             return replace(record, verdict=Verdict.DEFINED, message="states no equation")
         verdict = worst([outcome.verdict for outcome in outcomes])
@@ -143,8 +147,18 @@ class DocumentChecker:
             counterexample=extra,
         )
         if verdict is Verdict.REFUTED:
-            record = self.diagnostician.diagnose(record, display.latex, [o for o in outcomes if o.verdict is Verdict.REFUTED])
+            record = self.diagnostician.diagnose(record, normalise_unicode(display.latex), [o for o in outcomes if o.verdict is Verdict.REFUTED])
         return record
+
+    def _with_later_definitions(self, statements: list[n.Statement], display: Display) -> tuple[list[Outcome], dict[str, float]]:
+        """Return the outcomes; a name may be defined after its use in the display ("…, where D = …")."""
+        known = len(self.names.definitions)
+        outcomes, extra = self.outcomes(statements, display.line, define=not display.erratum)
+        if len(self.names.definitions) > known and any(o.verdict is Verdict.UNCHECKED for o in outcomes):
+            again, extra = self.outcomes(statements, display.line, define=not display.erratum)
+            if len(again) == len(outcomes):
+                outcomes = [new if old.verdict is Verdict.UNCHECKED else old for old, new in zip(outcomes, again, strict=True)]
+        return outcomes, extra
 
     def outcomes(self, statements: list[n.Statement], line: int, *, define: bool = True) -> tuple[list[Outcome], dict[str, float]]:
         """Return the outcomes of a display's statements and, for a refuted condition, its counterexample."""

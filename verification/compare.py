@@ -124,6 +124,14 @@ def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
             yield rows
 
 
+def square_rows(true: Matrix) -> tuple[int, ...] | None:
+    """Return the rows (from 0) that make a Jacobian square and hold no row of zeros, or None."""
+    for rows in _jacobian_rows(true, true.shape[1]):
+        if not any(all(is_zero(cell) for cell in true.rows[row]) for row in rows):
+            return rows
+    return None
+
+
 def _is_planar(true: Matrix) -> bool:
     return (
         all(is_zero(true.rows[2][k]) and is_zero(true.rows[k][2]) for k in (0, 1)) and is_zero(true.rows[2][3])

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from verification.equation import ChainChecker, Outcome
-from verification.errors import EvaluationError, ShapeError
+from verification.errors import EvaluationError, NoValue
 from verification.evaluate import Evaluator, as_scalar, is_zero
 from verification.latex import nodes as n
 from verification.matrix import Matrix
@@ -152,7 +152,7 @@ def check_implication(
                 return outcome, {}
             outcome.verdict, outcome.message = Verdict.REFUTED, f"{side} at the configuration given"
             return outcome, found
-    except ShapeError as problem:
+    except NoValue as problem:
         outcome.verdict, outcome.message = Verdict.REFUTED, str(problem)
     except EvaluationError as problem:
         outcome.verdict, outcome.message = Verdict.UNCHECKED, str(problem)

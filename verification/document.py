@@ -146,6 +146,10 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
     """Return the mapping of a YAML block and the line of each top key; raises DocumentError."""
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
+        for event in yaml.parse(block, Loader=loader):
+            if isinstance(event, yaml.AliasEvent):  # a few of them can stand for millions of entries
+                line = first_line + event.start_mark.line
+                raise DocumentError(f"{path}:{line}: the front matter may not repeat a part by '*{event.anchor}'; write it out")
         front = yaml.load(block, Loader=loader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -161,11 +165,17 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
     lines: dict[str, int] = {}
     for number, text in enumerate(block.split("\n")):
         if found := re.match(r"([A-Za-z_]+)\s*:", text):
-            lines.setdefault(found.group(1), first_line + number)
+            key, line = found.group(1), first_line + number
+            if key in lines:
+                raise DocumentError(f"{path}:{line}: the front-matter key '{key}' stands twice, first in line {lines[key]}")
+            lines[key] = line
     for key in front:
         if key not in FRONT_MATTER_KEYS and key not in FOREIGN_KEYS:
             where = f"{path}:{lines.get(str(key), first_line)}"
             raise DocumentError(f"{where}: unknown front-matter key '{key}'; the keys are {', '.join(FRONT_MATTER_KEYS)}")
+    if "arm" in front and front["arm"] is None:
+        where = f"{path}:{lines.get('arm', first_line)}"
+        raise DocumentError(f"{where}: 'arm' is empty; name an arm, a model file or a DH table, or leave the key out")
     for key in ("title", "source"):
         if not isinstance(front.get(key, ""), str):
             raise DocumentError(f"{path}:{lines.get(key, first_line)}: '{key}' must be text, not {front[key]!r}")
@@ -177,7 +187,7 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
 
 @lru_cache(maxsize=1)
 def _markdown() -> MarkdownIt:
-    return MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, allow_labels=True, double_inline=True)
+    return MarkdownIt("commonmark", {"maxNesting": 100}).enable("table").use(dollarmath_plugin, allow_labels=True, double_inline=True)
 
 
 def _read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list[Display], list[Table]]:
@@ -249,7 +259,7 @@ def _read_notebook(path: Path, text: str) -> Document:
         sources = [(c["cell_type"], c["source"] if isinstance(c["source"], str) else "".join(c["source"])) for c in cells]
     except json.JSONDecodeError as error:
         raise DocumentError(f"{path}:{error.lineno}: not a notebook: {error.msg} (a notebook is JSON)") from None
-    except (KeyError, TypeError, RecursionError):
+    except (KeyError, TypeError, ValueError, RecursionError):
         raise DocumentError(f"{path}:1: not a notebook: it has no list of cells with a type and a source") from None
     front: dict[str, Any] | None = None
     lines: dict[str, int] = {}

@@ -41,7 +41,8 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from _on_all(root, lambda node: _names(node, letters))
     yield from swapped_lengths(root, letters)
     yield from _on_all(root, _dropped_factors)
-    yield from _on_all(root, lambda node: _numbers(node, letters))
+    yield from _numbers(root)
+    yield from _squares(root, letters)
     yield from _on_all(root, _dropped_terms)
     yield from _added_factors(root, letters)
 
@@ -158,15 +159,39 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
         yield replace(node, terms=terms), "term", f"term {k + 1} does not belong"
 
 
-def _numbers(node: n.Node, letters: Letters) -> Iterator[Change]:
-    if isinstance(node, n.Number) and node.value:
-        for value in (node.value * 2, node.value / 2, node.value + 1):
-            yield n.Number(value, span=node.span), "number", f"wrong number {node.text}"
-    if isinstance(node, n.Power) and isinstance(node.exponent, n.Number):
-        yield node.base, "number", "the power does not belong"
-    is_angle = isinstance(node, n.Name) and (not node.text or any(angle.key == node.key for angle in letters.angles))
-    if isinstance(node, n.Name | n.Call) and not is_angle:
-        yield n.Power(node, n.Number(Fraction(2), "2"), span=node.span), "number", "a square is missing"
+def _numbers(root: n.Node) -> Iterator[Edit]:
+    """Another number, and in the place of a power a lower or a higher one."""
+    powers = [node for node in n.walk(root) if isinstance(node, n.Power) and isinstance(node.exponent, n.Number)]
+    exponents = {id(power.exponent) for power in powers}
+    for node in n.walk(root):
+        if isinstance(node, n.Number) and node.value and id(node) not in exponents:
+            for value in (node.value * 2, node.value / 2, node.value + 1):
+                yield Edit(n.substitute(root, node, n.Number(value, span=node.span)), "number", f"the number {node.text}")
+    for power in powers:
+        assert isinstance(power.exponent, n.Number)
+        higher = n.Number(power.exponent.value + 1, str(power.exponent.value + 1), span=power.exponent.span)
+        for changed in (power.base, replace(power, exponent=higher)):
+            yield Edit(n.substitute(root, power, changed), "number", "the power")
+
+
+def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    angles = {angle.key for angle in letters.angles}
+    for node in _formulas(root):
+        if isinstance(node, n.Name | n.Call) and not (isinstance(node, n.Name) and node.key in angles):
+            square = n.Power(node, n.Number(Fraction(2), "2"), span=node.span)
+            yield Edit(n.substitute(root, node, square), "number", "a square is missing")
+
+
+def _formulas(node: n.Node) -> Iterator[n.Node]:
+    """Yield the nodes that stand for values: not angles in a cosine, exponents, or what a derivative is taken by."""
+    yield node
+    if isinstance(node, n.Call) and node.function not in ("sqrt", "abs", "det", "adj", "com", "tr", "rank"):
+        return
+    if isinstance(node, n.Power | n.Postfix):
+        return  # a power of a power is no slip
+    inside = [node.inner] if isinstance(node, n.At | n.Labelled) else [node.operand] if isinstance(node, n.Derivative) else n.children(node)
+    for child in inside:
+        yield from _formulas(child)
 
 
 def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
@@ -184,7 +209,7 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
                 head = style.head if style.function == function else SWAPPED.get(style.head, style.head)
                 factors.append((replace(style, function=function, head=head, arguments=(angle,)), f"{function} of {_show(angle)}"))
     factors.append((n.Number(Fraction(2), "2"), "2"))
-    targets = [term for node in n.walk(root) if isinstance(node, n.Sum) for _, term in node.terms]
+    targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
     if not isinstance(root, n.Sum):
         targets.append(root)
     for target in targets:

@@ -9,9 +9,12 @@ from typing import Any
 import numpy as np
 
 from verification.algebras import ExactAlgebra, OutsideAlgebra, SampledAlgebra, Value
-from verification.compare import Pair, ShapeMismatch, align, different_entries, entry_errors, exactly_equal
-from verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
+from verification.blocks import Block, partition
+from verification.branches import holds_on
+from verification.compare import Pair, ShapeMismatch, align, different_entries, entry_errors, exactly_equal, square_rows
+from verification.errors import EvaluationError, NoValue, TooComplex, UnboundName
 from verification.evaluate import Evaluator, Identity
+from verification.jacobian_parts import jacobian_name, part_of_jacobian
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.names import Names, call_key
@@ -67,6 +70,7 @@ class ChainChecker:
     def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
         """Return one outcome an equation, numbered from `first_equation`."""
         branches = _has_branches(chain)
+        self._choose_square_rows(chain)
         new = self._new_name(chain)
         members = [
             Member(node, None, UnboundName(new)) if new is not None and bare_key(node) == new else self.member(node)
@@ -75,6 +79,8 @@ class ChainChecker:
         known = [member for member in members if member.known]
         if not known:
             return self._nothing_known(members, first_equation, line)
+        members = [self._part(member, known) for member in members]
+        known = [member for member in members if member.known]
         true = max(known, key=lambda member: member.rank)  # the first of the highest
         outcomes: list[Outcome] = []
         for index, member in enumerate(members):
@@ -87,6 +93,29 @@ class ChainChecker:
                 outcomes.append(self._define(true, member, equation, line, define))
         outcomes.extend(self._labels(chain, first_equation, line, define))
         return outcomes
+
+    def _part(self, member: Member, known: list[Member]) -> Member:
+        """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
+        if not isinstance(member.problem, UnboundName) or not isinstance(member.node, n.Name):
+            return member
+        quantity = part_of_jacobian(member.node, known[0].value, self.names)
+        if quantity is None:
+            return member
+        self.names.inferred[member.node.key] = quantity
+        return self.member(member.node)
+
+    def _choose_square_rows(self, chain: n.Chain) -> None:
+        """Before det J or J^{-1} of a Jacobian that only notation implies: the rows that make it square, if not printed yet."""
+        for below in n.walk(chain):
+            inverted = isinstance(below, n.Postfix) and below.operator == "-1"
+            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com")):
+                continue
+            name = jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], self.names)  # type: ignore[attr-defined]
+            if name is None or name.key in self.names.shown:
+                continue
+            value = self.member(name).value
+            if isinstance(value, Matrix) and value.shape[0] != value.shape[1] and (rows := square_rows(value)) is not None:
+                self.names.shown[name.key] = tuple(row + 1 for row in rows)
 
     def _new_name(self, chain: n.Chain) -> str | None:
         """In a document of general statements, the first letter that stands alone and is new is being defined."""
@@ -162,6 +191,8 @@ class ChainChecker:
                 wrong = different_entries(pair, exactly_equal)
             if not wrong:
                 outcome.verdict, outcome.pair, outcome.message = Verdict.PROVED, pair, pair.note
+                if pair.true_rows is not None and (name := jacobian_name(true.node, self.names)) is not None:
+                    self.names.shown[name.key] = tuple(row + 1 for row in pair.true_rows)
                 return self._confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
                 best = (pair, wrong)
@@ -216,6 +247,8 @@ class ChainChecker:
         outcome.samples = int(finite.sum())
         outcome.max_error = float(scaled[..., finite].max()) if outcome.samples else None
         if outcome.max_error is not None and outcome.max_error > TOLERANCE:
+            if self._on_a_branch(outcome, scaled, finite):
+                return outcome
             wrong = np.argwhere((scaled[..., finite] > TOLERANCE).any(axis=-1))
             outcome.verdict = Verdict.REFUTED
             outcome.wrong = [(int(r), int(c)) for r, c in wrong]
@@ -234,7 +267,23 @@ class ChainChecker:
         if finite.sum() >= 10 and float(scaled[..., finite].max()) <= TOLERANCE:
             outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
             outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
+        else:
+            self._on_a_branch(outcome, scaled, finite)
         return outcome
+
+    def _on_a_branch(self, outcome: Outcome, scaled: np.ndarray, finite: np.ndarray) -> bool:
+        """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations."""
+        counts = holds_on(scaled, finite & self.sampled().random, TOLERANCE)
+        if counts is None:
+            return False
+        holding = (scaled <= TOLERANCE).all(axis=(0, 1)) & finite
+        outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
+        outcome.samples, outcome.max_error = int(holding.sum()), float(scaled[..., holding].max())
+        outcome.message = (
+            f"on one branch of its square roots and arc functions: at {counts[0]} of {counts[1]} random configurations; "
+            "at the others another sign or half-turn is meant"
+        )
+        return True
 
     def sampled_value(self, node: n.Node, branch: int = 1) -> Value:
         """Return a tree's value on the samples of the double plant."""
@@ -280,7 +329,7 @@ class ChainChecker:
         outcome.message = reason
         if outcome.max_error <= TOLERANCE:
             outcome.verdict = Verdict.CONFIRMED
-        else:
+        elif not self._on_a_branch(outcome, scaled, finite):
             outcome.verdict, outcome.sampled_only = Verdict.REFUTED, True
             outcome.wrong = [(int(r), int(c)) for r, c in np.argwhere((scaled[..., finite] > TOLERANCE).any(axis=-1))]
         return outcome
@@ -291,8 +340,10 @@ class ChainChecker:
         """Give the unbound names of a member their meaning by what is known, or say what is not bound."""
         if isinstance(member.problem, OutsideAlgebra):
             return self.confirm_only(true.node, member.node, equation, _has_branches(member.node), f"{member.problem} is not exact")
-        if isinstance(member.problem, ShapeError):
+        if isinstance(member.problem, NoValue):
             return Outcome(Verdict.REFUTED, str(member.problem), equation, true, member)
+        if _has_dots(member.node):
+            return Outcome(Verdict.DEFINED, "an ellipsis stands for terms: a pattern, not a claim", equation, true, member)
         if isinstance(member.problem, UnboundName):
             key = bare_key(member.node)
             if key is not None:
@@ -318,33 +369,37 @@ class ChainChecker:
             return None
         rows = tuple(zip(*node.rows, strict=False)) if transposed else node.rows
         value = true.value
-        if not isinstance(value, Matrix) or (len(rows), len(rows[0])) != value.shape:
-            return None
-        cells = [(r, c, self.member(cell), cell) for r, row in enumerate(rows) for c, cell in enumerate(row)]
-        if any(not m.known and (not isinstance(m.problem, UnboundName) or bare_key(cell) is None) for _, _, m, cell in cells):
+        blocks = partition(rows, value.shape) if isinstance(value, Matrix) else None
+        if not isinstance(value, Matrix) or blocks is None:
             return None
         defined: list[str] = []
         wrong: list[tuple[int, int]] = []
-        for r, c, cell_member, cell in cells:
-            if cell_member.known:
-                if isinstance(cell_member.value, Matrix | Identity | list) or not exactly_equal(value.rows[r][c], cell_member.value):
-                    wrong.append((r, c))
-                continue
-            key = bare_key(cell)
-            assert key is not None
-            if key in defined:
-                if not exactly_equal(value.rows[r][c], Evaluator(self.names, self.exact).evaluate(cell)):
-                    wrong.append((r, c))
-            elif define:
-                self.names.define(key, _getter(self, true.node, r, c), line)
-            defined.append(key)
-        verdict = Verdict.REFUTED if wrong else Verdict.DEFINED
-        outcome = Outcome(verdict, f"gives {', '.join(dict.fromkeys(defined))} their meaning", equation, true, member, defines=tuple(defined))
+        unknown: EvaluationError | None = None
+        for block in blocks:
+            cell, key = self.member(block.cell), bare_key(block.cell)
+            if cell.known:
+                if not self._equals_block(block.of(value), cell.value):
+                    wrong.append((block.row, block.column))
+            elif key is None or not isinstance(cell.problem, UnboundName):
+                unknown = cell.problem
+            elif define and key not in defined:  # a name met a second time has its value by then
+                self.names.define(key, _getter(self, true.node, block), line)
+                defined.append(key)
+            else:
+                defined.append(key)
         if wrong:
-            outcome.wrong = wrong
-            outcome.message = ""
-            outcome.pair = Pair(value, value)
-        return outcome
+            pair = Pair(value, value) if len(blocks) == len(value.rows) * len(value.rows[0]) else None
+            return Outcome(Verdict.REFUTED, "" if pair else "a block differs", equation, true, member, pair, wrong)
+        if unknown is not None:
+            return Outcome(Verdict.UNCHECKED, str(unknown), equation, true, member)
+        names = ", ".join(dict.fromkeys(defined))
+        return Outcome(Verdict.DEFINED, f"gives {names} their meaning", equation, true, member, defines=tuple(defined))
+
+    def _equals_block(self, true: Value, printed: Value) -> bool:
+        try:
+            return any(not pair.note and not different_entries(pair, exactly_equal) for pair in align(true, printed, self.exact))
+        except EvaluationError:
+            return False
 
     def _labels(self, chain: n.Chain, first_equation: int, line: int, define: bool) -> list[Outcome]:
         """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim."""
@@ -363,6 +418,8 @@ class ChainChecker:
 
     def _nothing_known(self, members: list[Member], equation: int, line: int) -> list[Outcome]:
         """Nothing has a value: a bare new name on one side is a definition in words or symbols, else unchecked."""
+        if any(_has_dots(m.node) for m in members):
+            return [Outcome(Verdict.DEFINED, "an ellipsis stands for terms: a pattern, not a claim", equation)]
         outside = [m for m in members if isinstance(m.problem, OutsideAlgebra)]
         if len(outside) >= 2 and len(outside) == len(members):
             first, *others = outside
@@ -370,7 +427,7 @@ class ChainChecker:
                 self.confirm_only(first.node, m.node, equation + k, _has_branches(m.node), f"{m.problem} is not exact")
                 for k, m in enumerate(others)
             ]
-        shape = next((m.problem for m in members if isinstance(m.problem, ShapeError)), None)
+        shape = next((m.problem for m in members if isinstance(m.problem, NoValue)), None)
         if shape is not None:
             return [Outcome(Verdict.REFUTED, str(shape), equation)]
         if len(members) == 1:
@@ -395,17 +452,17 @@ def bare_key(node: n.Node) -> str | None:
     return None
 
 
-def _getter(checker: ChainChecker, node: n.Node, row: int | None = None, column: int | None = None) -> Callable[[Any], Value]:
-    """Return a definition's meaning: the value of `node`, or one entry of it, in whichever algebra asks."""
+def _getter(checker: ChainChecker, node: n.Node, block: Block | None = None) -> Callable[[Any], Value]:
+    """Return a definition's meaning: the value of `node`, or a block of it, in whichever algebra asks."""
     names = checker.names
 
     def evaluate(algebra: Any) -> Value:
         value = Evaluator(names, algebra).evaluate(node)
-        if row is None or column is None:
+        if block is None:
             return value
         if not isinstance(value, Matrix):
             raise EvaluationError("an entry of a scalar")
-        return value.rows[row][column]
+        return block.of(value)
 
     return evaluate
 
@@ -417,6 +474,10 @@ def _distance(a: Any, b: Any) -> Any:
     if ring.has_arcs(a) or ring.has_arcs(b):
         return 1 - ring.cos_sin(difference)[0]
     return difference
+
+
+def _has_dots(node: n.Node) -> bool:
+    return any(isinstance(below, n.Dots) for below in n.walk(node))
 
 
 def _has_branches(node: n.Node) -> bool:

@@ -14,7 +14,11 @@ class ReadError(ArmproofError):
 
 
 class DocumentError(ArmproofError):
-    """A document as a whole cannot be checked (front matter, encoding, unknown arm)."""
+    """A document as a whole cannot be checked (front matter, encoding, unknown arm); `key` is the front-matter key at fault."""
+
+    def __init__(self, message: str, key: str = "") -> None:
+        super().__init__(message)
+        self.key = key
 
 
 class EvaluationError(ArmproofError):
@@ -29,8 +33,12 @@ class UnboundName(EvaluationError):
         self.name = name
 
 
-class ShapeError(EvaluationError):
-    """Sizes that can never fit: whatever the values, the formula is wrong as it stands."""
+class NoValue(EvaluationError):
+    """A formula that has no value at any configuration, such as 1/0: it is wrong as it stands."""
+
+
+class ShapeError(NoValue):
+    """Sizes that can never fit."""
 
 
 class TooComplex(EvaluationError):

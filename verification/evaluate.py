@@ -82,7 +82,19 @@ class Evaluator:
             return algebra.symbol(node.key)
         if node.key == "q" and names.arm is not None:
             return column([algebra.symbol(joint.symbol) for joint in names.arm.joints])
+        self._reject_unknown_frame(node)
         raise UnboundName(node.key)
+
+    def _reject_unknown_frame(self, node: n.Name) -> None:
+        """A transform between numbered frames that the arm does not have is a slip, not a new name."""
+        arm = self.names.arm
+        if arm is None or node.base not in ("T", "A", "H", "R") or node.primes:
+            return
+        indices = [index for index in (node.pre_sup, node.pre_sub, node.sup, node.sub) if index]
+        if len(indices) == 2 and all(index in arm.frames or index.isdigit() for index in indices):
+            missing = next((index for index in indices if index not in arm.frames), None)
+            if missing is not None:
+                raise EvaluationError(f"no frame '{missing}' on arm '{arm.name}'; its frames are {', '.join(arm.frames)}")
 
     def _joint_angles(self, node: n.JointAngles) -> Any:
         total = self.algebra.rational(Fraction(0))
@@ -182,6 +194,8 @@ class Evaluator:
 
     def _postfix(self, node: n.Postfix) -> Value:
         value = as_scalar(self.evaluate(node.base))
+        if node.operator == "-1":
+            value = self._printed_rows(node.base, value)
         if node.operator == "deg":
             return value * self.algebra.pi() / self.algebra.rational(Fraction(180))
         if isinstance(value, list):
@@ -212,6 +226,17 @@ class Evaluator:
         self._divide_by(determinant)
         factor = one / determinant
         return matrix.adjugate().map(lambda cell: cell * factor)
+
+    def _printed_rows(self, node: n.Node, value: Value) -> Value:
+        """The determinant and the inverse of a Jacobian are of the square part that the document prints."""
+        while isinstance(node, n.Group):
+            node = node.inner
+        if isinstance(node, n.Call) and node.function == "name":
+            node = node.arguments[0]
+        rows = self.names.shown.get(node.key) if isinstance(node, n.Name) and node.key not in self.names.quantities else None
+        if rows is None or not isinstance(value, Matrix) or value.shape[0] != 6 or len(rows) != value.shape[1]:
+            return value
+        return value.block([row - 1 for row in rows], range(value.shape[1]))
 
     def _divide_by(self, denominator: Any) -> None:
         """Leave samples out at which a denominator is all but zero: rounding decides the quotient there."""
@@ -271,7 +296,7 @@ class Evaluator:
         if not any(isinstance(cell, Matrix | Identity) for row in rows for cell in row):
             widths = {len(row) for row in rows}
             if len(widths) > 1:
-                raise EvaluationError(f"the rows of a matrix have {', '.join(map(str, sorted(widths)))} cells")
+                raise ShapeError(f"the rows of a matrix have {', '.join(map(str, sorted(widths)))} cells")
             whole = Matrix(tuple(tuple(row) for row in rows))
         else:
             whole = self._blocks(rows)
@@ -324,7 +349,7 @@ class Evaluator:
             zero = self.algebra.rational(Fraction(0))
             return Matrix(tuple(tuple(v if r == c else zero for c in range(len(values))) for r, v in enumerate(values)))
         if function in _MATRIX_CALLS:
-            value = self.evaluate(node.arguments[0])
+            value = self._printed_rows(node.arguments[0], self.evaluate(node.arguments[0]))
             if not isinstance(value, Matrix):
                 if function in ("det", "tr"):
                     return value

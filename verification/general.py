@@ -50,7 +50,8 @@ class GeneralStatements:
             node = n.Postfix(node, "-1")
             true = true.transpose
         members = tuple(node if head is not None else member for head, member in zip(heads, chain.members, strict=True))
-        if not self._plausible(node, members):
+        named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
+        if not named and not self._plausible(node, members):
             return None
         outcomes = self._general.check(replace(chain, members=members), equation, line, define)
         return [self._noted(outcome, convention) for outcome in outcomes] or None

@@ -37,6 +37,8 @@ class Names:
     definitions: dict[str, Definition] = field(default_factory=dict)
     reader: Reader = field(default_factory=Reader)
     used: set[str] = field(default_factory=set)  # free letters that displays have used so far
+    inferred: dict[str, Quantity] = field(default_factory=dict)  # names whose meaning the other side of an equation told
+    shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
 
     def known_symbol(self, key: str) -> str | None:
         """Return the model's symbol for a scalar name of the document, or None."""
@@ -79,8 +81,10 @@ class Names:
         """Return the arm's quantity that a name stands for, or None."""
         if name.key in self.quantities:
             return self.quantities[name.key]
-        if self.arm is None:
+        if self.arm is None or name.key in self.definitions:
             return None
+        if name.key in self.inferred:
+            return self.inferred[name.key]
         return implied_quantity(name, self.arm, self.transforms)
 
     def is_free(self, name: n.Name) -> bool:
@@ -106,9 +110,9 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     transforms = front.get("transforms", "upper")
     for key, value in (("symbols", symbols_spec), ("quantities", quantities_spec)):
         if not isinstance(value, Mapping):
-            raise DocumentError(f"'{key}' must be a mapping from names to meanings, not {value!r}")
+            raise DocumentError(f"'{key}' must be a mapping from names to meanings, not {value!r}", key)
     if transforms not in ("upper", "lower"):
-        raise DocumentError(f"'transforms' must be upper or lower, not {transforms!r}")
+        raise DocumentError(f"'transforms' must be upper or lower, not {transforms!r}", "transforms")
     words = frozenset(
         word
         for key in [*symbols_spec, *quantities_spec]
@@ -119,9 +123,9 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     symbols: dict[str, str] = {}
     for key, value in symbols_spec.items():
         if not isinstance(value, str):
-            raise DocumentError(f"symbol '{key}' must be bound to a symbol of the arm, not {value!r}")
+            raise DocumentError(f"symbol '{key}' must be bound to a symbol of the arm, not {value!r}", "symbols")
         if arm is not None and value not in (known := _scalars(arm)):
-            raise DocumentError(f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)}")
+            raise DocumentError(f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)}", "symbols")
         symbols[name_key(plain, str(key))] = value
     quantities = {name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()}
     bound = frozenset(symbols) | frozenset(quantities)
@@ -158,5 +162,5 @@ def name_key(reader: Reader, key: str) -> str:
 def call_key(node: n.Call) -> str:
     """Return the key of a name with arguments: J(q)."""
     name, *arguments = node.arguments
-    assert isinstance(name, n.Name)
-    return f"{name.key}({','.join(a.key for a in arguments if isinstance(a, n.Name))})"
+    head = name.key if isinstance(name, n.Name) else "?"
+    return f"{head}({','.join(a.key for a in arguments if isinstance(a, n.Name))})"

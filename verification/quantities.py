@@ -76,12 +76,16 @@ def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
         start = frame_name(arm, str(frame[1]), key)
         frame = frame[0]
     reference = frame_name(arm, str(spec["in"]), key) if "in" in spec else arm.frames[0]
+    rows, columns = _indices(key, spec, "rows"), _indices(key, spec, "columns")
+    for option, indices, most in (("rows", rows, _height(kind)), ("columns", columns, _width(kind, arm))):
+        if indices and max(indices) > most:
+            raise DocumentError(f"quantity '{key}': a {kind} has {most} {option}, there is no {option[:-1]} {max(indices)}")
     quantity = Quantity(
         kind,
         frame_name(arm, str(frame), key),
         reference,
-        _indices(key, spec, "rows"),
-        _indices(key, spec, "columns"),
+        rows,
+        columns,
         start=start,
         homogeneous=bool(spec.get("homogeneous", False)),
     )
@@ -92,6 +96,14 @@ def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
     if "component" in spec:
         quantity = _component(key, quantity, spec["component"])
     return quantity
+
+
+def _height(kind: str) -> int:
+    return {"pose": 4, "jacobian": 6}.get(kind, 3)
+
+
+def _width(kind: str, arm: Arm) -> int:
+    return len(arm.joints) if kind == "jacobian" else {"pose": 4, "rotation": 3}.get(kind, 1)
 
 
 def _component(key: str, quantity: Quantity, component: object) -> Quantity:
@@ -110,7 +122,7 @@ def _indices(key: str, spec: Mapping, option: str) -> tuple[int, ...] | None:
         return None
     if isinstance(value, int):
         value = [value]
-    if not (isinstance(value, list) and value and all(isinstance(i, int) and 1 <= i <= 64 for i in value)):
+    if not (isinstance(value, list) and value and all(type(i) is int and 1 <= i <= 64 for i in value)):
         raise DocumentError(f"quantity '{key}': {option} must be a list of indices counted from 1, not {value!r}")
     return tuple(value)
 
@@ -187,7 +199,7 @@ def _implied_vector(name: n.Name, arm: Arm) -> Quantity | None:
         return None
     first = numbered_frames(arm)[0]
     if not reference:
-        if name.base not in ("p", "z"):
+        if name.base not in ("p", "z", "o", "O"):
             return None
         resolved: str | None = first
     else:
@@ -199,7 +211,7 @@ def _implied_vector(name: n.Name, arm: Arm) -> Quantity | None:
     return Quantity("axis", frame, resolved, along=name.base.lower())
 
 
-_LINEAR, _ANGULAR = ("v", "L", "P", "p", "l", "lin"), ("omega", "A", "O", "o", "w", "ang", "a")
+LINEAR, ANGULAR = ("v", "L", "P", "p", "l", "lin"), ("omega", "A", "O", "o", "w", "ang", "a")
 
 
 def _implied_jacobian(name: n.Name, arm: Arm) -> Quantity | None:
@@ -212,8 +224,8 @@ def _implied_jacobian(name: n.Name, arm: Arm) -> Quantity | None:
         return None
     if not name.sub or (name.sub == "n" and "n" not in arm.frames):
         return Quantity("jacobian", frames[-1], resolved)
-    if name.sub in _LINEAR:
+    if name.sub in LINEAR:
         return Quantity("jacobian", frames[-1], resolved, rows=(1, 2, 3))
-    if name.sub in _ANGULAR:
+    if name.sub in ANGULAR:
         return Quantity("jacobian", frames[-1], resolved, rows=(4, 5, 6))
     return None

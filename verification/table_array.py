@@ -11,6 +11,7 @@ _OPENING = re.compile(
     r"\s*(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?"
     r"\\begin\s*\{(?P<name>array|tabular|[bpvB]?matrix|aligned)\}\s*(?:\[\w\])?"
 )
+_TWIST = re.compile(r"alpha|α|twist|torsi", re.IGNORECASE)  # no DH table without that column
 _CLOSING = re.compile(r"\s*(?:\\right\s*\\?[\])}|.]\s*)?[.,;]?\s*(?:\\(?:tag|label)\{[^}]*\}\s*)?[.,;]?\s*")
 _RULE = re.compile(
     r"\\(?:hline|toprule|midrule|bottomrule|hdashline|(?:cline|cmidrule)\s*(?:\([^)]*\))?\s*\{[^}]*\}|addlinespace)(?![A-Za-z])"
@@ -38,6 +39,8 @@ class ArrayTable:
 def read_array(display: Display) -> ArrayTable | None:
     """Return the table of a display that holds one array and nothing else, or None."""
     latex = display.latex
+    if "&" not in latex or not _TWIST.search(latex):
+        return None
     opening = _OPENING.match(latex)
     if opening is None:
         return None

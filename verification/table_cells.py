@@ -97,8 +97,9 @@ def row_frames(names: Names, arm: Arm, labels: list[str] | None, count: int) -> 
     found = [_labelled(names, arm, frames, extra, label) for label in labels]
     if count == len(frames) and re.findall(r"\d+", labels[0]) == [frames[0]] and found[0] is None:
         found[0] = Frames(frames[0], frames[0])  # a row for the base
-    chosen = [row.frame for row in found if row is not None]
-    if len(chosen) != count or len(set(chosen)) != count:
+    known = [row.frame for row in found if row is not None]
+    at_the_end = all(row is None for row in found[len(known) :])
+    if not known or not at_the_end or len(set(known)) != len(known):
         return in_order[:count], any(labels)
     return found, False
 

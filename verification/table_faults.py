@@ -41,6 +41,15 @@ class Fault:
     entries: tuple[WrongEntry, ...] = ()
 
 
+@dataclass(frozen=True)
+class Tool:
+    """Where a table's last frame stands: `turn` is the constant rotation to the arm's `frame`."""
+
+    frame: str
+    origin: str
+    turn: Matrix
+
+
 class Faults:
     """Finds the faults of a table under the reading that fits it best."""
 
@@ -64,7 +73,7 @@ class Faults:
                     f"are not {self.found.convention} DH frames"
                 )
             for parameter in verdict.wrong:
-                yield self._wrong_entry(verdict, parameter)
+                yield self.wrong_entry(verdict, parameter, self.found.right_value(verdict, parameter))
 
     def of_kinds(self) -> Iterator[Fault]:
         """Yield wrong kinds of joints (σ_i, R or P) and variables, where the table has columns for them."""
@@ -143,9 +152,10 @@ class Faults:
 
     # -- single entries ----------------------------------------------------------------------------------------------
 
-    def _wrong_entry(self, verdict: RowVerdict, parameter: str) -> Fault:
+    def wrong_entry(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> Fault:
+        """Return a wrong entry with its correct value and what is wrong with it."""
         column = self.found.reading.columns[parameter]
-        correct = self._correct(verdict, parameter, column)
+        correct = self._correct(right, parameter, column)
         said = f"row {verdict.row.number}: {self.letter(parameter)}"
         if column is None:
             change = f"the table has no column {self.letter(parameter)}"
@@ -153,14 +163,13 @@ class Faults:
                 f"{said} should be {correct}: {change}", (WrongEntry(1, verdict.row.number, None, "", correct, change),)
             )
         cell = verdict.row.cells[column]
-        change = self._change(verdict, parameter)
+        change = self._change(verdict, parameter, right)
         entry = WrongEntry(1, verdict.row.number, column + 1, cell.text, correct, change)
         return Fault(
             f"{said} is {cell.text or 'empty'}, should be {correct}" + (f": {change}" if change else ""), (entry,)
         )
 
-    def _correct(self, verdict: RowVerdict, parameter: str, column: int | None) -> str:
-        right = self.found.right_value(verdict, parameter)
+    def _correct(self, right: Scalar | None, parameter: str, column: int | None) -> str:
         if right is None:
             return "another angle"
         if parameter in ANGLES:
@@ -169,10 +178,10 @@ class Faults:
         scale = {"mm": 1000, "cm": 100}.get(unit, 1)
         return self.notation.value(right * scale if right.as_fraction() is not None else right)
 
-    def _change(self, verdict: RowVerdict, parameter: str) -> str:
+    def _change(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> str:
         if swapped := self._swapped_entries(verdict, parameter):
             return swapped
-        printed, right = verdict.values.get(parameter), self.found.right_value(verdict, parameter)
+        printed = verdict.values.get(parameter)
         if printed is None:
             return self._change_of_name(verdict, parameter, right)
         if right is None:
@@ -243,18 +252,26 @@ def same_tool(found: TableReading) -> str | None:
     return None
 
 
-def turned_tool(found: TableReading) -> tuple[str, Matrix] | None:
-    """Return the arm's last frame that has the origin of the table's and stands still in it, and the rotation between."""
+def turned_tool(found: TableReading) -> Tool | None:
+    """Return how the table's last frame stands in the arm's: still, with its origin at that of one of the arm's frames."""
     frames = numbered_frames(found.arm)
     if (product := found.product) is None:
         return None
-    for frame in [frames[-1], *(other for other in found.arm.frames if other not in frames)]:
-        pose = found.claim.pose(frame, frames[0])
-        if not equal(product.block(range(3), [3]), pose.block(range(3), [3])):
-            continue
-        turn = product.block(range(3), range(3)).transpose @ pose.block(range(3), range(3))
-        if all(cell.as_fraction() is not None for row in turn.rows for cell in row):
-            return frame, turn
+    extra = [frame for frame in found.arm.frames if frame not in frames]
+    origins = [*extra, *reversed(frames)]
+    origin = next(
+        (
+            f
+            for f in origins
+            if equal(product.block(range(3), [3]), found.claim.pose(f, frames[0]).block(range(3), [3]))
+        ),
+        None,
+    )
+    for frame in sorted([frames[-1], *extra], key=lambda one: one != origin) if origin is not None else []:
+        rotation = found.claim.pose(frame, frames[0]).block(range(3), range(3))
+        turn = product.block(range(3), range(3)).transpose @ rotation
+        if origin is not None and all(cell.as_fraction() is not None for row in turn.rows for cell in row):
+            return Tool(frame, origin, turn)
     return None
 
 

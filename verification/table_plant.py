@@ -12,6 +12,7 @@ from verification.dh_row import PARAMETERS, row_matrix
 from verification.equation import TOLERANCE
 from verification.matrix import Matrix
 from verification.quantities import Quantity
+from verification.table_faults import Tool
 from verification.table_reading import RowVerdict, TableReading
 from verification.verdict import Record, Verdict
 
@@ -29,18 +30,17 @@ def confirm_rows(found: TableReading, proved: Record, sampled: SampledAlgebra) -
     return _confirmed(proved, sampled, worst)
 
 
-def confirm_tool(
-    found: TableReading, frame: str, reference: str, turn: Matrix, proved: Record, sampled: SampledAlgebra
-) -> Record:
-    """Return the record of a table whose product, followed by the constant rotation `turn`, is a pose of the arm."""
+def confirm_tool(found: TableReading, tool: Tool, reference: str, proved: Record, sampled: SampledAlgebra) -> Record:
+    """Return the record of a table whose product, followed by a constant rotation, is a pose of the arm."""
     links = [_link(found, verdict, sampled) for verdict in found.verdicts]
-    zero, one = turn.rows[0][0] * 0, turn.rows[0][0] * 0 + 1
-    total = sampled.from_exact(Matrix((*((*row, zero) for row in turn.rows), (zero, zero, zero, one))))
-    for link in reversed(links):
-        total = link @ total
-    return _confirmed(
-        proved, sampled, _largest_error(sampled, sampled.quantity(Quantity("pose", frame, reference)), total)
-    )
+    total = links[0]
+    for link in links[1:]:
+        total = total @ link
+    pose = sampled.quantity(Quantity("pose", tool.frame, reference))
+    origin = sampled.quantity(Quantity("pose", tool.origin, reference)).block(range(3), [3])
+    rotation = total.block(range(3), range(3)) @ sampled.from_exact(tool.turn)
+    errors = [(pose.block(range(3), range(3)), rotation), (origin, total.block(range(3), [3]))]
+    return _confirmed(proved, sampled, max(_largest_error(sampled, true, printed) for true, printed in errors))
 
 
 def counterexample(found: TableReading) -> dict[str, float]:

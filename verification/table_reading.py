@@ -88,18 +88,24 @@ class Claim:
 class TableReading:
     """A table read in one convention, with the parameters in given columns."""
 
-    def __init__(self, claim: Claim, reading: Reading) -> None:
+    def __init__(self, claim: Claim, reading: Reading, given: list[RowVerdict] | None = None) -> None:
         self.claim = claim
         self.arm = claim.arm
         self.rows = claim.rows
         self.reading = reading
         self.convention = reading.convention
         self._notes: dict[str, None] = {}
+        self._given = given
         self._variables = [joint.symbol for joint in claim.arm.joints]
 
     def but(self, **changes: Any) -> TableReading:
         """Return the reading with another convention, or with parameters in other columns."""
         return TableReading(self.claim, replace(self.reading, **changes))
+
+    def mended(self, verdict: RowVerdict, parameter: str, value: Scalar) -> TableReading:
+        """Return the reading with another value of one entry."""
+        other = replace(verdict, values={**verdict.values, parameter: value})
+        return TableReading(self.claim, self.reading, [other if one is verdict else one for one in self.verdicts])
 
     @property
     def otherwise(self) -> TableReading:
@@ -109,6 +115,8 @@ class TableReading:
     @cached_property
     def verdicts(self) -> list[RowVerdict]:
         """The verdict of each row, in order."""
+        if self._given is not None:
+            return self._given
         found = [self._judge(row) for row in self.rows]
         self._judge_unbound(found)
         return found

@@ -16,6 +16,7 @@ from verification.table_array import read_array
 from verification.table_cells import Cell, UnreadableCell, read_cell, row_frames
 from verification.table_columns import CONVENTIONS, Columns, read_columns
 from verification.table_faults import Faults, turned_tool
+from verification.table_mend import single_mends
 from verification.table_plant import confirm_rows, confirm_tool, counterexample
 from verification.table_reading import Claim, Row, TableReading
 from verification.verdict import Record, Verdict
@@ -232,17 +233,30 @@ class _Check:
         """The arm's frames are no DH frames: only the pose of the last one can be compared, but for its axes."""
         first = numbered_frames(found.arm)[0]
         reason = f"the frames of arm '{found.arm.name}' are DH frames of neither convention: the rows cannot be checked one by one"
-        for reading in (found,) if self.columns.stated else (found, found.otherwise):
-            if (tool := turned_tool(reading)) is None:
-                continue
-            frame, turn = tool
-            words = f"the last row's frame lies at frame {frame} and moves with it, for every configuration"
-            proved = replace(self.blank, verdict=Verdict.PROVED, message="; ".join([words, reason, *reading.notes]))
-            return (
-                confirm_tool(reading, frame, first, turn, proved, self.checker.sampled())
-                if self.checker.confirm
-                else proved
-            )
+        readings = (found,) if self.columns.stated else (found, found.otherwise)
+        for reading in readings:
+            if (tool := turned_tool(reading)) is not None:
+                place = "" if tool.origin == tool.frame else f", with its origin in that of frame {tool.origin}"
+                words = f"the last row's frame moves with frame {tool.frame} for every configuration{place}"
+                proved = replace(self.blank, verdict=Verdict.PROVED, message="; ".join([words, reason, *reading.notes]))
+                return (
+                    confirm_tool(reading, tool, first, proved, self.checker.sampled())
+                    if self.checker.confirm
+                    else proved
+                )
+        for reading in readings:
+            faults = Faults(reading, self.table.rows)
+            for mend in single_mends(reading):
+                if (tool := turned_tool(reading.mended(mend.verdict, mend.parameter, mend.value))) is None:
+                    continue
+                fault = faults.wrong_entry(mend.verdict, mend.parameter, mend.value)
+                said = [
+                    fault.words,
+                    f"so mended, the last row's frame moves with frame {tool.frame}",
+                    reason,
+                    *reading.notes,
+                ]
+                return replace(self.blank, verdict=Verdict.REFUTED, message="; ".join(said), entries=fault.entries)
         said = [reason, "and the last row's frame lies at none of the arm's last frames"]
         said += [*self._open(found, Faults(found, self.table.rows)), *_counts(found), *found.notes]
         return replace(self.blank, verdict=Verdict.UNCHECKED, message="; ".join(said))

@@ -18,7 +18,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from models.entry import Entry
 from models.exact import cos_sin_of_pi, cos_sin_of_radians
-from verification.errors import EvaluationError, TooComplex
+from verification.errors import EvaluationError, NoValue, TooComplex
 
 Generator = tuple[str, str]
 MAX_TERM_PRODUCTS = 400_000
@@ -456,7 +456,7 @@ class Scalar:
     def __truediv__(self, other: object) -> Scalar:
         a, b = self._coerce(other)
         if b.is_zero():
-            raise EvaluationError("a division by zero")
+            raise NoValue("a division by zero")
         return a * Scalar(b.ring, b.denominator, b.numerator).normal()
 
     __radd__ = __add__

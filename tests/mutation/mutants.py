@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -10,13 +11,15 @@ from fractions import Fraction
 
 from tests.mutation.place import Place
 from tests.mutation.sites import Site, find_sites, letters_of
-from verification.edits import Edit, Letters, single_edits
+from verification.edits import Edit, single_edits
+from verification.errors import ReadError
 from verification.latex import nodes as n
 from verification.latex.writer import Notation, Writer
 
 CELLS = 5  # of a display whose slips are tried
 CONSTANT_CELLS = 2
 SWAPS = 4
+NAMES = 2
 EDITS = 400
 
 
@@ -48,14 +51,47 @@ def mutants_of(place: Place, seed: int = 0) -> Iterator[Mutant]:
                 yield _mutant(latex, site, edit)
     if conditions:
         return
+    yield from _renumbered(place, statements, chance)
     for site in chance.sample(constants, min(CONSTANT_CELLS, len(constants))):
-        for edit in _one_of_each_kind(_slips_of_constants(site.node, letters), chance):
+        lengths = letters.lengths if place.checker.names.arm is not None else ()  # elsewhere a letter may be new
+        for edit in _one_of_each_kind(_slips_of_constants(site.node, lengths), chance):
             yield _mutant(latex, site, edit)
     cells = [site for site in sites if site.matrix is not None]
     for _ in range(min(SWAPS, len(cells) * (len(cells) - 1) // 2)):
         a, b = chance.sample(cells, 2)
         if a.matrix is b.matrix and not (_is_constant(a.node) and _is_constant(b.node) and a.node == b.node):
             yield _swapped(latex, *sorted((a, b), key=lambda site: site.node.span))
+
+
+def _renumbered(place: Place, statements: list[n.Statement], chance: random.Random) -> Iterator[Mutant]:
+    """Another frame or joint in the scripts of a name: {}^0T_2 for {}^0T_1."""
+    latex = place.display.latex
+    checker = place.checker.checker
+    names = [
+        (s, m, side, below)
+        for s, statement in enumerate(statements)
+        if isinstance(statement, n.Chain) and set(statement.relations) == {"="}
+        for m, side in enumerate(statement.members)
+        for below in n.walk(side)
+        if isinstance(below, n.Name) and re.search(r"\d", below.text) and latex[slice(*below.span)] == below.text and checker.member(below).known
+    ]
+    for s, m, side, name in chance.sample(names, min(NAMES, len(names))):
+        texts = [name.text[: d.start()] + digit + name.text[d.end() :] for d in re.finditer(r"(?<![\d.])\d(?![\d.])", name.text)
+                 for digit in "0123456" if digit != d.group()]  # fmt: skip
+        bound = [text for text in texts if _is_bound(place, text)]
+        if bound:
+            text = chance.choice(bound)
+            site = Site(name, side, s, m, whole=False)
+            yield Mutant(_spliced(latex, *name.span, text), "index", f"{text} for {name.text}", site, None, text)
+
+
+def _is_bound(place: Place, text: str) -> bool:
+    names = place.checker.names
+    try:
+        node = names.reader.read_expression(text)
+    except ReadError:
+        return False
+    return isinstance(node, n.Name) and not names.is_new(node) and place.checker.checker.member(node).known
 
 
 def _is_constant(node: n.Node) -> bool:
@@ -72,14 +108,14 @@ def _one_of_each_kind(edits: Iterator[Edit], chance: random.Random) -> Iterator[
         yield chance.choice(by_kind[kind])
 
 
-def _slips_of_constants(node: n.Node, letters: Letters) -> Iterator[Edit]:
+def _slips_of_constants(node: n.Node, lengths: tuple[n.Name, ...]) -> Iterator[Edit]:
     """Nought and one for each other, a sign, a length or a number where a constant belongs."""
     for value in (Fraction(0), Fraction(1), Fraction(2)):
         if not (isinstance(node, n.Number) and node.value == value):
             yield Edit(n.Number(value, str(value)), "number", f"{value}")
     if not (isinstance(node, n.Number) and node.value == 0):
         yield Edit(n.Sum((("-", node),)), "sign", "the sign")
-    for length in letters.lengths:
+    for length in lengths:
         yield Edit(length, "length", f"{length.key} for a constant")
 
 

@@ -36,9 +36,10 @@ def agree(place: Place, a: n.Node, b: n.Node) -> bool | None:
             return None
     if a_plus.shape != b_plus.shape:
         return False
-    together = _close(a_plus, b_plus) & _close(a_minus, b_minus)
-    crossed = _close(a_plus, b_minus) & _close(a_minus, b_plus)
-    usable = np.isfinite(a_plus) & np.isfinite(b_plus)
+    close = _close_as_angles if any(_is_arc(below) for node in (a, b) for below in n.walk(node)) else _close
+    together = close(a_plus, b_plus) & close(a_minus, b_minus)
+    crossed = close(a_plus, b_minus) & close(a_minus, b_plus)
+    usable = np.isfinite(a_plus) | np.isfinite(b_plus)  # a value on one side alone is a difference
     if not usable.any():
         return None
     return bool((together | crossed | ~usable).all())
@@ -77,3 +78,11 @@ def _array(value: object, algebra: SampledAlgebra) -> np.ndarray:
 
 def _close(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.abs(a - b) <= TOLERANCE * (1 + np.abs(a))
+
+
+def _is_arc(node: n.Node) -> bool:
+    return isinstance(node, n.Call) and node.function in ("acos", "asin", "atan", "atan2")
+
+
+def _close_as_angles(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi) <= 1e-6  # the arc cosine is steep at its ends

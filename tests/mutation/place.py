@@ -10,7 +10,9 @@ from pathlib import Path
 
 from models.catalogue import load_arm
 from verification.check import DocumentChecker
+from verification.diagnose import Diagnostician
 from verification.document import Display, Document, read_document
+from verification.equation import Outcome
 from verification.latex import nodes as n
 from verification.trig import AngleFraction
 from verification.verdict import Record, Verdict
@@ -53,17 +55,27 @@ class Place:
         """Return the statements of LaTeX that stands here."""
         return self.checker.names.reader.read(latex)
 
-    def check(self, latex: str, *, confirm: bool = False) -> Record:
-        """Return the record of other LaTeX in this place; `confirm` evaluates it on the double plant as well."""
+    def check(self, latex: str, *, confirm: bool = False, diagnose: bool = False) -> Record:
+        """Return the record of other LaTeX in this place.
+
+        `confirm` evaluates what is proved on the double plant as well, `diagnose` looks for what is wrong and why.
+        """
         self.checker.checker.confirm = confirm
+        diagnostician = self.checker.diagnostician
         try:
+            if not diagnose:
+                self.checker.diagnostician = _Silent(self.checker.checker)
             with self.altered():
                 return self.checker.check_display(replace(self.display, latex=latex))
         except AngleFraction as fraction:  # in this LaTeX alone: the angles become finer for one check
             finer = {**self.denominators, fraction.symbol: fraction.denominator}
-            return Place(self.document, self.index, self.record, finer, _replay(self.document, self.index, finer)).check(latex, confirm=confirm)
+            return Place(self.document, self.index, self.record, finer, _replay(self.document, self.index, finer)).check(
+                latex, confirm=confirm, diagnose=diagnose
+            )
         finally:
             self.checker.checker.confirm = False
+            if self.checker.diagnostician.__class__ is _Silent:
+                self.checker.diagnostician = diagnostician
 
     @contextmanager
     def altered(self) -> Iterator[None]:
@@ -85,6 +97,13 @@ class Place:
             checker.diagnostician.errors[:] = errors
             if (len(ring.radicands), len(ring.arcs)) != roots:  # generators cannot be taken back
                 self.checker = _replay(self.document, self.index, self.denominators)
+
+
+class _Silent(Diagnostician):
+    """Says that something is wrong and not what: most mutants need no more."""
+
+    def diagnose(self, record: Record, latex: str, outcomes: list[Outcome]) -> Record:
+        return record
 
 
 def proved_places(path: Path) -> Iterator[Place]:

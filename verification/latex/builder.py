@@ -433,10 +433,9 @@ class TreeBuilder(Transformer):
             if kind != "SUB":
                 continue
             offset = self.text.find(text, span[0])
-            for part in re.split(r",|\\[,;]|\\quad|\\\\", text):
-                if "=" in part:
-                    left, right = part.split("=", 1)
-                    values.append((self.parse(left, offset), self.parse(right, offset)))
+            for part in re.finditer(r"((?:(?!,|\\[,;]|\\quad|\\\\|=).)+)=((?:(?!,|\\[,;]|\\quad|\\\\).)+)", text, re.DOTALL):
+                sides = (self.parse(part.group(k), offset + part.start(k)) for k in (1, 2))
+                values.append((next(sides), next(sides)))
         assert item.node is not None
         if not values:
             return n.Call("abs", (item.node,), "|", "bars", span=(item.start, item.end))

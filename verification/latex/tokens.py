@@ -109,7 +109,7 @@ _ENDS_OPERAND = frozenset(
 _CHARS = {
     "+": "PLUS", "-": "MINUS", "/": "SLASH", "(": "LPAR", "[": "LPAR", ")": "RPAR", "]": "RPAR", "{": "LBRACE",
     "}": "RBRACE", "&": "AMP", ",": "COMMA", ";": "SEP", ":": "SEP", "=": "REL", "<": "REL", ">": "REL", "'": "PRIME",
-    ".": "DOT", "*": "STAR", "!": "SPACE",
+    ".": "DOT", "*": "STAR",
 }  # fmt: skip
 _MACROS = {
     "pm": "PM", "mp": "PM", "cdot": "CDOT", "times": "TIMES", "wedge": "TIMES", "ast": "CDOT", "star": "CDOT",
@@ -393,7 +393,7 @@ class _Scanner:
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if value == "|":
             return self._bar(start, end)
-        if value in "!\u200b" or start in self.transparent_braces:
+        if value == "\u200b" or start in self.transparent_braces:
             return [], end
         kind = _CHARS.get(value)
         if kind is None:

@@ -207,6 +207,8 @@ class Writer:
                 return None
             if before is not after:
                 text = self._bracketed(node, before, after)
+                if isinstance(node, n.Power) and before is original.exponent and self.source[start - 1] != "{":  # type: ignore[attr-defined]
+                    text = f"{{{text}}}"
                 pieces.append(self.source[position:start] + _apart(self.source[:start], text, self.source[stop:]))
                 position = stop
         return ("".join(pieces) + self.source[position:end]).strip()

@@ -1,0 +1,59 @@
+"""Whether the report of a slip points at the cell that was changed, and offers what mends it."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.mutation.mutants import Mutant, mutants_of
+from tests.mutation.place import Place, proved_places
+from verification.verdict import Verdict
+
+KINDS = ("sign", "index", "function", "length")
+EACH = 3  # of a display
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What the report said of one slip: whether at its cell and nowhere else, and whether `correct` mends it."""
+
+    where: str
+    kind: str
+    located: bool
+    mended: bool
+    named: bool
+    words: str
+    text: str
+    message: str
+
+
+def diagnoses(path: Path, seed: int = 0, each: int = EACH) -> Iterator[Diagnosis]:
+    """Yield the diagnoses of some slips of each of a document's proved displays."""
+    for place in proved_places(path):
+        mutants = [mutant for mutant in mutants_of(place, seed) if _is_clear(mutant)]
+        chance = random.Random(f"{seed} {place.where}")
+        for mutant in chance.sample(mutants, min(each, len(mutants))):
+            found = diagnose(place, mutant)
+            if found is not None:
+                yield found
+
+
+def _is_clear(mutant: Mutant) -> bool:
+    """Whether one printed cell, or one whole formula, is wrong by a slip of those kinds."""
+    return mutant.kind in KINDS and mutant.node is not None and mutant.site.whole and mutant.site.printed
+
+
+def diagnose(place: Place, mutant: Mutant) -> Diagnosis | None:
+    """Return what the report says of a mutant; None where it is no mistake."""
+    record = place.check(mutant.latex, diagnose=True)
+    if record.verdict is not Verdict.REFUTED:
+        return None
+    entries = record.entries
+    located = len(entries) == 1 and (entries[0].row, entries[0].column) == (mutant.site.row, mutant.site.column)
+    start, end = mutant.site.node.span
+    latex = place.display.latex
+    mended = located and place.check(f"{latex[:start]}{entries[0].correct}{latex[end:]}").verdict is Verdict.PROVED
+    named = bool(entries) and bool(entries[0].change)
+    return Diagnosis(place.where, mutant.kind, located, mended, named, mutant.words, mutant.text, record.message)

@@ -1,0 +1,86 @@
+"""The mutation sweep of a document: every slip in a proved equation must be refuted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from models.errors import ArmproofError
+from tests.mutation.mutants import Mutant, mutants_of
+from tests.mutation.numeric import agree, agree_as_conditions
+from tests.mutation.place import Place, proved_places
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.verdict import Verdict
+
+REFUTED, IDENTICAL, SURVIVED, FALSE_ALARM = "refuted", "identical", "survived", "refuted though equal"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What became of one mutant.
+
+    fate: refuted; identical (proved, and equal at random configurations of random arms too); survived; or refuted
+    though it is equal there.
+    """
+
+    where: str
+    kind: str
+    fate: str
+    words: str
+    text: str
+    verdict: str
+    message: str
+
+
+def sweep(path: Path, seed: int = 0) -> Iterator[Trial]:
+    """Yield the trials of all mutants of a document's proved equations."""
+    for place in proved_places(path):
+        yield from try_mutants(place, list(mutants_of(place, seed)))
+
+
+def try_mutants(place: Place, mutants: list[Mutant]) -> Iterator[Trial]:
+    """Yield what becomes of each mutant in its place."""
+    equal = _second_opinions(place, mutants)
+    for mutant, agreed in zip(mutants, equal, strict=True):
+        try:
+            record = place.check(mutant.latex)
+            verdict, message = record.verdict.value, record.message
+        except Exception as error:  # a crash is reported as a survivor, with its place
+            verdict, message = "crashed", repr(error)
+        yield Trial(place.where, mutant.kind, _fate(verdict, agreed), mutant.words, mutant.text, verdict, message)
+
+
+def _fate(verdict: str, agreed: bool | None) -> str:
+    if verdict == Verdict.REFUTED.value:
+        return FALSE_ALARM if agreed else REFUTED
+    return IDENTICAL if verdict in (Verdict.PROVED.value, Verdict.CONFIRMED.value) and agreed else SURVIVED
+
+
+def _second_opinions(place: Place, mutants: list[Mutant]) -> list[bool | None]:
+    """Return whether each mutant agrees with the original numerically; None where that cannot be told."""
+    statements = place.read(place.display.latex)
+    implication = any(isinstance(s, n.Connective) and s.kind in ("⇔", "if") for s in statements)
+    with place.altered():
+        place.checker.outcomes(statements, place.display.line)  # so that names which the display itself defines are known
+        return [_second_opinion(place, mutant, implication, statements) for mutant in mutants]
+
+
+def _second_opinion(place: Place, mutant: Mutant, implication: bool, statements: list[n.Statement]) -> bool | None:
+    site = mutant.site
+    try:
+        changed, original = place.read(mutant.latex)[site.statement], statements[site.statement]
+    except (ReadError, IndexError):
+        return None
+    if not isinstance(changed, n.Chain) or not isinstance(original, n.Chain) or len(changed.members) != len(original.members):
+        return None
+    if implication:
+        return agree_as_conditions(place, original.members, changed.members)
+    opinion = agree(place, original.members[site.member], changed.members[site.member])
+    if opinion is None and mutant.node is not None:
+        try:
+            return agree(place, site.node, place.checker.names.reader.read_expression(mutant.text))
+        except ArmproofError:
+            return None
+    return opinion

@@ -1,0 +1,175 @@
+"""What expressions mean: each spelling has the value of a plainer one, in the exact algebra and on samples alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from verification.errors import EvaluationError, ShapeError, UnboundName
+from verification.evaluate import Evaluator, Identity, is_zero
+from verification.latex import nodes as n
+from verification.matrix import Matrix
+
+SAME = [
+    (r"I_3 - R^0_1", r"I - R^0_1"),
+    (r"I_{3\times 3}", r"(R^0_1)^0"),
+    (r"T^0_2 I", r"T^0_2"),
+    (r"z_1 \cdot z_2", r"z_1^T z_2"),
+    (r"p_4 \cdot p_4", r"\left(p_4\right)^2"),
+    (r"z_1 \times p_4", r"-p_4 \times z_1"),
+    (r"2 p_4", r"p_4 + p_4"),
+    (r"\frac{p_4}{a_1}", r"a_1^{-1} p_4"),
+    (r"a_1^{-2}", r"\frac{1}{a_1^2}"),
+    (r"(a_1^2 + 1)^{1/2}", r"\sqrt{a_1^2 + 1}"),
+    (r"90^\circ", r"\frac{\pi}{2}"),
+    (r"\cos 60^\circ", r"\frac12"),
+    (r"(R^0_4)^{-1}", r"(R^0_4)^T"),
+    (r"(R^0_4)^{-T}", r"R^0_4"),
+    (r"(R^0_1)^{-2}", r"\left(R^0_1 R^0_1\right)^T"),
+    (r"(T^0_4)^{-1}", r"T^4_0"),
+    (r"J^{+} J", r"I_4"),
+    (r"\begin{bmatrix} 1 & c_1 \end{bmatrix}^{+}", r"\frac{1}{1 + c_1^2} \begin{bmatrix} 1 \\ c_1 \end{bmatrix}"),
+    (r"\operatorname{com}(R^0_1)", r"\det(R^0_1) (R^0_1)^{-T}"),
+    (r"\operatorname{adj}(R^0_1)", r"\operatorname{com}(R^0_1)^T"),
+    (r"\operatorname{tr}(R^0_1)", r"1 + 2 c_1"),
+    (r"\begin{vmatrix} c_1 & -s_1 \\ s_1 & c_1 \end{vmatrix}", r"1"),
+    (r"\operatorname{diag}(a_1, 2)", r"\begin{bmatrix} a_1 & 0 \\ 0 & 2 \end{bmatrix}"),
+    (r"\begin{bmatrix} R^0_1 & p_1 \\ 0 & 1 \end{bmatrix}", r"T^0_1"),
+    (r"\begin{bmatrix} I & 0 \\ 0 & R^0_1 \end{bmatrix}", r"\begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & c_1 & -s_1 & 0 \\ 0 & s_1 & c_1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"),
+    (r"[1, a_1, 3]^T", r"\begin{pmatrix} 1 \\ a_1 \\ 3 \end{pmatrix}"),
+    (r"R_z(\theta_1) R_x(\pi)", r"R_z(\theta_1) \operatorname{diag}(1, -1, -1)"),
+    (r"Rot(z, \theta_1) Trans(x, a_1)", r"T^0_1"),
+    (r"Trans(a_1, a_2, 3)", r"Trans(z, 3) Trans(x, a_1) Trans(y, a_2)"),
+    (r"\tan\theta_1 \cot\theta_1", r"1"),
+    (r"\sec^2\theta_1", r"1 + \tan^2\theta_1"),
+    (r"\csc\theta_1 \sin\theta_1", r"1"),
+    (r"c_{1-2}", r"\cos(\theta_1 - \theta_2)"),
+    (r"S_{12}", r"\sin\theta_1\cos\theta_2 + C\theta_1\,S\theta_2"),
+    (r"\theta_1^*", r"q_1"),
+    (r"\frac{\partial p_4}{\partial q}", r"J_v"),
+    (r"\frac{\partial c_{12}}{\partial\theta_2}", r"-s_{12}"),
+    (r"\frac{\partial^2 c_1}{\partial\theta_1^2}", r"-c_1"),
+    (r"\frac{d}{dt} p_4", r"J_v \dot q"),
+    (r"\dot p_4", r"J_v \dot q"),
+    (r"\ddot{p}_1", r"\frac{d}{dt}\dot p_1"),
+    (r"\left. c_{12} \right|_{\theta_2 = \pi}", r"-c_1"),
+    (r"\left. J_v \right|_{\theta_2 = 0, a_2 = a_1}", r"a_1 \begin{bmatrix} -2 s_1 & -s_1 & 0 & 0 \\ 2 c_1 & c_1 & 0 & 0 \\ 0 & 0 & -1/a_1 & 0 \end{bmatrix}"),
+    (r"\sin(\arctan a_1)", r"\frac{a_1}{\sqrt{1 + a_1^2}}"),
+    (r"|-3|", r"3"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("latex", "plainer"), SAME)
+def test_two_spellings_have_one_value(workbench: Callable[..., Any], latex: str, plainer: str) -> None:
+    bench = workbench("scara", count=30)
+    a, b = bench.value(latex), bench.value(plainer)
+    if isinstance(a, Matrix):
+        assert a.shape == b.shape and all(is_zero(x - y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True))
+    else:
+        assert is_zero(a - b)
+    with np.errstate(all="ignore"):
+        sampled, other = bench.samples(latex), bench.samples(plainer)
+    good = bench.sampled.regular & np.isfinite(sampled).all(axis=tuple(range(sampled.ndim - 1)))
+    assert good.sum() >= 5
+    np.testing.assert_allclose(sampled[..., good], other[..., good], rtol=1e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("latex", "neighbour"),
+    [
+        (r"z_1 \times p_4", r"p_4 \times z_1"),
+        (r"(R^0_1)^{-T}", r"(R^0_1)^T"),
+        (r"\begin{bmatrix} R^0_1 & p_1 \\ 0 & 1 \end{bmatrix}", r"T^0_2"),
+        (r"\frac{\partial p_4}{\partial q}", r"J_\omega"),
+        (r"\left. c_{12} \right|_{\theta_2 = \pi}", r"c_1"),
+        (r"R_z(\theta_1) R_x(\theta_2)", r"R_x(\theta_2) R_z(\theta_1)"),
+    ],
+)
+def test_a_neighbour_has_another_value(workbench: Callable[..., Any], latex: str, neighbour: str) -> None:
+    bench = workbench("scara", count=30)
+    a, b = bench.value(latex), bench.value(neighbour)
+    pairs = zip(a.vector(), b.vector(), strict=True) if 1 in getattr(a, "shape", ()) else [(a, b)]
+    if isinstance(a, Matrix) and 1 not in a.shape:
+        pairs = [(x, y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True)]
+    assert not all(is_zero(x - y) for x, y in pairs)
+    assert np.abs(bench.samples(latex) - bench.samples(neighbour)).max() > 1e-3
+
+
+def test_plus_or_minus_takes_the_sign_of_its_branch(workbench: Callable[..., Any]) -> None:
+    bench = workbench("scara")
+    upper, lower = (bench.value(r"\mp a_1 \pm 2", branch=branch) for branch in (1, -1))
+    assert is_zero(upper + lower) and is_zero(upper - bench.value("2 - a_1"))
+
+
+def test_an_identity_without_surroundings_keeps_its_size_open(workbench: Callable[..., Any]) -> None:
+    assert isinstance(workbench("scara").value("I"), Identity)
+    with pytest.raises(EvaluationError, match="an identity matrix whose size cannot be told"):
+        workbench("scara").value("-I")
+
+
+@pytest.mark.parametrize(
+    ("latex", "error", "message"),
+    [
+        (r"I_3 + 1", ShapeError, "a sum of a scalar and a 3×3 matrix"),
+        (r"z_1 + T^0_1", ShapeError, "a sum of a 3×1 and a 4×4 matrix"),
+        (r"z_1 z_2", ShapeError, "a product of a 3×1 and a 3×1 matrix"),
+        (r"J^{-1}", ShapeError, "a 6×4 matrix has no inverse"),
+        (r"\begin{bmatrix} c_1 & s_1 \\ 2 c_1 & 2 s_1 \end{bmatrix}^{-1}", ShapeError, "its determinant is 0 for every configuration"),
+        (r"\det(z_1)", ShapeError, "a 3×1 matrix has no determinant"),
+        (r"\begin{bmatrix} R^0_1 & a_1 \\ 0 & 1 \end{bmatrix}", ShapeError, "a scalar stands where a 3×1 block is expected"),
+        (r"\begin{bmatrix} R^0_1 & T^0_1 \\ 0 & 1 \end{bmatrix}", ShapeError, "blocks of 3×3, 4×4 stand in one row"),
+        (r"\underbrace{z_1}_{2\times 1}", ShapeError, "the matrix is 3×1, the label says 2×1"),
+        (r"\begin{bmatrix} 1 & 2 \\ 3 \end{bmatrix}", EvaluationError, "the rows of a matrix have 1, 2 cells"),
+        (r"\operatorname{rank}(3)", EvaluationError, "rank of a scalar"),
+        (r"\operatorname{atan2}(1)", EvaluationError, "atan2 takes 2 arguments, 1 are given"),
+        (r"Rot(\theta_1)", EvaluationError, r"Rot takes an axis \(x, y or z\) and an amount"),
+        (r"\sqrt{z_1}", EvaluationError, "a scalar is expected where a matrix stands"),
+        (r"\frac{1}{c_1 - c_1}", EvaluationError, "a division by zero"),
+        (r"\frac{\partial p_4}{\partial c_1}", EvaluationError, "with respect to something that is not a variable"),
+        (r"\left. J \right|_{x = 0}", EvaluationError, "must give joint variables or lengths values"),
+        (r"x + 1", UnboundName, "'x' is not bound"),
+        (r"f(q)", UnboundName, "'f' is not bound"),
+        (r"c_7", UnboundName, "'theta_7' is not bound: the arm has no such joint angle"),
+        (r"1 + \cdots + a_1", UnboundName, "an ellipsis leaves terms to the reader"),
+    ],
+)
+def test_what_has_no_value_says_why(workbench: Callable[..., Any], latex: str, error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        workbench("scara").value(latex)
+
+
+def test_expressions_nested_too_deeply_are_refused(workbench: Callable[..., Any]) -> None:
+    bench = workbench("scara")
+    node: n.Node = n.Number(Fraction(1))
+    for _ in range(200):
+        node = n.Group(node)
+    with pytest.raises(EvaluationError, match="nested too deeply"):
+        Evaluator(bench.names, bench.exact).evaluate(node)
+
+
+def test_a_rank_is_exact_for_the_family_and_sampled_at_each_configuration(workbench: Callable[..., Any]) -> None:
+    bench = workbench("spherical_wrist")
+    assert bench.value(r"\operatorname{rank}(J)").as_fraction() == 3
+    singular = np.abs(np.sin(bench.sampled.q[:, 1])) < 1e-10
+    ranks = bench.samples(r"\operatorname{rank}(J)")
+    assert singular.any() and (ranks[singular] == 2).all() and ranks.max() == 3
+
+
+def test_a_letter_is_free_only_where_no_arm_is_named(workbench: Callable[..., Any]) -> None:
+    bench = workbench(None)
+    assert is_zero(bench.value(r"\cos^2\beta + \sin^2\beta - 1"))
+    assert "beta" in bench.names.used
+    with pytest.raises(UnboundName, match="'beta' is not bound"):
+        workbench("scara").value(r"\beta")
+
+
+def test_a_rate_is_a_symbol_of_its_own(workbench: Callable[..., Any]) -> None:
+    bench = workbench(None)
+    assert not is_zero(bench.value(r"\dot\beta - \beta")) and not is_zero(bench.value(r"\ddot\beta - \dot\beta"))
+    assert is_zero(bench.value(r"\dot\beta - \dot{\beta}"))
+    with pytest.raises(EvaluationError, match="a derivative with respect to something that is not a variable|no arm"):
+        bench.value(r"\frac{d}{dt} (\beta + \cos\beta)^{2} + \frac{\partial \beta}{\partial 2}")
