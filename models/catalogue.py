@@ -39,7 +39,7 @@ def load_arm(spec: str | Path | Mapping[str, Any], base_dir: Path | str = ".") -
         except (TypeError, ValueError, RecursionError) as error:
             raise ModelError(f"a DH table holds numbers and texts only: {error}") from None
     if not isinstance(spec, str | Path) or not str(spec):
-        what = f"a {type(spec).__name__}" if spec else repr(spec)[:20]
+        what = f"a {type(spec).__name__}" if isinstance(spec, list | dict) else repr(spec)[:40]
         raise ModelError(f"an arm is a name, a path or a DH table, not {what}; the arms are {', '.join(arm_names())}")
     if len(str(spec)) > 1000 or "\0" in str(spec):
         raise ModelError(f"an arm is a name, a path or a DH table, not a text of {len(str(spec))} characters")

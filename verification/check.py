@@ -258,11 +258,30 @@ class DocumentChecker:
         if self.arm is None or not isinstance(left, n.Name):
             return False
         symbol = self.names.known_symbol(left.key)
-        if symbol not in {joint.symbol for joint in self.arm.joints} or left.dots:
+        if symbol is None or left.dots:
             return False
+        if symbol not in {joint.symbol for joint in self.arm.joints}:
+            return self._is_given_length(symbol, right)
         names = [below.key for below in n.walk(right) if isinstance(below, n.Name)]
         calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(right))
-        return not calls and all(key in ("pi", "k", "n") for key in names)
+        if calls or not all(key in ("pi", "k", "n") for key in names):
+            return False
+        self._remember(symbol, right)
+        return True
+
+    def _is_given_length(self, symbol: str, value: n.Node) -> bool:
+        """A length of a DH table set to a number is data: the table gives it none."""
+        assert self.arm is not None
+        if self.arm.dh is None or symbol not in self.arm.lengths or any(isinstance(b, n.Name | n.Call | n.Matrix) for b in n.walk(value)):
+            return False
+        self._remember(symbol, value)
+        return True
+
+    def _remember(self, symbol: str, value: n.Node) -> None:
+        """Keep the value that a display gives a joint or a length, for the numeric matrices that follow."""
+        member = self.checker.member(value)
+        if member.known:
+            self.names.configuration[symbol] = float(self.sampled().from_exact(member.value)[0])
 
     def _vanishes(self, node: n.Node) -> bool:
         member = self.checker.member(node)

@@ -167,14 +167,24 @@ def different_entries(pair: Pair, equal: Callable[[Any, Any], bool]) -> list[tup
     ]
 
 
-def entry_errors(pair: Pair, angles: bool = False) -> np.ndarray:
-    """Return |printed − true| of sampled values, scaled, as an array (rows, columns, samples)."""
+def angle_places(pair: Pair) -> set[tuple[int, int]]:
+    """Return the places (from 0) whose exact values hold an arc function: angles, equal up to whole turns."""
+    return {
+        (r, c)
+        for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True))
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True))
+        if a.ring.has_arcs(a) or b.ring.has_arcs(b)
+    }
+
+
+def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c: False) -> np.ndarray:
+    """Return |printed − true| of sampled values as an array (rows, columns, samples); up to whole turns for `angles`."""
     stacked = []
-    for true_row, printed_row in zip(pair.true.rows, pair.printed.rows, strict=True):
+    for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True)):
         cells = []
-        for a, b in zip(true_row, printed_row, strict=True):
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
             error = np.abs(a - b)
-            if angles:
+            if angles(r, c):
                 error = np.minimum(error, np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi))
             cells.append(error)
         stacked.append(cells)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from verification.algebras import Algebra, elementary
+from verification.algebras import Algebra
 from verification.errors import EvaluationError
 from verification.matrix import Matrix
 from verification.trig import Ring, Scalar
@@ -45,9 +45,8 @@ class RightRow:
 
 def row_matrix(algebra: Algebra, convention: str, a: Any, alpha: Any, d: Any, theta: Any) -> Matrix:
     """Return the link matrix {}^{i-1}T_i of a row, 4×4, in either algebra."""
-    along_z = elementary(algebra, "Rot", "z", theta) @ elementary(algebra, "Trans", "z", d)
-    along_x = elementary(algebra, "Trans", "x", a) @ elementary(algebra, "Rot", "x", alpha)
-    return along_x @ along_z if convention == "modified" else along_z @ along_x
+    zero, one = algebra.rational(Fraction(0)), algebra.rational(Fraction(1))
+    return _matrix_of(convention, a, algebra.cos_sin(alpha), d, algebra.cos_sin(theta), zero, one)
 
 
 def right_row(pose: Matrix, convention: str, variables: Iterable[str]) -> RightRow | None:
@@ -65,16 +64,17 @@ def right_row(pose: Matrix, convention: str, variables: Iterable[str]) -> RightR
     names = set(variables)
     if any(name in names for part in alpha for name in _names(part)):
         return None
-    made = _matrix_of(convention, a, alpha, d, theta)
+    made = _matrix_of(convention, a, alpha, d, theta, a.ring.zero, a.ring.one)
     same = all(
         (x - y).is_zero() for row, other in zip(made.rows, t, strict=True) for x, y in zip(row, other, strict=True)
     )
     return RightRow(a, alpha, d, theta) if same else None
 
 
-def _matrix_of(convention: str, a: Scalar, alpha: Angle, d: Scalar, theta: Angle) -> Matrix:
+def _matrix_of(
+    convention: str, a: Any, alpha: tuple[Any, Any], d: Any, theta: tuple[Any, Any], zero: Any, one: Any
+) -> Matrix:
     """The link matrix from the cosines and sines of the angles."""
-    zero, one = a.ring.zero, a.ring.one
     (ct, st), (ca, sa) = theta, alpha
     if convention == "modified":
         rows = ((ct, -st, zero, a), (st * ca, ct * ca, -sa, -d * sa), (st * sa, ct * sa, ca, d * ca))
@@ -106,6 +106,14 @@ def in_radians(value: Scalar) -> Scalar:
     degrees = rational_part(value)
     ring = value.ring
     return value - ring.rational(degrees) + ring.rational(degrees / 180) * ring.generator(("pi", ""))
+
+
+def within_a_turn(angle: Scalar, more: Fraction) -> Scalar:
+    """Return an angle and `more` half turns, its multiple of π brought into (−1, 1]."""
+    terms = angle.ring.terms(angle.numerator) if angle.denominator.is_one() else ()
+    printed = next((coefficient for powers, coefficient in terms if powers == {("pi", ""): 1}), Fraction(0))
+    wanted = 1 - (1 - printed - more) % 2
+    return angle + angle.ring.generator(("pi", "")) * angle.ring.rational(wanted - printed)
 
 
 def constant_angle(ring: Ring, name: str) -> Scalar:

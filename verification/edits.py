@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from verification.latex import nodes as n
-from verification.latex.writer import SWAPPED
+from verification.latex.writer import SWAPPED, bare_head
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ def _functions(node: n.Node) -> Iterator[Change]:
     if isinstance(node, n.Call) and node.function in ("cos", "sin"):
         other = "sin" if node.function == "cos" else "cos"
         words = "sine for cosine" if node.function == "sin" else "cosine for sine"
-        yield replace(node, function=other, head=SWAPPED.get(node.head, other)), "function", words
+        yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", words
 
 
 def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
@@ -201,12 +201,12 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
     if style is not None and isinstance(style.arguments[0], n.JointAngles):
         for joint in letters.joints:
             for function in ("cos", "sin"):
-                head = style.head if style.function == function else SWAPPED.get(style.head, style.head)
+                head = bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
                 factors.append((replace(style, function=function, head=head, arguments=(n.JointAngles(((1, joint),)),)), f"{function} {joint}"))
     elif style is not None:
         for angle in letters.angles:
             for function in ("cos", "sin"):
-                head = style.head if style.function == function else SWAPPED.get(style.head, style.head)
+                head = bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
                 factors.append((replace(style, function=function, head=head, arguments=(angle,)), f"{function} of {_show(angle)}"))
     factors.append((n.Number(Fraction(2), "2"), "2"))
     targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]

@@ -11,13 +11,14 @@ import numpy as np
 from verification.algebras import ExactAlgebra, OutsideAlgebra, SampledAlgebra, Value
 from verification.blocks import Block, partition
 from verification.branches import holds_on
-from verification.compare import Pair, ShapeMismatch, align, different_entries, entry_errors, exactly_equal, square_rows
+from verification.compare import Pair, ShapeMismatch, align, angle_places, different_entries, entry_errors, exactly_equal, square_rows
 from verification.errors import EvaluationError, NoValue, TooComplex, UnboundName
 from verification.evaluate import Evaluator, Identity
 from verification.jacobian_parts import jacobian_name, part_of_jacobian
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.names import Names, call_key
+from verification.numbers import FEW, compare_numbers, depends_on_joints, is_numeric
 from verification.quantities import Quantity
 from verification.trig import AngleFraction
 from verification.verdict import Verdict
@@ -80,6 +81,8 @@ class ChainChecker:
         if not known:
             return self._nothing_known(members, first_equation, line)
         members = [self._part(member, known) for member in members]
+        if define:
+            members = [self._own_angle(member, members) for member in members]
         known = [member for member in members if member.known]
         true = max(known, key=lambda member: member.rank)  # the first of the highest
         outcomes: list[Outcome] = []
@@ -103,6 +106,19 @@ class ChainChecker:
             return member
         self.names.inferred[member.node.key] = quantity
         return self.member(member.node)
+
+    def _own_angle(self, member: Member, members: list[Member]) -> Member:
+        """θ_{12} is θ_1 + θ_2, unless the display gives it another value: then it is the document's own name."""
+        if not isinstance(member.node, n.Name) or not member.known or len(member.node.sub) > 2:
+            return member
+        if member.node.key in self.names.definitions or self.names.known_symbol(member.node.key) is not None:
+            return member
+        if self.names.angle_sum(member.node) is None or member.node.key in self.names.quantities:
+            return member
+        other = next((m for m in members if m is not member and m.known), None)
+        if other is None or self._compare(member, other, 0, _has_branches(other.node)).verdict is not Verdict.REFUTED:
+            return member
+        return Member(member.node, None, UnboundName(member.node.key))
 
     def _choose_square_rows(self, chain: n.Chain) -> None:
         """Before det J or J^{-1} of a Jacobian that only notation implies: the rows that make it square, if not printed yet."""
@@ -170,6 +186,8 @@ class ChainChecker:
 
     def _compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
         outcome = Outcome(Verdict.REFUTED, "", equation, true, printed)
+        if (numbers := self._at_a_configuration(true, printed, outcome)) is not None:
+            return numbers
         try:
             pairs = list(align(true.value, printed.value, self.exact))
         except ShapeMismatch as mismatch:
@@ -221,6 +239,27 @@ class ChainChecker:
             return False
         shifted = self.exact.substitute(outcome.pair.true, shifts)
         return not different_entries(replace(outcome.pair, true=shifted), exactly_equal)
+
+    def _at_a_configuration(self, true: Member, printed: Member, outcome: Outcome) -> Outcome | None:
+        """A numeric matrix equated to a pose that moves is that pose at the configuration the document gave last."""
+        arm = self.names.arm
+        if arm is None or true.rank != 4 or not is_numeric(printed.node) or not isinstance(true.value, Matrix):
+            return None
+        if not isinstance(printed.value, Matrix) or true.value.shape != printed.value.shape:
+            return None
+        if not depends_on_joints(true.value, {joint.symbol for joint in arm.joints}):
+            return None
+        found = compare_numbers(true.value, printed.value, printed.node, self.sampled(), self.names.configuration)
+        outcome.pair = Pair(true.value, printed.value)
+        if found.wrong and len(found.wrong) <= FEW:
+            outcome.wrong, outcome.message, outcome.sampled_only = found.wrong, "at the configuration given before", True
+        elif found.wrong or found.open:
+            outcome.verdict = Verdict.UNCHECKED
+            outcome.message = "numbers at a configuration, or for lengths, that no display before states"
+        else:
+            outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, found.largest
+            outcome.message = "to the decimals printed, at the configuration given before"
+        return outcome
 
     def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
         """With ±, an entry is right when the product of its differences over the branches vanishes."""
@@ -291,8 +330,14 @@ class ChainChecker:
 
     def _sampled_errors(self, outcome: Outcome, branches: bool) -> tuple[np.ndarray, np.ndarray] | None:
         assert outcome.true is not None and outcome.printed is not None
-        angles = self.exact.ring.is_extended()
         sampled = self.sampled()
+        places = angle_places(outcome.pair) if outcome.pair is not None else set()
+        # without exact values the trees tell: a side that is an arc function is an angle
+        loose = outcome.pair is None and any(_is_arc(m.node) for m in (outcome.true, outcome.printed))
+
+        def angles(r: int, c: int) -> bool:
+            return loose or (r, c) in places
+
         best: np.ndarray | None = None
         sizes: np.ndarray | None = None
         with np.errstate(all="ignore"):
@@ -341,6 +386,9 @@ class ChainChecker:
         if isinstance(member.problem, OutsideAlgebra):
             return self.confirm_only(true.node, member.node, equation, _has_branches(member.node), f"{member.problem} is not exact")
         if isinstance(member.problem, NoValue):
+            located = self._define_entries(true, member, equation, line, False)
+            if located is not None and located.verdict is Verdict.REFUTED:
+                return replace(located, message=str(member.problem))
             return Outcome(Verdict.REFUTED, str(member.problem), equation, true, member)
         if _has_dots(member.node):
             return Outcome(Verdict.DEFINED, "an ellipsis stands for terms: a pattern, not a claim", equation, true, member)
@@ -349,6 +397,8 @@ class ChainChecker:
             if key is not None:
                 if define:
                     self.names.define(key, _getter(self, true.node), line)
+                    if isinstance(member.node, n.Name):
+                        self.names.add_frame(member.node)
                 return Outcome(Verdict.DEFINED, f"gives {key} its meaning", equation, true, member, defines=(key,))
             pattern = self._define_entries(true, member, equation, line, define)
             if pattern is not None:
@@ -380,6 +430,8 @@ class ChainChecker:
             if cell.known:
                 if not self._equals_block(block.of(value), cell.value):
                     wrong.append((block.row, block.column))
+            elif isinstance(cell.problem, NoValue):
+                wrong.append((block.row, block.column))
             elif key is None or not isinstance(cell.problem, UnboundName):
                 unknown = cell.problem
             elif define and key not in defined:  # a name met a second time has its value by then
@@ -478,6 +530,13 @@ def _distance(a: Any, b: Any) -> Any:
 
 def _has_dots(node: n.Node) -> bool:
     return any(isinstance(below, n.Dots) for below in n.walk(node))
+
+
+def _is_arc(node: n.Node) -> bool:
+    """Whether an arc function stands in a tree outside of cosines and other functions."""
+    if isinstance(node, n.Call):
+        return node.function in ("acos", "asin", "atan", "atan2")
+    return any(_is_arc(below) for below in n.children(node))
 
 
 def _has_branches(node: n.Node) -> bool:

@@ -13,6 +13,7 @@ from verification.errors import EvaluationError, ShapeError, UnboundName
 from verification.latex import nodes as n
 from verification.matrix import Matrix, column
 from verification.names import Names, call_key
+from verification.quantities import Quantity, numbered_frames, transform_pair
 
 MAX_DEPTH = 150
 
@@ -82,8 +83,20 @@ class Evaluator:
             return algebra.symbol(node.key)
         if node.key == "q" and names.arm is not None:
             return column([algebra.symbol(joint.symbol) for joint in names.arm.joints])
+        if (angles := names.angle_sum(node)) is not None:
+            return self._joint_angles(angles)
+        if (added := names.added_frame(node)) is not None:
+            return self._to_added_frame(node, *added)
         self._reject_unknown_frame(node)
         raise UnboundName(node.key)
+
+    def _to_added_frame(self, node: n.Name, reference: str, frame: str, key: str) -> Matrix:
+        """The transform to a frame that the document fixed on one of the arm's, such as a tool."""
+        fixed = self.names.definitions[key].evaluate(self.algebra)
+        if not isinstance(fixed, Matrix) or fixed.shape != (4, 4):
+            raise UnboundName(node.key)
+        whole = self.algebra.quantity(Quantity("pose", frame, reference)) @ fixed
+        return whole.block(range(3), range(3)) if node.base == "R" else whole
 
     def _reject_unknown_frame(self, node: n.Name) -> None:
         """A transform between numbered frames that the arm does not have is a slip, not a new name."""
@@ -91,6 +104,9 @@ class Evaluator:
         if arm is None or node.base not in ("T", "A", "H", "R") or node.primes:
             return
         indices = [index for index in (node.pre_sup, node.pre_sub, node.sup, node.sub) if index]
+        numbered = numbered_frames(arm)
+        if transform_pair(node, arm, self.names.transforms) == (numbered[-1], str(len(numbered))):
+            return  # ^3_4T of an arm with three joints: the tool's frame, which the display may define
         if len(indices) == 2 and all(index in arm.frames or index.isdigit() for index in indices):
             missing = next((index for index in indices if index not in arm.frames), None)
             if missing is not None:
@@ -101,7 +117,7 @@ class Evaluator:
         for sign, index in node.terms:
             symbol = self.names.joint_angle(index)
             if symbol is None:
-                raise UnboundName(f"theta_{index}", "the arm has no such joint angle")
+                raise ShapeError(f"the arm has no joint angle {index}")
             angle = self.algebra.symbol(symbol)
             total = total + angle if sign > 0 else total - angle
         return total

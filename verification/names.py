@@ -12,7 +12,7 @@ from verification.algebras import Algebra, Value
 from verification.errors import DocumentError, ReadError
 from verification.latex import nodes as n
 from verification.latex.reader import Reader, key_as_latex
-from verification.quantities import Quantity, implied_quantity, read_quantity
+from verification.quantities import Quantity, implied_quantity, read_quantity, transform_pair
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|theta|alpha|beta|gamma|phi|psi|omega|sigma|lambda|mu|rho|tau|delta|epsilon|Delta")
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
@@ -38,6 +38,8 @@ class Names:
     reader: Reader = field(default_factory=Reader)
     used: set[str] = field(default_factory=set)  # free letters that displays have used so far
     inferred: dict[str, Quantity] = field(default_factory=dict)  # names whose meaning the other side of an equation told
+    beyond: dict[str, tuple[str, str]] = field(default_factory=dict)  # a frame the document adds: (on which of the arm's, name)
+    configuration: dict[str, float] = field(default_factory=dict)  # joint variables and lengths that displays gave a value
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
 
     def known_symbol(self, key: str) -> str | None:
@@ -76,6 +78,32 @@ class Names:
             return f"theta_{index}"
         joint = self._joint_of_index(index)
         return str(joint.symbol) if joint is not None and joint.kind == "revolute" else None
+
+    def angle_sum(self, name: n.Name) -> n.JointAngles | None:
+        """Return θ_2 + θ_3 for a θ_{23} that nothing else gives a meaning, or None."""
+        if name.base not in ("theta", "q") or not re.fullmatch(r"[1-9]{2,}", name.sub) or name.sup or name.pre_sup or name.primes:
+            return None
+        digits = [int(digit) for digit in name.sub]
+        rising = all(a < b for a, b in zip(digits, digits[1:], strict=False))
+        if self.arm is None or not rising or any(self.joint_angle(digit) is None for digit in digits):
+            return None
+        return n.JointAngles(tuple((1, digit) for digit in digits), span=name.span)
+
+    def added_frame(self, name: n.Name) -> tuple[str, str, str] | None:
+        """Return (reference, frame of the arm, name of the transform from it) of a transform to a frame the document added."""
+        if self.arm is None or name.base not in ("T", "A", "H", "R") or name.primes or name.dots:
+            return None
+        pair = transform_pair(name, self.arm, self.transforms)
+        if pair is None or pair[1] not in self.beyond or pair[0] not in self.arm.frames:
+            return None
+        frame, key = self.beyond[pair[1]]
+        return (pair[0], frame, key) if key != name.key else None
+
+    def add_frame(self, name: n.Name) -> None:
+        """Remember that a defined transform leads from a frame of the arm to one that is not the arm's."""
+        pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None and name.base in ("T", "A", "H") else None
+        if pair is not None and self.arm is not None and pair[0] in self.arm.frames and pair[1] not in self.arm.frames:
+            self.beyond.setdefault(pair[1], (pair[0], name.key))
 
     def quantity(self, name: n.Name) -> Quantity | None:
         """Return the arm's quantity that a name stands for, or None."""

@@ -162,27 +162,29 @@ def _frame(arm: Arm, text: str) -> str | None:
     return numbered_frames(arm)[-1] if text == "n" else None
 
 
-def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
+def transform_pair(name: n.Name, arm: Arm, transforms: str) -> tuple[str, str] | None:
+    """Return (reference, frame) as the indices of a transform's name say, whether the arm has such frames or not."""
     if name.pre_sup and name.pre_sub and not name.sub and not name.sup:
-        pair = (name.pre_sup, name.pre_sub)
-    elif name.pre_sup and name.sub and not name.sup and not name.pre_sub:
-        pair = (name.pre_sup, name.sub)
-    elif name.sub and name.sup and not name.pre_sub and not name.pre_sup:
-        pair = (name.sup, name.sub) if transforms == "upper" else (name.sub, name.sup)
-    elif name.sub and not (name.sup or name.pre_sub or name.pre_sup):
+        return (name.pre_sup, name.pre_sub)
+    if name.pre_sup and name.sub and not name.sup and not name.pre_sub:
+        return (name.pre_sup, name.sub)
+    if name.sub and name.sup and not name.pre_sub and not name.pre_sup:
+        return (name.sup, name.sub) if transforms == "upper" else (name.sub, name.sup)
+    if name.sub and not (name.sup or name.pre_sub or name.pre_sup):
         two = re.fullmatch(r"(\w),?(\w)", name.sub)
         frame = _frame(arm, name.sub)
         if two and not (frame and name.base in "AH"):
-            pair = (two.group(1), two.group(2))
-        elif name.base in ("A", "H") and frame and frame.isdigit():
+            return (two.group(1), two.group(2))
+        if name.base in ("A", "H") and frame and frame.isdigit():
             frames = numbered_frames(arm)
             index = frames.index(frame)
-            if index == 0:
-                return None
-            pair = (frames[index - 1], frame)
-        else:
-            return None
-    else:
+            return (frames[index - 1], frame) if index > 0 else None
+    return None
+
+
+def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
+    pair = transform_pair(name, arm, transforms)
+    if pair is None:
         return None
     reference, frame = _frame(arm, pair[0]), _frame(arm, pair[1])
     if reference is None or frame is None:

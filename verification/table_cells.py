@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from fractions import Fraction
 
 from models.arm import Arm
 from verification.algebras import Algebra
@@ -51,6 +52,8 @@ class UnreadableCell(ReadError):
 
 def read_cell(names: Names, text: str) -> Cell:
     """Return a cell with its trees; raises UnreadableCell."""
+    if text.strip() == "0":
+        return Cell("0", (n.Number(Fraction(0), "0"),))
     spelt = plain(text)
     if _BLANK.fullmatch(spelt):
         return Cell(text.strip(), kind="blank")

@@ -10,11 +10,11 @@ from itertools import combinations
 from verification.dh_row import ANGLES, PARAMETERS
 from verification.errors import EvaluationError
 from verification.latex import nodes as n
-from verification.matrix import Matrix
 from verification.quantities import numbered_frames
 from verification.table_cells import Cell
 from verification.table_columns import plain
 from verification.table_reading import Row, RowVerdict, TableReading
+from verification.table_tool import same_tool
 from verification.table_words import (
     LETTERS,
     Notation,
@@ -39,15 +39,6 @@ class Fault:
 
     words: str
     entries: tuple[WrongEntry, ...] = ()
-
-
-@dataclass(frozen=True)
-class Tool:
-    """Where a table's last frame stands: `turn` is the constant rotation to the arm's `frame`."""
-
-    frame: str
-    origin: str
-    turn: Matrix
 
 
 class Faults:
@@ -241,46 +232,6 @@ class Faults:
                 correct = self.notation.symbol(joint.symbol)
                 entry = WrongEntry(1, row.number, variable + 1, cell.text, correct, "the variable of another joint")
                 yield Fault(f"row {row.number}: the variable is {cell.text}, should be {correct}", (entry,))
-
-
-def same_tool(found: TableReading) -> str | None:
-    """Return the arm's last frame whose pose the product of the printed link matrices is, or None."""
-    frames = numbered_frames(found.arm)
-    for frame in [frames[-1], *(other for other in found.arm.frames if other not in frames)]:
-        if found.product is not None and equal(found.product, found.claim.pose(frame, frames[0])):
-            return frame
-    return None
-
-
-def turned_tool(found: TableReading) -> Tool | None:
-    """Return how the table's last frame stands in the arm's: still, with its origin at that of one of the arm's frames."""
-    frames = numbered_frames(found.arm)
-    if (product := found.product) is None:
-        return None
-    extra = [frame for frame in found.arm.frames if frame not in frames]
-    origins = [*extra, *reversed(frames)]
-    origin = next(
-        (
-            f
-            for f in origins
-            if equal(product.block(range(3), [3]), found.claim.pose(f, frames[0]).block(range(3), [3]))
-        ),
-        None,
-    )
-    for frame in sorted([frames[-1], *extra], key=lambda one: one != origin) if origin is not None else []:
-        rotation = found.claim.pose(frame, frames[0]).block(range(3), range(3))
-        turn = product.block(range(3), range(3)).transpose @ rotation
-        if origin is not None and all(cell.as_fraction() is not None for row in turn.rows for cell in row):
-            return Tool(frame, origin, turn)
-    return None
-
-
-def equal(one: Matrix, other: Matrix) -> bool:
-    """Decide whether two matrices of one shape are equal."""
-    cells: Iterator[tuple[Scalar, Scalar]] = (
-        (x, y) for a, b in zip(one.rows, other.rows, strict=True) for x, y in zip(a, b, strict=True)
-    )
-    return all((x - y).is_zero() for x, y in cells)
 
 
 def _wrong_header(printed: str, correct: str) -> WrongEntry:

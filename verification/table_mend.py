@@ -13,7 +13,7 @@ from fractions import Fraction
 import numpy as np
 
 from verification.algebras import SampledAlgebra
-from verification.dh_row import ANGLES, PARAMETERS, row_matrix
+from verification.dh_row import ANGLES, PARAMETERS, row_matrix, within_a_turn
 from verification.quantities import Quantity, numbered_frames
 from verification.table_reading import RowVerdict, TableReading
 from verification.trig import Scalar
@@ -59,9 +59,8 @@ def _changes(found: TableReading, verdict: RowVerdict, parameter: str) -> Iterat
     ring = algebra.ring
     printed = verdict.values[parameter]
     if parameter in ANGLES:
-        pi = ring.generator(("pi", ""))
         for turns in (Fraction(1, 2), Fraction(-1, 2), Fraction(1)):
-            yield printed + pi * ring.rational(turns)
+            yield within_a_turn(printed, turns)
         own = found.joint_symbol(verdict.row)
         others = [ring.symbol(own)] if own is not None and parameter == "theta" else []
         yield from (change for change in (-printed, ring.zero, *others) if not (change - printed).is_zero())

@@ -12,11 +12,13 @@ from verification.dh_row import PARAMETERS, row_matrix
 from verification.equation import TOLERANCE
 from verification.matrix import Matrix
 from verification.quantities import Quantity
-from verification.table_faults import Tool
 from verification.table_reading import RowVerdict, TableReading
+from verification.table_tool import Tool
+from verification.trig import Scalar
 from verification.verdict import Record, Verdict
 
-_FIRST, _STEP = 0.7, -0.15  # rad or m: generic values of the joint variables in a counterexample
+# rad or m: generic joint variables for a counterexample, the first value and the step; two, lest one equal a length
+_GENERIC = ((0.7, -0.15), (0.73, -0.11))
 
 
 def confirm_rows(found: TableReading, proved: Record, sampled: SampledAlgebra) -> Record:
@@ -46,20 +48,26 @@ def confirm_tool(found: TableReading, tool: Tool, reference: str, proved: Record
 def counterexample(found: TableReading) -> dict[str, float]:
     """Return joint variables and lengths at which the first wrong row's link matrix is not the arm's pose."""
     arm = found.arm
-    values = {joint.symbol: round(_FIRST + _STEP * (joint.index - 1), 2) for joint in arm.joints}
-    at = SampledAlgebra(found.claim.algebra, np.array([list(values.values())]))
-    for verdict in found.verdicts:
-        if verdict.holds or verdict.problems or verdict.row.frames is None:
-            continue
-        pairs = zip(found.pose(verdict.row.frames).rows, found.matrix(verdict).rows, strict=True)
-        differences = [x - y for one, other in pairs for x, y in zip(one, other, strict=True) if not (x - y).is_zero()]
-        if any(abs(float(at.from_exact(cell)[0])) > TOLERANCE for cell in differences):
-            involved = {
-                name for cell in differences for powers, _ in cell.ring.terms(cell.numerator) for _, name in powers
-            }
-            everything = {**values, **arm.lengths, **arm.angles}
-            return {name: float(value) for name, value in everything.items() if name in involved}
+    for first, step in _GENERIC:
+        values = {joint.symbol: round(first + step * (joint.index - 1), 2) for joint in arm.joints}
+        at = SampledAlgebra(found.claim.algebra, np.array([list(values.values())]))
+        for verdict in found.verdicts:
+            differences = _differences(found, verdict)
+            if any(abs(float(at.from_exact(cell)[0])) > TOLERANCE for cell in differences):
+                involved = {
+                    name for cell in differences for powers, _ in cell.ring.terms(cell.numerator) for _, name in powers
+                }
+                everything = {**values, **arm.lengths, **arm.angles}
+                return {name: float(value) for name, value in everything.items() if name in involved} or values
     return {}
+
+
+def _differences(found: TableReading, verdict: RowVerdict) -> list[Scalar]:
+    """The entries of the row's link matrix that are wrong, less the right ones."""
+    if verdict.holds or verdict.problems or verdict.row.frames is None:
+        return []
+    pairs = zip(found.pose(verdict.row.frames).rows, found.matrix(verdict).rows, strict=True)
+    return [x - y for one, other in pairs for x, y in zip(one, other, strict=True) if not (x - y).is_zero()]
 
 
 def _link(found: TableReading, verdict: RowVerdict, sampled: SampledAlgebra) -> Matrix:

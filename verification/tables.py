@@ -15,10 +15,11 @@ from verification.quantities import numbered_frames
 from verification.table_array import read_array
 from verification.table_cells import Cell, UnreadableCell, read_cell, row_frames
 from verification.table_columns import CONVENTIONS, Columns, read_columns
-from verification.table_faults import Faults, turned_tool
+from verification.table_faults import Faults
 from verification.table_mend import single_mends
 from verification.table_plant import confirm_rows, confirm_tool, counterexample
 from verification.table_reading import Claim, Row, TableReading
+from verification.table_tool import turned_tool
 from verification.verdict import Record, Verdict
 
 MOST_WORDS = 6  # wrong entries spelt out in a message; all are listed

@@ -9,6 +9,8 @@ from pathlib import Path
 
 from tests.mutation.mutants import Mutant, mutants_of
 from tests.mutation.place import Place, proved_places
+from verification.matrix import Matrix
+from verification.trig import Scalar
 from verification.verdict import Verdict
 
 KINDS = ("sign", "index", "function", "length")
@@ -32,7 +34,7 @@ class Diagnosis:
 def diagnoses(path: Path, seed: int = 0, each: int = EACH) -> Iterator[Diagnosis]:
     """Yield the diagnoses of some slips of each of a document's proved displays."""
     for place in proved_places(path):
-        mutants = [mutant for mutant in mutants_of(place, seed) if _is_clear(mutant)]
+        mutants = [mutant for mutant in mutants_of(place, seed) if _is_clear(place, mutant)]
         chance = random.Random(f"{seed} {place.where}")
         for mutant in chance.sample(mutants, min(each, len(mutants))):
             found = diagnose(place, mutant)
@@ -40,9 +42,16 @@ def diagnoses(path: Path, seed: int = 0, each: int = EACH) -> Iterator[Diagnosis
                 yield found
 
 
-def _is_clear(mutant: Mutant) -> bool:
-    """Whether one printed cell, or one whole formula, is wrong by a slip of those kinds."""
-    return mutant.kind in KINDS and mutant.node is not None and mutant.site.whole and mutant.site.printed
+def _is_clear(place: Place, mutant: Mutant) -> bool:
+    """Whether one printed scalar is wrong, a cell of a matrix written out or a formula, by a slip of those kinds."""
+    site = mutant.site
+    if mutant.kind not in KINDS or mutant.node is None or not site.whole or not site.printed:
+        return False
+    with place.altered():
+        value = place.checker.checker.member(site.side).value
+    if site.matrix is None:
+        return isinstance(value, Scalar)
+    return isinstance(value, Matrix) and value.shape == (len(site.matrix.rows), len(site.matrix.rows[0]))
 
 
 def diagnose(place: Place, mutant: Mutant) -> Diagnosis | None:
@@ -51,7 +60,7 @@ def diagnose(place: Place, mutant: Mutant) -> Diagnosis | None:
     if record.verdict is not Verdict.REFUTED:
         return None
     entries = record.entries
-    located = len(entries) == 1 and (entries[0].row, entries[0].column) == (mutant.site.row, mutant.site.column)
+    located = {(entry.row, entry.column) for entry in entries} == {(mutant.site.row, mutant.site.column)}
     start, end = mutant.site.node.span
     latex = place.display.latex
     mended = located and place.check(f"{latex[:start]}{entries[0].correct}{latex[end:]}").verdict is Verdict.PROVED

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from enum import Enum
+
 import numpy as np
 
 from models.errors import ArmproofError
@@ -26,26 +28,37 @@ def sampled_algebra(place: Place, seed: int = 1) -> SampledAlgebra:
     return SampledAlgebra(place.checker.exact, q, seed, lengths)
 
 
-def agree(place: Place, a: n.Node, b: n.Node) -> bool | None:
-    """Return whether two trees have one value at every sample; None where one of them has no value."""
+class Opinion(Enum):
+    """How two formulas compare at random configurations."""
+
+    EQUAL = "equal"
+    DIFFERENT = "different"
+    TURN_APART = "equal as angles, up to whole turns"
+    UNKNOWN = "without a value"
+
+
+def compare(place: Place, a: n.Node, b: n.Node) -> Opinion:
+    """Return whether two trees have one value at every sample; 0 equals a zero matrix of any size."""
     algebra = sampled_algebra(place)
     with np.errstate(all="ignore"):
         try:
             (a_plus, a_minus), (b_plus, b_minus) = (_values(place, node, algebra) for node in (a, b))
-        except (ArmproofError, TypeError):
-            return None
-    if a_plus.shape != b_plus.shape:
-        return False
-    close = _close_as_angles if any(_is_arc(below) for node in (a, b) for below in n.walk(node)) else _close
-    together = close(a_plus, b_plus) & close(a_minus, b_minus)
-    crossed = close(a_plus, b_minus) & close(a_minus, b_plus)
-    usable = np.isfinite(a_plus) | np.isfinite(b_plus)  # a value on one side alone is a difference
-    if not usable.any():
-        return None
-    return bool((together | crossed | ~usable).all())
+        except (ArmproofError, TypeError, IndexError):
+            return Opinion.UNKNOWN
+        if a_plus.shape != b_plus.shape:
+            return Opinion.DIFFERENT if np.any([_far_from_zero(v) for v in (a_plus, a_minus, b_plus, b_minus)]) else Opinion.EQUAL
+        usable = np.isfinite(a_plus) | np.isfinite(b_plus)  # a value on one side alone is a difference
+        if not usable.any():
+            return Opinion.UNKNOWN
+        for close, opinion in ((_close, Opinion.EQUAL), (_close_as_angles, Opinion.TURN_APART)):
+            together = close(a_plus, b_plus) & close(a_minus, b_minus)
+            crossed = close(a_plus, b_minus) & close(a_minus, b_plus)
+            if (together | crossed | ~usable).all():
+                return opinion if opinion is Opinion.EQUAL or _holds_arcs(a, b) else Opinion.DIFFERENT
+    return Opinion.DIFFERENT
 
 
-def agree_as_conditions(place: Place, a: tuple[n.Node, ...], b: tuple[n.Node, ...]) -> bool | None:
+def compare_conditions(place: Place, a: tuple[n.Node, ...], b: tuple[n.Node, ...]) -> Opinion:
     """Return whether two equations hold at the same configurations of quarter turns."""
     arm = place.checker.names.arm
     assert arm is not None
@@ -56,9 +69,9 @@ def agree_as_conditions(place: Place, a: tuple[n.Node, ...], b: tuple[n.Node, ..
     algebra = SampledAlgebra(place.checker.exact, turns * scale, 2, lengths)
     try:
         holds = [_close(*(_values(place, node, algebra)[0] for node in equation)) for equation in (a, b)]
-    except (ArmproofError, TypeError):
-        return None
-    return bool((holds[0] == holds[1]).all())
+    except (ArmproofError, TypeError, IndexError):
+        return Opinion.UNKNOWN
+    return Opinion.EQUAL if (holds[0] == holds[1]).all() else Opinion.DIFFERENT
 
 
 def _values(place: Place, node: n.Node, algebra: SampledAlgebra) -> tuple[np.ndarray, np.ndarray]:
@@ -80,8 +93,12 @@ def _close(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.abs(a - b) <= TOLERANCE * (1 + np.abs(a))
 
 
-def _is_arc(node: n.Node) -> bool:
-    return isinstance(node, n.Call) and node.function in ("acos", "asin", "atan", "atan2")
+def _far_from_zero(values: np.ndarray) -> bool:
+    return bool((np.abs(values) > TOLERANCE).any())
+
+
+def _holds_arcs(*nodes: n.Node) -> bool:
+    return any(isinstance(below, n.Call) and below.function in ("acos", "asin", "atan", "atan2") for node in nodes for below in n.walk(node))
 
 
 def _close_as_angles(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from models.errors import ArmproofError
 from tests.mutation.mutants import Mutant, mutants_of
-from tests.mutation.numeric import agree, agree_as_conditions
+from tests.mutation.numeric import Opinion, compare, compare_conditions
 from tests.mutation.place import Place, proved_places
 from verification.errors import ReadError
 from verification.latex import nodes as n
@@ -42,24 +42,24 @@ def sweep(path: Path, seed: int = 0) -> Iterator[Trial]:
 
 def try_mutants(place: Place, mutants: list[Mutant]) -> Iterator[Trial]:
     """Yield what becomes of each mutant in its place."""
-    equal = _second_opinions(place, mutants)
-    for mutant, agreed in zip(mutants, equal, strict=True):
+    for mutant, opinion in zip(mutants, _second_opinions(place, mutants), strict=True):
         try:
             record = place.check(mutant.latex)
             verdict, message = record.verdict.value, record.message
         except Exception as error:  # a crash is reported as a survivor, with its place
             verdict, message = "crashed", repr(error)
-        yield Trial(place.where, mutant.kind, _fate(verdict, agreed), mutant.words, mutant.text, verdict, message)
+        yield Trial(place.where, mutant.kind, _fate(verdict, opinion), mutant.words, mutant.text, verdict, message)
 
 
-def _fate(verdict: str, agreed: bool | None) -> str:
+def _fate(verdict: str, opinion: Opinion) -> str:
     if verdict == Verdict.REFUTED.value:
-        return FALSE_ALARM if agreed else REFUTED
-    return IDENTICAL if verdict in (Verdict.PROVED.value, Verdict.CONFIRMED.value) and agreed else SURVIVED
+        return FALSE_ALARM if opinion is Opinion.EQUAL else REFUTED
+    holds = verdict in (Verdict.PROVED.value, Verdict.CONFIRMED.value)
+    return IDENTICAL if holds and opinion in (Opinion.EQUAL, Opinion.TURN_APART) else SURVIVED
 
 
-def _second_opinions(place: Place, mutants: list[Mutant]) -> list[bool | None]:
-    """Return whether each mutant agrees with the original numerically; None where that cannot be told."""
+def _second_opinions(place: Place, mutants: list[Mutant]) -> list[Opinion]:
+    """Return how each mutant compares with the original numerically."""
     statements = place.read(place.display.latex)
     implication = any(isinstance(s, n.Connective) and s.kind in ("⇔", "if") for s in statements)
     with place.altered():
@@ -67,20 +67,20 @@ def _second_opinions(place: Place, mutants: list[Mutant]) -> list[bool | None]:
         return [_second_opinion(place, mutant, implication, statements) for mutant in mutants]
 
 
-def _second_opinion(place: Place, mutant: Mutant, implication: bool, statements: list[n.Statement]) -> bool | None:
+def _second_opinion(place: Place, mutant: Mutant, implication: bool, statements: list[n.Statement]) -> Opinion:
     site = mutant.site
     try:
         changed, original = place.read(mutant.latex)[site.statement], statements[site.statement]
     except (ReadError, IndexError):
-        return None
+        return Opinion.UNKNOWN
     if not isinstance(changed, n.Chain) or not isinstance(original, n.Chain) or len(changed.members) != len(original.members):
-        return None
+        return Opinion.UNKNOWN
     if implication:
-        return agree_as_conditions(place, original.members, changed.members)
-    opinion = agree(place, original.members[site.member], changed.members[site.member])
-    if opinion is None and mutant.node is not None:
+        return compare_conditions(place, original.members, changed.members)
+    opinion = compare(place, original.members[site.member], changed.members[site.member])
+    if opinion is Opinion.UNKNOWN and mutant.node is not None:
         try:
-            return agree(place, site.node, place.checker.names.reader.read_expression(mutant.text))
+            return compare(place, site.node, place.checker.names.reader.read_expression(mutant.text))
         except ArmproofError:
-            return None
+            return Opinion.UNKNOWN
     return opinion

@@ -40,7 +40,7 @@ FUNCTIONS = {
     "Arccos": "acos", "Arcsin": "asin", "Arctan": "atan", "Cos": "cos", "Sin": "sin", "Tan": "tan",
     "atan2": "atan2", "Atan2": "atan2", "ATAN2": "atan2", "arctan2": "atan2", "Arctan2": "atan2", "arctg": "atan",
     "tg": "tan", "sen": "sin",
-    "det": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
+    "det": "det", "Det": "det", "DET": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
     "cof": "com", "tr": "tr", "Tr": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
     "diag": "diag",
 }  # fmt: skip
@@ -101,6 +101,7 @@ _FACTOR = re.compile(
     r"(?:\\[,;:! ]|[ \t])*(?:\\(?!(?:end|right|q?quad|text|textrm|tag|label|hspace|vspace|mbox|hbox|newline|cr|notag|nonumber|"
     r"Rightarrow|implies|iff|to|therefore|Leftrightarrow|dots|ldots|cdots)(?![A-Za-z]))[A-Za-z{]|[A-Za-z({\[^])"
 )
+_BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
@@ -292,6 +293,8 @@ class _Scanner:
             return self._style(name, start, end)
         if name in ("left", "right"):
             raise ReadError(f"\\{name} needs a delimiter such as ( [ | or .", start)
+        if name in ("degree", "textdegree"):
+            return [self.token("SUP", "\\circ", start, end)], end
         if name == "textcolor":
             colour = re.compile(r"\s*\{[^{}]*\}").match(self.text, end)
             return [], colour.end() if colour else end
@@ -399,6 +402,9 @@ class _Scanner:
         if kind is None:
             raise ReadError(f"cannot read '{value}'", start)
         if kind == "LBRACE":
+            if scripts := _BRACED_SCRIPTS.match(self.text, start):  # {^{i-1}}T and {_6^0}T
+                self.transparent_braces.add(scripts.end() - 1)
+                return [self.token("PRE", "{}", start, start + 1)], start + 1
             word = _BRACED_FUNCTION.match(self.text, start)
             if word and word.group(1) in FUNCTIONS and len(word.group(1)) > 2:
                 return self._function(word.group(1), start, word.end())

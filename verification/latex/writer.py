@@ -35,7 +35,7 @@ class Notation:
         """Take over the style of a trigonometric function as written."""
         if self.learnt or call.function not in ("cos", "sin"):
             return
-        head = call.head if call.function == "cos" else SWAPPED.get(call.head, call.head)
+        head = bare_head(call) if call.function == "cos" else SWAPPED.get(bare_head(call), bare_head(call))
         self.learnt = True
         self.style, self.cosine = call.style, head
         if call.style == "index":
@@ -162,6 +162,13 @@ def _apart(before: str, text: str, after: str) -> str:
     front = " " if text[:1].isalpha() and re.search(r"\\[A-Za-z]+$", before) else ""
     back = " " if after[:1].isalpha() and re.search(r"\\[A-Za-z]+$", text) else ""
     return f"{front}{text}{back}"
+
+
+def bare_head(call: n.Call) -> str:
+    """Return the spelling of a function without the power in \\sin^2(\\theta), which is a node of its own."""
+    if call.function in ("Rot", "Rot3", "Trans", "name"):
+        return call.head
+    return re.sub(r"\s*\^.*", "", call.head, flags=re.DOTALL)
 
 
 def join_factors(factors: Iterable[str]) -> str:
@@ -298,30 +305,31 @@ class Writer:
         return text
 
     def _call(self, node: n.Call) -> str:
+        head = bare_head(node)
         if node.function in ("cos", "sin") and isinstance(node.arguments[0], n.JointAngles):
             angle = node.arguments[0]
             digits = "".join(("-" if sign < 0 else "+" if k and any(s < 0 for s, _ in angle.terms) else "") + str(index)
                              for k, (sign, index) in enumerate(angle.terms))  # fmt: skip
             if digits.isdigit() and not self._has_underscore(node):
-                return f"{node.head}{digits}"
-            return f"{node.head}_{{{digits}}}" if len(digits) > 1 else f"{node.head}_{digits}"
+                return f"{head}{digits}"
+            return f"{head}_{{{digits}}}" if len(digits) > 1 else f"{head}_{digits}"
         arguments = node.arguments
         if node.function in ("Rot", "Rot3", "Trans") and isinstance(arguments[0], n.Name) and not arguments[0].text:
             arguments = arguments[1:]  # the axis stands in the subscript of the head
         inside = ", ".join(self.write(argument) for argument in arguments)
         if node.function == "name":
-            return f"{node.head}({', '.join(self.write(a) for a in node.arguments[1:])})"
+            return f"{head}({', '.join(self.write(a) for a in node.arguments[1:])})"
         if node.style == "bars":
             return f"\\left|{inside}\\right|"
         if node.function == "sqrt":
             return f"\\sqrt{{{inside}}}"
         if node.style == "script" and node.function in ("cos", "sin"):
-            return f"{node.head}_{{{inside}}}"
+            return f"{head}_{{{inside}}}"
         if node.style == "letter" and isinstance(node.arguments[0], n.Name):
-            return f"{node.head}{inside}"
+            return f"{head}{inside}"
         if node.style == "macro" and isinstance(node.arguments[0], n.Name | n.Matrix):
-            return f"{node.head} {inside}" if inside[:1].isalnum() else f"{node.head}{inside}"
-        return f"{node.head}({inside})"
+            return f"{head} {inside}" if inside[:1].isalnum() else f"{head}{inside}"
+        return f"{head}({inside})"
 
     def _has_underscore(self, call: n.Call) -> bool:
         """Whether the source writes C_{12} and not C12, here or else in general."""

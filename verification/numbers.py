@@ -1,0 +1,77 @@
+"""Numeric matrices: what is printed of a pose at one configuration, to so many decimals."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+
+import numpy as np
+
+from verification.algebras import SampledAlgebra
+from verification.latex import nodes as n
+from verification.matrix import Matrix
+
+FEW = 3  # entries: more wrong ones than that, and another configuration is meant
+
+
+@dataclass(frozen=True)
+class NumericComparison:
+    """Which entries of a numeric matrix differ, and which hang on a joint or a length that has no value."""
+
+    wrong: list[tuple[int, int]]
+    open: list[tuple[int, int]]
+    largest: float
+
+
+def is_numeric(node: n.Node) -> bool:
+    """Whether a tree is a square matrix of numbers: a pose or a rotation at a configuration."""
+    while isinstance(node, n.Group):
+        node = node.inner
+    if not isinstance(node, n.Matrix) or len(node.rows) < 3 or any(len(row) != len(node.rows) for row in node.rows):
+        return False
+    return not any(isinstance(below, n.Name | n.Call | n.JointAngles | n.Dots) for below in n.walk(node))
+
+
+def depends_on_joints(value: Matrix, joints: set[str]) -> bool:
+    """Whether an exact matrix changes with the arm's configuration."""
+    return any(
+        name in joints
+        for row in value.rows
+        for cell in row
+        for part in (cell.numerator, cell.denominator)
+        for powers, _ in cell.ring.terms(part)
+        for _, name in powers
+    )
+
+
+def compare_numbers(
+    true: Matrix, printed: Matrix, node: n.Node, sampled: SampledAlgebra, configuration: Mapping[str, float]
+) -> NumericComparison:
+    """Compare entry by entry, within one unit of the last decimal printed, at the values that the document gave before."""
+    assert sampled.arm is not None
+    symbols = [joint.symbol for joint in sampled.arm.joints] + [*sampled.arm.lengths]
+    values = {symbol: np.array([configuration.get(symbol, np.nan)]) for symbol in symbols}
+    there = SampledAlgebra(sampled.exact, sampled.q[:1], sampled.seed, values)
+    tolerance = 10.0 ** -_decimals(node)
+    wrong, left_open, largest = [], [], 0.0
+    for r, (true_row, printed_row) in enumerate(zip(true.rows, printed.rows, strict=True)):
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
+            error = float(np.abs(there.from_exact(a) - there.from_exact(b))[0])
+            if np.isnan(error):
+                left_open.append((r, c))
+            elif error > tolerance:
+                wrong.append((r, c))
+            else:
+                largest = max(largest, error)
+    return NumericComparison(wrong, left_open, largest)
+
+
+def _decimals(node: n.Node) -> int:
+    """The decimals to which the matrix is printed; whole numbers and fractions are exact."""
+    places = [
+        -int(Decimal(below.text.replace("{,}", ".")).as_tuple().exponent)
+        for below in n.walk(node)
+        if isinstance(below, n.Number) and below.value.denominator != 1
+    ]
+    return max(places, default=9)
