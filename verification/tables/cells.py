@@ -13,7 +13,7 @@ from verification.evaluate import Evaluator
 from verification.latex import nodes as n
 from verification.names import Names
 from verification.quantities import numbered_frames
-from verification.table_columns import plain
+from verification.tables.columns import plain
 from verification.trig import Scalar
 
 _BLANK = re.compile(r"(?:-|–|—|−|−−|--|---|/|\\times|×|\.|\\cdot|\\dots|\\ldots)?")

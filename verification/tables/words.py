@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
-from verification.dh_row import in_radians, rational_part
+from verification.tables.row import in_radians, rational_part
 from verification.latex import nodes as n
 from verification.latex.reader import key_as_latex
 from verification.names import Names
-from verification.table_cells import Cell
+from verification.tables.cells import Cell
 from verification.trig import Scalar
 
 LETTERS = {"alpha": "α", "theta": "θ", "sigma": "σ"}

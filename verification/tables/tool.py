@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from verification.matrix import Matrix
 from verification.quantities import numbered_frames
-from verification.table_reading import TableReading
+from verification.tables.reading import TableReading
 
 
 @dataclass(frozen=True)

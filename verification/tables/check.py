@@ -12,14 +12,14 @@ from verification.equation import ChainChecker
 from verification.errors import EvaluationError, TooComplex
 from verification.latex import nodes as n
 from verification.quantities import numbered_frames
-from verification.table_array import read_array
-from verification.table_cells import Cell, UnreadableCell, read_cell, row_frames
-from verification.table_columns import CONVENTIONS, Columns, read_columns
-from verification.table_faults import Faults
-from verification.table_mend import single_mends
-from verification.table_plant import confirm_rows, confirm_tool, counterexample
-from verification.table_reading import Claim, Row, TableReading
-from verification.table_tool import turned_tool
+from verification.tables.array import read_array
+from verification.tables.cells import Cell, UnreadableCell, read_cell, row_frames
+from verification.tables.columns import CONVENTIONS, Columns, read_columns
+from verification.tables.faults import Faults
+from verification.tables.mend import single_mends
+from verification.tables.plant import confirm_rows, confirm_tool, counterexample
+from verification.tables.reading import Claim, Row, TableReading
+from verification.tables.tool import turned_tool
 from verification.verdict import Record, Verdict
 
 MOST_WORDS = 6  # wrong entries spelt out in a message; all are listed

@@ -10,7 +10,7 @@ from typing import Any
 
 from models.arm import Arm
 from verification.algebras import ExactAlgebra
-from verification.dh_row import (
+from verification.tables.row import (
     ANGLES,
     PARAMETERS,
     RightRow,
@@ -26,9 +26,9 @@ from verification.errors import EvaluationError, UnboundName
 from verification.matrix import Matrix
 from verification.names import Names
 from verification.quantities import Quantity
-from verification.table_cells import Cell, Frames, cell_values, unbound_name
-from verification.table_columns import Columns, Reading
-from verification.table_words import letter_of
+from verification.tables.cells import Cell, Frames, cell_values, unbound_name
+from verification.tables.columns import Columns, Reading
+from verification.tables.words import letter_of
 from verification.trig import Scalar
 
 _SCALES = {"mm": Fraction(1, 1000), "cm": Fraction(1, 100)}

@@ -8,12 +8,12 @@ import numpy as np
 
 from verification.algebras import SampledAlgebra
 from verification.compare import Pair, entry_errors
-from verification.dh_row import PARAMETERS, row_matrix
+from verification.tables.row import PARAMETERS, row_matrix
 from verification.equation import TOLERANCE
 from verification.matrix import Matrix
 from verification.quantities import Quantity
-from verification.table_reading import RowVerdict, TableReading
-from verification.table_tool import Tool
+from verification.tables.reading import RowVerdict, TableReading
+from verification.tables.tool import Tool
 from verification.trig import Scalar
 from verification.verdict import Record, Verdict
 

@@ -13,9 +13,9 @@ from fractions import Fraction
 import numpy as np
 
 from verification.algebras import SampledAlgebra
-from verification.dh_row import ANGLES, PARAMETERS, row_matrix, within_a_turn
+from verification.tables.row import ANGLES, PARAMETERS, row_matrix, within_a_turn
 from verification.quantities import Quantity, numbered_frames
-from verification.table_reading import RowVerdict, TableReading
+from verification.tables.reading import RowVerdict, TableReading
 from verification.trig import Scalar
 
 CONFIGURATIONS = 4

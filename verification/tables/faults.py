@@ -7,15 +7,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
-from verification.dh_row import ANGLES, PARAMETERS
+from verification.tables.row import ANGLES, PARAMETERS
 from verification.errors import EvaluationError
 from verification.latex import nodes as n
 from verification.quantities import numbered_frames
-from verification.table_cells import Cell
-from verification.table_columns import plain
-from verification.table_reading import Row, RowVerdict, TableReading
-from verification.table_tool import same_tool
-from verification.table_words import (
+from verification.tables.cells import Cell
+from verification.tables.columns import plain
+from verification.tables.reading import Row, RowVerdict, TableReading
+from verification.tables.tool import same_tool
+from verification.tables.words import (
     LETTERS,
     Notation,
     change_of_angle,
