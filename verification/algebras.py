@@ -16,7 +16,7 @@ import numpy as np
 
 from models.arm import Arm
 from models.exact import angle_value
-from verification.errors import EvaluationError
+from verification.errors import EvaluationError, TooComplex
 from verification.matrix import Matrix, column, exact_rank
 from verification.quantities import COMPONENTS, Quantity
 from verification.trig import Ring, Scalar
@@ -95,7 +95,13 @@ class ExactAlgebra:
         return self.ring.symbol(name)
 
     def cos_sin(self, angle: Scalar) -> tuple[Scalar, Scalar]:
-        return self.ring.cos_sin(angle)
+        """Return (cos, sin) of a sum of angles; raises OutsideAlgebra for what is none, such as cos(ω t)."""
+        try:
+            return self.ring.cos_sin(angle)
+        except TooComplex:
+            raise
+        except EvaluationError as problem:
+            raise OutsideAlgebra(str(problem)) from None
 
     def sqrt(self, value: Scalar) -> Scalar:
         return self.ring.sqrt(value)

@@ -125,8 +125,9 @@ def _with_file(path: Path, message: str) -> str:
 
 def _internal_error(error: Exception) -> str:
     """Describe a fault of Armproof itself by the exception and the place in our code that raised it."""
-    rooms = Path(__file__).resolve().parents[1]
-    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(str(rooms))]
-    where = f" at {Path(frames[-1].filename).relative_to(rooms)}:{frames[-1].lineno}" if frames else ""
-    text = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    root = Path(__file__).resolve().parents[1]
+    ours = tuple(str(root / room) + os.sep for room in ("models", "verification", "course"))
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(ours)]
+    where = f" at {Path(frames[-1].filename).relative_to(root)}:{frames[-1].lineno}" if frames else ""
+    text = f"{type(error).__name__}: {str(error)[:200]}" if str(error) else type(error).__name__
     return f"internal error of Armproof, please report it: {text}{where}"

@@ -118,18 +118,21 @@ class DocumentChecker:
         if not display.closed:
             return replace(record, message="the display opened by $$ never ends")
         self.ring.deadline = time.monotonic() + SECONDS_PER_DISPLAY
-        if (table := check_array_table(self.checker, display)) is not None:
-            return table
         try:
-            statements = self.names.reader.read(display.latex)
+            if (table := check_array_table(self.checker, display)) is not None:
+                return table
+            return self._judge(record, display, self.names.reader.read(display.latex))
         except ReadError as error:
             return replace(record, message=f"{_place(display, error.offset)}: {error}")
-        try:
-            return self._judge(record, display, statements)
         except TooComplex as error:
             return replace(record, verdict=Verdict.UNCHECKED, message=f"too large to decide: {error}")
         except RecursionError:
             return replace(record, verdict=Verdict.UNCHECKED, message="too large to decide: nested too deeply")
+        except AngleFraction:
+            raise
+        except Exception as error:  # noqa: BLE001 - a fault of ours must not cost the other displays their verdicts
+            fault = f"internal error, please report it: {type(error).__name__}: {error}"
+            return replace(record, verdict=Verdict.UNCHECKED, message=fault)
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
@@ -172,19 +175,24 @@ class DocumentChecker:
             if isinstance(statement, n.Connective):
                 index += 1
                 continue
-            conditional = self._conditional(statements, index)
-            if conditional is not None:
-                kind, premises, conclusions, after = conditional
+            implication = self._conditional(statements, index)
+            if implication is not None:
+                kind, premises, conclusions, after = implication
                 first = [o for chain in premises for o in self._chain(chain, equation, line, define)]
                 holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in first)
-                if kind != "if" and (holds or not any(is_condition(chain) for chain in premises)):
+                arrow = "⇐" if kind == "if" else kind
+                outcome, found = None, {}
+                conditional = kind == "if" or any(is_condition(chain) for chain in premises)
+                if conditional or all(is_condition(chain) for chain in conclusions):
+                    outcome, found = check_implication(self.checker, arrow, premises, conclusions, equation)
+                    conditional = conditional or outcome.verdict is not Verdict.UNCHECKED
+                if kind != "if" and (holds or not conditional):
                     # a step of a derivation: it is a claim of its own, and so is what follows
                     outcomes.extend(first)
                     equation += sum(len(chain.relations) for chain in premises)
                     index += len(premises) + _words_between(statements, index, len(premises))
                     continue
-                arrow = "⇐" if kind == "if" else kind
-                outcome, found = check_implication(self.checker, arrow, premises, conclusions, equation)
+                assert outcome is not None
                 outcomes.append(outcome)
                 extra.update(found)
                 equation += sum(len(chain.relations) for chain in (*premises, *conclusions))
@@ -229,7 +237,10 @@ class DocumentChecker:
         general = self.general.check(chain, equation, line, define)
         if general is not None:
             return general
-        return self.checker.check(chain, equation, line, define)
+        outcomes = self.checker.check(chain, equation, line, define)
+        if self.arm is not None and outcomes and all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes):
+            return self.general.identity(chain, equation, line) or outcomes
+        return outcomes
 
     def _cases(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Check each case under its condition where that is an equation (σ_i = 0); words leave it unchecked."""
@@ -250,24 +261,35 @@ class DocumentChecker:
 
     def _is_configuration(self, chain: n.Chain) -> bool:
         """A joint variable set to a constant, or a determinant set to zero, states a condition and claims nothing."""
-        if len(chain.members) != 2:
+        left, right, *more = chain.members if len(chain.members) > 1 else (chain.members[0], chain.members[0])
+        if more and not all(_is_number(node) for node in (right, *more)):
             return False
-        left, right = chain.members
+        if isinstance(left, n.Sequence) and isinstance(right, n.Sequence) and len(left.items) == len(right.items):
+            pairs = [n.Chain(pair, ("=",), span=chain.span) for pair in zip(left.items, right.items, strict=True)]
+            return all([self._is_configuration(pair) for pair in pairs])
         if isinstance(left, n.Call) and left.function == "det" and isinstance(right, n.Number) and right.value == 0:
             return not self._vanishes(left)
         if self.arm is None or not isinstance(left, n.Name):
             return False
         symbol = self.names.known_symbol(left.key)
-        if symbol is None or left.dots:
-            return False
+        if left.dots or symbol is None:
+            return not left.dots and self._is_given_coordinate(left, right)
         if symbol not in {joint.symbol for joint in self.arm.joints}:
             return self._is_given_length(symbol, right)
         names = [below.key for below in n.walk(right) if isinstance(below, n.Name)]
-        calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(right))
+        calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(right)) and not _is_number(right)
         if calls or not all(key in ("pi", "k", "n") for key in names):
             return False
         self._remember(symbol, right)
         return True
+
+    def _is_given_coordinate(self, name: n.Name, value: n.Node) -> bool:
+        """P_x = 0.5 is where the tool is asked to be, when P_x depends on the joints; P_x = 0 would be a claim."""
+        quantity = self.names.quantity(name)
+        if quantity is None or not quantity.scalar or not _is_number(value):
+            return False
+        numbers = [below for below in n.walk(value) if isinstance(below, n.Number)]
+        return any("." in number.text or number.value >= 2 for number in numbers)
 
     def _is_given_length(self, symbol: str, value: n.Node) -> bool:
         """A length of a DH table set to a number is data: the table gives it none."""
@@ -286,6 +308,14 @@ class DocumentChecker:
     def _vanishes(self, node: n.Node) -> bool:
         member = self.checker.member(node)
         return member.problem is not None or bool(getattr(member.value, "is_zero", bool)())
+
+
+def _is_number(node: n.Node) -> bool:
+    """Whether a tree is made of numbers, π and functions of them."""
+    return not any(
+        isinstance(below, n.JointAngles | n.Matrix | n.Sequence) and below is not node or (isinstance(below, n.Name) and below.key != "pi")
+        for below in n.walk(node)
+    ) and not isinstance(node, n.JointAngles | n.Matrix | n.Sequence)
 
 
 def _is_condition(outcome: Outcome) -> bool:

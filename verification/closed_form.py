@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import math
+import re
 from collections import defaultdict
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from verification.latex.writer import Notation, join_factors, number
@@ -15,33 +18,60 @@ Rest = tuple[tuple[Generator, int], ...]
 MAX_TERMS = 120
 
 
-def write_scalar(value: Scalar, notation: Notation) -> str:
-    """Return LaTeX for the value in the document's notation, such as `-a_1 S_1 - a_2 S_{12}`."""
+@dataclass(frozen=True)
+class _Term:
+    coefficient: Fraction
+    rest: Rest
+    trig: Trig
+
+
+def write_scalar(value: Scalar, notation: Notation, *, folded: bool = True) -> str:
+    """Return LaTeX for the value in the document's notation, such as `-a_1 S_1 - a_2 S_{12}`.
+
+    `folded` writes products of sines and cosines as those of sums of angles wherever that is shorter; without it the
+    terms are those of the normal form.
+    """
     value = value.normal()
-    numerator = _write_polynomial(value, value.numerator, notation)
-    if value.denominator.is_one():
-        return numerator
-    return f"\\frac{{{numerator}}}{{{_write_polynomial(value, value.denominator, notation)}}}"
+    above = _terms(value, value.numerator, folded)
+    below = _terms(value, value.denominator, folded)
+    if value.denominator.is_one() or not above:
+        return _write_sum(value, above, notation)
+    scale = _content([*above, *below])
+    above, below = ([replace(term, coefficient=term.coefficient / scale) for term in terms] for terms in (above, below))
+    sign = ""
+    if len(above) == 1 and above[0].coefficient < 0:
+        sign, above = "-", [replace(above[0], coefficient=-above[0].coefficient)]
+    return f"{sign}\\frac{{{_write_sum(value, above, notation)}}}{{{_write_sum(value, below, notation)}}}"
 
 
-def _write_polynomial(value: Scalar, polynomial: object, notation: Notation) -> str:
+def _content(terms: list[_Term]) -> Fraction:
+    """Return the number that leaves coprime integers when the coefficients are divided by it."""
+    numerators = [abs(term.coefficient.numerator) for term in terms]
+    return Fraction(math.gcd(*numerators), math.lcm(*(term.coefficient.denominator for term in terms)))
+
+
+def _terms(value: Scalar, polynomial: object, folded: bool) -> list[_Term]:
+    """Return the terms of a polynomial, a positive one first."""
     groups: dict[Rest, dict[Trig, Fraction]] = defaultdict(dict)
     for powers, coefficient in value.ring.terms(polynomial):  # type: ignore[arg-type]
-        trig: Trig = tuple(sorted((kind, ((name, Fraction(1)),), power) for (kind, name), power in powers.items() if kind in ("cos", "sin")))
+        trig = tuple(sorted((kind, ((name, Fraction(1)),), power) for (kind, name), power in powers.items() if kind in ("cos", "sin")))
         rest = tuple(sorted((generator, power) for generator, power in powers.items() if generator[0] not in ("cos", "sin")))
         groups[rest][trig] = coefficient
-    terms: list[tuple[bool, str]] = []
+    terms: list[_Term] = []
     for rest, trigs in groups.items():
-        folded = fold(trigs) if len(trigs) <= MAX_TERMS else trigs
-        for trig, coefficient in sorted(folded.items(), key=lambda item: (len(item[0]), item[0])):
-            terms.append((coefficient < 0, _write_term(value, abs(coefficient), rest, trig, notation)))
-    if not terms:
-        return "0"
-    terms.sort(key=lambda term: term[0])  # a positive term first reads better
-    text = ("-" if terms[0][0] else "") + terms[0][1]
-    for negative, term in terms[1:]:
-        text += (" - " if negative else " + ") + term
-    return text
+        shorter = fold(trigs) if folded and len(trigs) <= MAX_TERMS else trigs
+        for trig, coefficient in sorted(shorter.items(), key=lambda item: (len(item[0]), item[0])):
+            terms.append(_Term(coefficient, rest, trig))
+    return sorted(terms, key=lambda term: term.coefficient < 0)  # a positive term first reads better
+
+
+def _write_sum(value: Scalar, terms: list[_Term], notation: Notation) -> str:
+    text = ""
+    for term in terms:
+        negative = term.coefficient < 0
+        written = _write_term(value, abs(term.coefficient), term.rest, term.trig, notation)
+        text += (" - " if negative else " + ") + written if text else ("-" if negative else "") + written
+    return text or "0"
 
 
 def _write_term(value: Scalar, coefficient: Fraction, rest: Rest, trig: Trig, notation: Notation) -> str:
@@ -58,13 +88,26 @@ def _write_term(value: Scalar, coefficient: Fraction, rest: Rest, trig: Trig, no
             text = f"\\operatorname{{atan2}}({write_scalar(sine, notation)}, {write_scalar(cosine, notation)})"
         else:
             text = notation.symbol(name)
-        factors.append(text if power == 1 else f"{text}^{{{power}}}" if power > 9 else f"{text}^{power}")
-    for function, angle, power in sorted(trig, key=lambda factor: (factor[1], factor[0])):
-        text = notation.trig(function, dict(angle))
-        factors.append(text if power == 1 else f"{text}^{power}" if notation.style in ("index",) else f"({text})^{power}")
+        factors.append(text if power == 1 else text + _exponent(power))
+    for function, angle, power in trig:
+        factors.append(_power_of_trig(notation.trig(function, dict(angle)), power))
     if coefficient != 1 or not factors:
         factors.insert(0, number(coefficient))
     return join_factors(factors)
+
+
+def _exponent(power: int) -> str:
+    return f"^{{{power}}}" if power > 9 else f"^{power}"
+
+
+def _power_of_trig(text: str, power: int) -> str:
+    """Write \\cos^2(\\theta_1), C_1^2 or (C\\theta_1)^2."""
+    if power == 1:
+        return text
+    if found := re.fullmatch(r"(\\[A-Za-z]+)(\(.*\))", text):
+        return found.group(1) + _exponent(power) + found.group(2)
+    is_one = re.fullmatch(r"[^\s_(\\]*(?:\\mathrm\{\w\})?(?:_\{[^{}]*\}|_\w|\d+)", text) is not None
+    return text + _exponent(power) if is_one else f"({text}){_exponent(power)}"
 
 
 def fold(terms: dict[Trig, Fraction]) -> dict[Trig, Fraction]:

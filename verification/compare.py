@@ -29,6 +29,9 @@ class Pair:
     true_rows: tuple[int, ...] | None = None
 
 
+HOMOGENEOUS = "homogeneous coordinates"
+
+
 class ShapeMismatch(ShapeError):
     """The printed value has another size than the true one."""
 
@@ -81,7 +84,7 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
     if (m, k, r, c) == (3, 1, 4, 1):  # homogeneous coordinates of a point or a direction
         last = printed.rows[3][0]
         if _is_constant(last, 1) or _is_constant(last, 0):
-            yield Pair(Matrix((*true.rows, (last,))), printed, "homogeneous coordinates")
+            yield Pair(Matrix((*true.rows, (last,))), printed, HOMOGENEOUS)
     if (m, k, r, c) == (4, 1, 3, 1) and (_is_constant(true.rows[3][0], 1) or _is_constant(true.rows[3][0], 0)):
         yield Pair(true.block(range(3), [0]), printed)
     if (m, k) == (4, 4):
@@ -92,6 +95,8 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
                 yield Pair(true.block(range(3), range(3)), printed, "the rotation")
             elif _is_planar(true):
                 yield Pair(true.block([0, 1, 3], [0, 1, 3]), printed, "the planar transform, without its z row and column")
+    if (m, k, r, c) == (3, 3, 2, 2) and _is_constant(true.rows[2][2], 1) and _is_planar_rotation(true):
+        yield Pair(true.block([0, 1], [0, 1]), printed, "the planar rotation, without its z row and column")
     if (m, k, r, c) == (3, 3, 4, 4) and _is_constant(printed.rows[3][3], 1):
         zero = printed.rows[3][3] * 0
         padded = (*((*row, zero) for row in true.rows), (zero, zero, zero, zero + 1))
@@ -114,8 +119,8 @@ def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
     candidates.append(nonzero)
     if count == 3:
         candidates += [(0, 1, 5), (3, 4, 5)]
-    if count == 2:
-        candidates += [(0, 2), (1, 2)]
+    if count == 2:  # motion in the plane x, z or y, z
+        candidates += [(i, 2) for i in (0, 1) if 1 - i not in nonzero]
     if count == 1:
         candidates += [(5,)]
     for rows in candidates:
@@ -133,9 +138,11 @@ def square_rows(true: Matrix) -> tuple[int, ...] | None:
 
 
 def _is_planar(true: Matrix) -> bool:
-    return (
-        all(is_zero(true.rows[2][k]) and is_zero(true.rows[k][2]) for k in (0, 1)) and is_zero(true.rows[2][3])
-    )
+    return _is_planar_rotation(true) and is_zero(true.rows[2][3])
+
+
+def _is_planar_rotation(true: Matrix) -> bool:
+    return all(is_zero(true.rows[2][k]) and is_zero(true.rows[k][2]) for k in (0, 1))
 
 
 def _is_constant(value: Any, number: int) -> bool:

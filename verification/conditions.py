@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from verification.equation import ChainChecker, Outcome
+from verification.compare import align
+from verification.equation import ChainChecker, Outcome, has_branches
 from verification.errors import EvaluationError, NoValue
 from verification.evaluate import Evaluator, as_scalar, is_zero
 from verification.latex import nodes as n
@@ -39,7 +40,12 @@ def vanishing(checker: ChainChecker, statements: Iterable[n.Chain]) -> Scalar:
 
 
 def _factors(checker: ChainChecker, chain: n.Chain) -> list[Scalar]:
-    evaluator = Evaluator(checker.names, checker.exact)
+    """The factors of a condition; one with ± holds on either branch."""
+    branches = (1, -1) if has_branches(chain) else (1,)
+    return [factor for branch in branches for factor in _factors_of(checker, chain, Evaluator(checker.names, checker.exact, branch))]
+
+
+def _factors_of(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> list[Scalar]:
     if len(chain.members) == 1:  # "θ_2 = 0 or π": the angle is that of the alternative before
         raise Undecided("a condition is an equation")
     if chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence):
@@ -55,7 +61,7 @@ def _factors(checker: ChainChecker, chain: n.Chain) -> list[Scalar]:
         _, sine = checker.exact.cos_sin(evaluator.scalar(first[0]) / checker.exact.rational(multiple))
         return [sine]
     left, right = as_scalar(evaluator.evaluate(first[0])), as_scalar(evaluator.evaluate(last))
-    if isinstance(left, Matrix) or isinstance(right, Matrix):
+    if not (isinstance(left, Scalar) and isinstance(right, Scalar)):
         raise Undecided("a matrix stands where a scalar condition is expected")
     return [_factor(checker, first[0], left, right)]
 
@@ -134,13 +140,32 @@ def is_condition(chain: n.Chain) -> bool:
     )
 
 
+def _entries_of(checker: ChainChecker, chains: list[n.Chain]) -> list[Scalar] | None:
+    """Return the differences of the entries of one equation between matrices; None where it is none."""
+    if len(chains) != 1 or chains[0].relations != ("=",):
+        return None
+    left, right = (checker.member(node) for node in chains[0].members)
+    if not (isinstance(left.value, Matrix) or isinstance(right.value, Matrix)) or not (left.known and right.known):
+        return None
+    pair = next(align(left.value, right.value, checker.exact))
+    return [a - b for row, other in zip(pair.true.rows, pair.printed.rows, strict=True) for a, b in zip(row, other, strict=True)]
+
+
 def check_implication(
     checker: ChainChecker, kind: str, premises: list[n.Chain], conclusions: list[n.Chain], equation: int
 ) -> tuple[Outcome, dict[str, float]]:
     """Return the verdict of premises ⇒ (⇔, ⇐) conclusions, alternatives on either side joined by "or"."""
     outcome = Outcome(Verdict.PROVED, "", equation)
     try:
-        f, g = vanishing(checker, premises), vanishing(checker, conclusions)
+        entries = _entries_of(checker, conclusions) if kind in ("⇒", "⇐") else None
+        if entries is not None and kind == "⇒":  # a matrix equation: each of its entries follows
+            f = vanishing(checker, premises)
+            g = next((entry for entry in entries if not implies(checker, f, entry)), checker.exact.ring.zero)
+        elif (entries := _entries_of(checker, premises) if kind == "⇐" else None) is not None:
+            g = vanishing(checker, conclusions)
+            f = next((entry for entry in entries if not implies(checker, g, entry)), checker.exact.ring.zero)
+        else:
+            f, g = vanishing(checker, premises), vanishing(checker, conclusions)
         wanted = {"⇒": [(f, g)], "⇐": [(g, f)], "⇔": [(f, g), (g, f)]}[kind]
         for premise, conclusion in wanted:
             if implies(checker, premise, conclusion):
@@ -238,7 +263,7 @@ def _sampled_approximation(checker: ChainChecker, chain: n.Chain, outcome: Outco
     try:
         with np.errstate(all="ignore"):
             first, *others = [as_scalar(checker.sampled_value(node)) for node in chain.members]
-            if isinstance(first, Matrix | list):
+            if not all(isinstance(value, np.ndarray) for value in (first, *others)):
                 return outcome
             close = all(np.allclose(first, other, rtol=1e-2, atol=1e-3) for other in others)
     except EvaluationError:

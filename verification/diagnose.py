@@ -116,13 +116,16 @@ class Diagnostician:
         mend = len(wrong) <= MAX_MENDED and not outcome.sampled_only
         for row, column in wrong:
             true = pair.true.rows[row][column]
-            cell = None if pair.is_scalar else _cell(outcome.printed.node, row, column)
+            cell = None if pair.is_scalar else _cell(outcome.printed.node, row, column, outcome.printed.value)
             if cell is None and pair.is_scalar:
                 cell = outcome.printed.node
             printed = latex[cell.span[0] : cell.span[1]].strip() if cell is not None else self._written(pair.printed.rows[row][column], notation)
             correct, change = "", ""
             if mend and cell is not None:
                 correct, change = self._mended(latex, cell, true, notation)
+            if not correct and outcome.sampled_only and pair.is_scalar and outcome.true is not None:
+                start, end = outcome.true.node.span  # exactly, the two sides differ by no more than a sign or a branch
+                correct = latex[start:end].strip()
             if not correct:
                 correct = self._written(true, notation)
             if not change and not pair.is_scalar and mend:
@@ -164,12 +167,12 @@ class Diagnostician:
         """Return the cell with one term added, where just one is missing."""
         try:
             printed = as_scalar(Evaluator(self.names, self.checker.exact).evaluate(cell))
-            if not isinstance(printed, Scalar) or printed.is_zero():
+            if not isinstance(printed, Scalar) or printed.as_fraction() is not None or true.is_zero():
                 return "", ""
             missing = self._written(true - printed, notation)
         except EvaluationError:
             return "", ""
-        if re.search(r".[ ][-+] ", missing) or "frac" in missing:
+        if re.search(r".[ ][-+] ", re.sub(r"\([^()]*\)", "", missing)) or "frac" in missing:
             return "", ""
         text = latex[cell.span[0] : cell.span[1]].strip()
         joined = f"{text} - {missing[1:]}" if missing.startswith("-") else f"{text} + {missing}"
@@ -201,7 +204,7 @@ class Diagnostician:
             for below in n.walk(node):
                 if isinstance(below, n.Call):
                     notation.learn(below, latex[below.span[0] : below.span[1]])
-                elif isinstance(below, n.Name) and below.text:
+                elif isinstance(below, n.Name) and below.text and below.key not in self.names.quantities:
                     symbol = self.names.known_symbol(below.key)
                     if symbol is not None and not below.dots:
                         notation.symbols.setdefault(symbol, below.text)
@@ -263,7 +266,10 @@ class Diagnostician:
                 worst = np.zeros(probe.samples)
         best = int(np.nanargmax(worst)) if np.isfinite(worst).any() else 0
         arm = self.names.arm
-        values = {joint.symbol: float(probe.q[best, k]) for k, joint in enumerate(arm.joints)} if arm is not None else {}
+        values: dict[str, float] = {}
+        depends = self._symbols_of(outcome)
+        if arm is not None and (not depends or any(joint.symbol in depends for joint in arm.joints)):
+            values = {joint.symbol: float(probe.q[best, k]) for k, joint in enumerate(arm.joints)}
         for member in (outcome.true, outcome.printed):
             for below in n.walk(member.node):
                 symbol = self.names.known_symbol(below.key) if isinstance(below, n.Name) else None
@@ -271,7 +277,26 @@ class Diagnostician:
                     symbol = below.key
                 if symbol is not None:
                     values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
+        for symbol in depends:  # those that a defined name brings along
+            values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
         return values
+
+    def _symbols_of(self, outcome: Outcome) -> list[str]:
+        """The symbols on which the wrong entries depend."""
+        pair = outcome.pair
+        if pair is None or outcome.sampled_only:
+            return []
+        ring = self.checker.exact.ring
+        parts = [
+            part
+            for row, column in outcome.wrong
+            for cell in (pair.true.rows[row][column], pair.printed.rows[row][column])
+            if isinstance(cell, Scalar)
+            for part in (cell.numerator, cell.denominator)
+        ]
+        generators = {generator for part in parts for powers, _ in ring.terms(part) for generator in powers}
+        names = {name.split("/")[0] for kind, name in generators if kind in ("symbol", "cos", "sin")}
+        return sorted(name for name in names if name != "pi" and not name[:1].isdigit())
 
     def _is_free_symbol(self, name: n.Name) -> bool:
         return self.names.is_free(name) and name.key in self.names.used and name.key not in self.names.definitions
@@ -331,7 +356,9 @@ class Diagnostician:
             return None
         if last - first < 2:
             return None
-        printed = {error.key: error for error in self.errors}
+        printed: dict[str, _PrintedError] = {}
+        for error in self.errors:
+            printed.setdefault(error.key, error)
         evaluator = Evaluator(self.names, self.checker.exact)
         # the pose as a product of two, the printed value of one of them in the place of the true one
         for split in range(first + 1, last):
@@ -361,12 +388,15 @@ def _base_and_index(key: str) -> tuple[str, str]:
     return base, index
 
 
-def _cell(node: n.Node, row: int, column: int) -> n.Node | None:
-    """Return the tree of a printed entry, where the printed member is a matrix written out."""
+def _cell(node: n.Node, row: int, column: int, value: Value = None) -> n.Node | None:
+    """Return the tree of a printed entry, where the printed member is a matrix written out.
+
+    `value` is the member's: a matrix of blocks that are names or products has fewer cells than its value has entries.
+    """
     while isinstance(node, n.Group | n.Labelled):
         node = node.inner
     if isinstance(node, n.Postfix) and node.operator == "T":
-        return _cell(node.base, column, row)
+        return _cell(node.base, column, row, value.transpose if isinstance(value, Matrix) else None)
     if isinstance(node, n.Sequence):
         index = max(row, column)
         return node.items[index] if index < len(node.items) else None
@@ -374,6 +404,8 @@ def _cell(node: n.Node, row: int, column: int) -> n.Node | None:
         return None
     if any(isinstance(below, n.Matrix) for cells in node.rows for below in cells):
         return _cell_of_blocks(node, row, column)
+    if isinstance(value, Matrix) and (len(node.rows), *{len(cells) for cells in node.rows}) != value.shape:
+        return None
     try:
         return node.rows[row][column]
     except IndexError:

@@ -11,16 +11,16 @@ import numpy as np
 from verification.algebras import ExactAlgebra, OutsideAlgebra, SampledAlgebra, Value
 from verification.blocks import Block, partition
 from verification.branches import holds_on
-from verification.compare import Pair, ShapeMismatch, align, angle_places, different_entries, entry_errors, exactly_equal, square_rows
+from verification.compare import HOMOGENEOUS, Pair, ShapeMismatch, align, angle_places, different_entries, entry_errors, exactly_equal, square_rows
 from verification.errors import EvaluationError, NoValue, TooComplex, UnboundName
 from verification.evaluate import Evaluator, Identity
-from verification.jacobian_parts import jacobian_name, part_of_jacobian
+from verification.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.names import Names, call_key
 from verification.numbers import FEW, compare_numbers, depends_on_joints, is_numeric
 from verification.quantities import Quantity
-from verification.trig import AngleFraction
+from verification.trig import AngleFraction, Scalar
 from verification.verdict import Verdict
 
 TOLERANCE = 1e-6  # of the sampled values, scaled by their size; polynomials come out near 1e-15
@@ -67,18 +67,27 @@ class ChainChecker:
         self.exact = exact
         self.sampled = sampled
         self.confirm = True
+        self._fresh: frozenset[str] = frozenset()  # the new letters of a matrix that the chain at hand defines
 
     def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
         """Return one outcome an equation, numbered from `first_equation`."""
-        branches = _has_branches(chain)
+        branches = has_branches(chain)
         self._choose_square_rows(chain)
         new = self._new_name(chain)
+        self._fresh = self._new_letters(chain)
         members = [
             Member(node, None, UnboundName(new)) if new is not None and bare_key(node) == new else self.member(node)
             for node in chain.members
         ]
+        if self._fresh and len(members) > 1 and all(member.known for member in members):
+            letters = self._fresh
+            members = [Member(m.node, None, UnboundName(min(letters))) if letters & _keys_alone(m.node) else m for m in members]
+        else:
+            self._fresh = frozenset()
         known = [member for member in members if member.known]
         if not known:
+            if define and self._adopts_letters(members):
+                return self.check(chain, first_equation, line, define)
             return self._nothing_known(members, first_equation, line)
         members = [self._part(member, known) for member in members]
         if define:
@@ -94,8 +103,59 @@ class ChainChecker:
                 outcomes.append(self._compare(true, member, equation, branches))
             else:
                 outcomes.append(self._define(true, member, equation, line, define))
+        if any(_is_mismatch(outcome) or _is_overloaded(outcome) for outcome in outcomes):
+            outcomes = self._with_fewer_rows(chain, first_equation, line, define) or outcomes
+            outcomes = [self._other_meaning(outcome) for outcome in outcomes]
         outcomes.extend(self._labels(chain, first_equation, line, define))
         return outcomes
+
+    def _other_meaning(self, outcome: Outcome) -> Outcome:
+        """x-dot = J q-dot where x is a component elsewhere: the letter stands for the whole vector here."""
+        if not _is_mismatch(outcome) or outcome.true is None or outcome.printed is None:
+            return outcome
+        sides = (outcome.true, outcome.printed)
+        rate = next((side.node for side in sides if isinstance(side.node, n.Name) and side.node.dots), None)
+        matrices = [side for side in sides if isinstance(side.value, Matrix)]
+        if rate is None or len(matrices) != 1 or any(isinstance(b, n.Matrix) for side in sides for b in n.walk(side.node)):
+            return outcome
+        return replace(outcome, verdict=Verdict.DEFINED, message=f"{rate.key} is a vector here, a component elsewhere")
+
+    def _with_fewer_rows(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
+        """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
+        whole = [(below, name) for below in n.walk(chain) if (name := jacobian_name(below, self.names)) is below]
+        if not whole or any(member is name for member in chain.members for name, _ in whole):
+            return None
+        fitting: list[Outcome] | None = None
+        for rows in jacobian_rows(self.member(whole[0][0]).value, self.names.shown.get("J")):
+            read = chain
+            for below, name in whole:
+                quantity = self.names.quantity(replace(name, dots=0))
+                assert quantity is not None
+                part = replace(name, sub=f"rows {rows}")
+                self.names.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
+                read = n.substitute(read, below, part)  # type: ignore[assignment]
+            outcomes = self.check(read, equation, line, define)
+            if not any(_is_mismatch(outcome) for outcome in outcomes):
+                for outcome in outcomes:
+                    outcome.message = outcome.message or f"J is read as its rows {', '.join(map(str, rows))}"
+                if all(outcome.verdict is not Verdict.REFUTED for outcome in outcomes):
+                    return outcomes
+                fitting = fitting or outcomes
+        return fitting
+
+    def _adopts_letters(self, members: list[Member]) -> bool:
+        """The letters of the transform to a frame that the document adds (a tool of length L_3) become free symbols."""
+        if not any(isinstance(m.node, n.Name) and self.names.adds_frame(m.node) for m in members):
+            return False
+        new: set[str] = set()
+        for member in members:
+            if isinstance(member.node, n.Matrix) and isinstance(member.problem, UnboundName):
+                for below in n.walk(member.node):
+                    if isinstance(below, n.Name) and not self.member(below).known and below.base[:1] in "aldhLDrRkGge" and not below.dots:
+                        new.add(below.key)
+        new -= self.names.adopted
+        self.names.adopted |= new
+        return bool(new)
 
     def _part(self, member: Member, known: list[Member]) -> Member:
         """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
@@ -116,7 +176,7 @@ class ChainChecker:
         if self.names.angle_sum(member.node) is None or member.node.key in self.names.quantities:
             return member
         other = next((m for m in members if m is not member and m.known), None)
-        if other is None or self._compare(member, other, 0, _has_branches(other.node)).verdict is not Verdict.REFUTED:
+        if other is None or self._compare(member, other, 0, has_branches(other.node)).verdict is not Verdict.REFUTED:
             return member
         return Member(member.node, None, UnboundName(member.node.key))
 
@@ -124,12 +184,14 @@ class ChainChecker:
         """Before det J or J^{-1} of a Jacobian that only notation implies: the rows that make it square, if not printed yet."""
         for below in n.walk(chain):
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
-            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com")):
+            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
                 continue
             name = jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], self.names)  # type: ignore[attr-defined]
-            if name is None or name.key in self.names.shown:
+            if name is None:
                 continue
             value = self.member(name).value
+            if isinstance(value, Matrix) and len(self.names.shown.get(name.key, ())) == value.shape[1]:
+                continue
             if isinstance(value, Matrix) and value.shape[0] != value.shape[1] and (rows := square_rows(value)) is not None:
                 self.names.shown[name.key] = tuple(row + 1 for row in rows)
 
@@ -140,9 +202,17 @@ class ChainChecker:
         for member in chain.members:
             while isinstance(member, n.Group | n.Labelled):
                 member = member.inner
-            if isinstance(member, n.Name) and self.names.is_new(member):
+            if isinstance(member, n.Name) and self.names.is_new(member) and member.key not in _keys_beside(chain, member):
                 return member.key
         return None
+
+    def _new_letters(self, chain: n.Chain) -> frozenset[str]:
+        """The letters of the first matrix that holds nothing but new letters and numbers: a formula's value defines them."""
+        for member in chain.members if not any(bare_key(node) for node in chain.members) else ():
+            names = _names_alone(member)
+            if names and all(self.names.is_new(name) for name in names) and not _keys_alone(member) & _keys_beside(chain, member):
+                return _keys_alone(member)
+        return frozenset()
 
     def member(self, node: n.Node) -> Member:
         """Evaluate one side exactly."""
@@ -162,10 +232,10 @@ class ChainChecker:
         if isinstance(node, n.Group | n.Labelled):
             return self._rank(node.inner)
         quantity = self.quantity_of(node)
-        if quantity is not None:
+        if quantity is not None or (isinstance(node, n.Name) and node.dots and self.names.quantity(replace(node, dots=0)) is not None):
             return 4
-        if isinstance(node, n.Name) and self.names.arm is not None and self.names.known_symbol(node.key) is not None:
-            return 4
+        if isinstance(node, n.Name) and self.names.arm is not None and (symbol := self.names.known_symbol(node.key)) is not None:
+            return 3 if any(joint.symbol == symbol for joint in self.names.arm.joints) else 1
         names = [below for below in n.walk(node) if isinstance(below, n.Name | n.Call)]
         if any(isinstance(below, n.Matrix) for below in n.walk(node)):
             return 2 if any(self.quantity_of(below) is not None for below in names) else 1
@@ -192,9 +262,10 @@ class ChainChecker:
             pairs = list(align(true.value, printed.value, self.exact))
         except ShapeMismatch as mismatch:
             outcome.message = str(mismatch)
-            return outcome
+            return self._compare_blocks(true, printed, outcome)
         except EvaluationError as problem:
             return replace(outcome, verdict=Verdict.UNCHECKED, message=str(problem))
+        pairs = [self._with_last_coordinate(true.node, pair) for pair in pairs]
         best: tuple[Pair, list[tuple[int, int]]] | None = None
         if true.rank < 4:  # only a quantity of the arm may be met in another shape
             pairs = [pair for pair in pairs if not pair.note] or pairs[:0]
@@ -223,11 +294,33 @@ class ChainChecker:
             return outcome
         return self._doubt(outcome, branches)
 
+    def _compare_blocks(self, true: Member, printed: Member, outcome: Outcome) -> Outcome:
+        """A printed matrix of blocks in which a 0 stands for a block of zeros: [z_2; 0] is 6×1."""
+        node = printed.node
+        blocks = partition(node.rows, true.value.shape) if isinstance(node, n.Matrix) and isinstance(true.value, Matrix) else None
+        if blocks is None or len(blocks) < 2:
+            return outcome
+        cells = [(block, self.member(block.cell)) for block in blocks]
+        if not all(cell.known and (isinstance(cell.value, Matrix | Identity) or _is_zero(cell.value)) for _, cell in cells):
+            return outcome
+        outcome.wrong = [(block.row, block.column) for block, cell in cells if not self._equals_block(block.of(true.value), cell.value)]
+        outcome.message = "a block differs" if outcome.wrong else ""
+        outcome.verdict = Verdict.REFUTED if outcome.wrong else Verdict.PROVED
+        return outcome
+
+    def _with_last_coordinate(self, node: n.Node, pair: Pair) -> Pair:
+        """The fourth coordinate is 1 of a point, 0 of a direction or a difference of points."""
+        quantity = self.quantity_of(node)
+        if pair.note != HOMOGENEOUS or quantity is None or quantity.kind not in ("origin", "axis", "difference"):
+            return pair
+        last = self.exact.ring.one if quantity.kind == "origin" else self.exact.ring.zero
+        return replace(pair, true=Matrix((*pair.true.rows[:3], (last,))))
+
     def _holds_of_table_angles(self, outcome: Outcome) -> bool:
         """Whether the equation holds where θ_i means the table's angle and not the variable it is offset from."""
         arm = self.names.arm
         assert outcome.pair is not None and outcome.true is not None
-        if arm is None or arm.dh is None or outcome.true.rank < 3:
+        if arm is None or arm.dh is None or outcome.true.rank < 3 or self._is_symbol(outcome.true.node):
             return False
         pi, rational = self.exact.pi(), self.exact.rational
         shifts = {
@@ -239,6 +332,9 @@ class ChainChecker:
             return False
         shifted = self.exact.substitute(outcome.pair.true, shifts)
         return not different_entries(replace(outcome.pair, true=shifted), exactly_equal)
+
+    def _is_symbol(self, node: n.Node) -> bool:
+        return isinstance(node, n.Name) and self.names.known_symbol(node.key) is not None
 
     def _at_a_configuration(self, true: Member, printed: Member, outcome: Outcome) -> Outcome | None:
         """A numeric matrix equated to a pose that moves is that pose at the configuration the document gave last."""
@@ -297,7 +393,10 @@ class ChainChecker:
 
     def _doubt(self, outcome: Outcome, branches: bool) -> Outcome:
         """Where square roots or arc functions leave the normal form open, equal samples still confirm."""
-        if not self.exact.ring.is_extended():
+        pair, ring = outcome.pair, self.exact.ring
+        assert pair is not None and outcome.true is not None and outcome.printed is not None
+        signs = ring.signs_chosen and any(self._has_roots(m.node) for m in (outcome.true, outcome.printed))
+        if not (branches or signs) and not all(ring.leaves_open(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in outcome.wrong):
             return outcome
         errors = self._sampled_errors(outcome, branches)
         if errors is None:
@@ -306,13 +405,16 @@ class ChainChecker:
         if finite.sum() >= 10 and float(scaled[..., finite].max()) <= TOLERANCE:
             outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
             outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
-        else:
-            self._on_a_branch(outcome, scaled, finite)
+        elif not self._on_a_branch(outcome, scaled, finite) and signs:
+            outcome.sampled_only = True
+            outcome.message = "the two sides differ, square roots being taken as positive"
         return outcome
 
     def _on_a_branch(self, outcome: Outcome, scaled: np.ndarray, finite: np.ndarray) -> bool:
         """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations."""
-        counts = holds_on(scaled, finite & self.sampled().random, TOLERANCE)
+        assert outcome.true is not None and outcome.printed is not None
+        left = min(outcome.true.node, outcome.printed.node, key=lambda node: node.span)
+        counts = holds_on(scaled, finite & self.sampled().random, TOLERANCE) if self._is_solved_for(left) else None
         if counts is None:
             return False
         holding = (scaled <= TOLERANCE).all(axis=(0, 1)) & finite
@@ -323,6 +425,25 @@ class ChainChecker:
             "at the others another sign or half-turn is meant"
         )
         return True
+
+    def _has_roots(self, node: n.Node) -> bool:
+        """Whether a square root stands in a tree, or may stand behind one of its names."""
+        return any(
+            (isinstance(b, n.Call) and b.function == "sqrt") or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
+            or (isinstance(b, n.Name) and b.key in self.names.definitions)
+            for b in n.walk(node)
+        )  # fmt: skip
+
+    def _is_solved_for(self, node: n.Node) -> bool:
+        """Whether a left side is what inverse kinematics solves for: a joint variable, a sum of such, or cos, sin, tan of it.
+
+        Only there a sign or a half-turn is left to the reader; √(sin² θ) = sin θ and |x| = x are identities, and false.
+        """
+        node = bare(node)
+        if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan"):
+            node = node.arguments[0]
+        plain = n.Name | n.JointAngles | n.Number | n.Sum | n.Product | n.Quotient | n.Group
+        return all(isinstance(b, plain) and (not isinstance(b, n.Name) or self._is_symbol(b)) for b in n.walk(node))
 
     def sampled_value(self, node: n.Node, branch: int = 1) -> Value:
         """Return a tree's value on the samples of the double plant."""
@@ -384,7 +505,7 @@ class ChainChecker:
     def _define(self, true: Member, member: Member, equation: int, line: int, define: bool) -> Outcome:
         """Give the unbound names of a member their meaning by what is known, or say what is not bound."""
         if isinstance(member.problem, OutsideAlgebra):
-            return self.confirm_only(true.node, member.node, equation, _has_branches(member.node), f"{member.problem} is not exact")
+            return self.confirm_only(true.node, member.node, equation, has_branches(member.node), f"{member.problem} is not exact")
         if isinstance(member.problem, NoValue):
             located = self._define_entries(true, member, equation, line, False)
             if located is not None and located.verdict is Verdict.REFUTED:
@@ -401,9 +522,30 @@ class ChainChecker:
                         self.names.add_frame(member.node)
                 return Outcome(Verdict.DEFINED, f"gives {key} its meaning", equation, true, member, defines=(key,))
             pattern = self._define_entries(true, member, equation, line, define)
-            if pattern is not None:
+            if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
                 return pattern
+            slip = self._slipped_index(true, member, equation)
+            if slip is not None or pattern is not None:
+                return slip or pattern  # type: ignore[return-value]
         return Outcome(Verdict.UNCHECKED, str(member.problem), equation, true, member)
+
+    def _slipped_index(self, true: Member, member: Member, equation: int) -> Outcome | None:
+        """A length that the arm does not have (a_3 of a 2R arm) is a slip where one of its lengths makes the equation hold."""
+        unknown = {b.key: b for b in n.walk(member.node) if isinstance(b, n.Name) and not self.member(b).known}
+        if self.names.arm is None or len(unknown) != 1:
+            return None
+        (name,) = unknown.values()
+        family = [length for length in self.names.arm.lengths if length.partition("_")[0] == name.base and name.sub.isdigit()]
+        for length in family:
+            read = member.node
+            for below in n.walk(member.node):
+                if isinstance(below, n.Name) and below.key == name.key:
+                    read = n.substitute(read, below, replace(below, sub=length.partition("_")[2]))
+            mended = self.member(read)
+            if mended.known and self._compare(true, mended, equation, False).verdict is Verdict.PROVED:
+                message = f"the arm has no {name.key}; with {length} the equation holds"
+                return Outcome(Verdict.REFUTED, message, equation, true, member)
+        return None
 
     def _define_entries(self, true: Member, member: Member, equation: int, line: int, define: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
@@ -422,11 +564,13 @@ class ChainChecker:
         blocks = partition(rows, value.shape) if isinstance(value, Matrix) else None
         if not isinstance(value, Matrix) or blocks is None:
             return None
-        defined: list[str] = []
+        first: dict[str, Value] = {}  # what a name is where it stands first
         wrong: list[tuple[int, int]] = []
         unknown: EvaluationError | None = None
         for block in blocks:
             cell, key = self.member(block.cell), bare_key(block.cell)
+            if key in self._fresh:
+                cell = Member(block.cell, None, UnboundName(str(key)))
             if cell.known:
                 if not self._equals_block(block.of(value), cell.value):
                     wrong.append((block.row, block.column))
@@ -434,18 +578,19 @@ class ChainChecker:
                 wrong.append((block.row, block.column))
             elif key is None or not isinstance(cell.problem, UnboundName):
                 unknown = cell.problem
-            elif define and key not in defined:  # a name met a second time has its value by then
-                self.names.define(key, _getter(self, true.node, block), line)
-                defined.append(key)
+            elif key in first:
+                if not self._equals_block(first[key], block.of(value)):
+                    wrong.append((block.row, block.column))
             else:
-                defined.append(key)
+                first[key] = block.of(value)
+                if define:
+                    self.names.define(key, _getter(self, true.node, block), line)
         if wrong:
             pair = Pair(value, value) if len(blocks) == len(value.rows) * len(value.rows[0]) else None
             return Outcome(Verdict.REFUTED, "" if pair else "a block differs", equation, true, member, pair, wrong)
         if unknown is not None:
             return Outcome(Verdict.UNCHECKED, str(unknown), equation, true, member)
-        names = ", ".join(dict.fromkeys(defined))
-        return Outcome(Verdict.DEFINED, f"gives {names} their meaning", equation, true, member, defines=tuple(defined))
+        return Outcome(Verdict.DEFINED, f"gives {', '.join(first)} their meaning", equation, true, member, defines=tuple(first))
 
     def _equals_block(self, true: Value, printed: Value) -> bool:
         try:
@@ -476,7 +621,7 @@ class ChainChecker:
         if len(outside) >= 2 and len(outside) == len(members):
             first, *others = outside
             return [
-                self.confirm_only(first.node, m.node, equation + k, _has_branches(m.node), f"{m.problem} is not exact")
+                self.confirm_only(first.node, m.node, equation + k, has_branches(m.node), f"{m.problem} is not exact")
                 for k, m in enumerate(others)
             ]
         shape = next((m.problem for m in members if isinstance(m.problem, NoValue)), None)
@@ -491,6 +636,30 @@ class ChainChecker:
             return [Outcome(Verdict.DEFINED, f"gives {bare} its meaning in terms of names without a value", equation + k)
                     for k in range(len(members) - 1)]  # fmt: skip
         return [Outcome(Verdict.UNCHECKED, str(other or unbound), equation)]
+
+
+def _names_alone(node: n.Node) -> list[n.Name]:
+    """Return the names that a matrix of nothing but names and numbers holds."""
+    while isinstance(node, n.Group | n.Labelled):
+        node = node.inner
+    cells = [cell for row in node.rows for cell in row] if isinstance(node, n.Matrix) else []
+    return [c for c in cells if isinstance(c, n.Name)] if all(isinstance(c, n.Name | n.Number) for c in cells) else []
+
+
+def _keys_alone(node: n.Node) -> frozenset[str]:
+    return frozenset(name.key for name in _names_alone(node))
+
+
+def _keys_beside(chain: n.Chain, member: n.Node) -> set[str]:
+    """The names that the other members of a chain hold."""
+    return {b.key for other in chain.members if member not in (other, bare(other)) for b in n.walk(other) if isinstance(b, n.Name)}
+
+
+def bare(node: n.Node) -> n.Node:
+    """Return a tree without the brackets and braces around it."""
+    while isinstance(node, n.Group | n.Labelled):
+        node = node.inner
+    return node
 
 
 def bare_key(node: n.Node) -> str | None:
@@ -528,6 +697,21 @@ def _distance(a: Any, b: Any) -> Any:
     return difference
 
 
+def _is_overloaded(outcome: Outcome) -> bool:
+    """Whether a formula without a value, for the sizes in it, stands in the equation."""
+    return outcome.verdict is Verdict.REFUTED and outcome.printed is not None and isinstance(outcome.printed.problem, NoValue)
+
+
+def _is_mismatch(outcome: Outcome) -> bool:
+    """Whether two values of different sizes were equated."""
+    known = outcome.true is not None and outcome.printed is not None and outcome.true.known and outcome.printed.known
+    return outcome.verdict is Verdict.REFUTED and known and outcome.pair is None and not outcome.wrong
+
+
+def _is_zero(value: Value) -> bool:
+    return isinstance(value, Scalar) and value.is_zero()
+
+
 def _has_dots(node: n.Node) -> bool:
     return any(isinstance(below, n.Dots) for below in n.walk(node))
 
@@ -539,5 +723,6 @@ def _is_arc(node: n.Node) -> bool:
     return any(_is_arc(below) for below in n.children(node))
 
 
-def _has_branches(node: n.Node) -> bool:
+def has_branches(node: n.Node) -> bool:
+    """Whether ± or ∓ stands in a tree."""
     return any(sign in "±∓" for below in n.walk(node) if isinstance(below, n.Sum) for sign, _ in below.terms)

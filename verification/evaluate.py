@@ -133,7 +133,7 @@ class Evaluator:
     def _sum(self, node: n.Sum) -> Value:
         total: Value = None
         for sign, term in node.terms:
-            value = as_scalar(self.evaluate(term))
+            value = _stacked(as_scalar(self.evaluate(term)))
             if sign == "-" or (sign == "±" and self.branch < 0) or (sign == "∓" and self.branch > 0):
                 value = -value if not isinstance(value, Identity) else _no_size()
             total = value if total is None else self._add(total, value)
@@ -144,6 +144,8 @@ class Evaluator:
             a = identity(self.algebra, b.shape[0])
         if isinstance(b, Identity) and isinstance(a, Matrix):
             b = identity(self.algebra, a.shape[0])
+        if isinstance(a, Identity) or isinstance(b, Identity):
+            _no_size()
         if isinstance(a, Matrix) != isinstance(b, Matrix):
             matrix, other = (a, b) if isinstance(a, Matrix) else (b, a)
             if is_zero(other):
@@ -158,10 +160,7 @@ class Evaluator:
         return result
 
     def _multiply(self, a: Value, operator: str, b: Value) -> Value:
-        if isinstance(a, list):
-            a = column(a)
-        if isinstance(b, list):
-            b = column(b)
+        a, b = _stacked(a), _stacked(b)
         if isinstance(a, Identity):
             return b
         if isinstance(b, Identity):
@@ -179,7 +178,7 @@ class Evaluator:
         return a * b
 
     def _quotient(self, node: n.Quotient) -> Value:
-        above = self.evaluate(node.numerator)
+        above = _sized(self.evaluate(node.numerator))
         below = self.scalar(node.denominator)
         self._divide_by(below)
         if isinstance(above, Matrix):
@@ -187,10 +186,12 @@ class Evaluator:
         return above / below
 
     def _power(self, node: n.Power) -> Value:
-        base = as_scalar(self.evaluate(node.base))
+        base = _stacked(as_scalar(self.evaluate(node.base)))
         exponent = _integer(node.exponent)
+        if isinstance(base, Identity) and exponent is not None:
+            return base
         if exponent is None:
-            if _is_half(node.exponent):
+            if _is_half(node.exponent) and not isinstance(base, Matrix | Identity):
                 return self.algebra.sqrt(base)
             raise EvaluationError("a power whose exponent is not an integer")
         if isinstance(base, Matrix):
@@ -209,11 +210,11 @@ class Evaluator:
         return base**exponent
 
     def _postfix(self, node: n.Postfix) -> Value:
+        if node.operator == "deg":
+            return self.scalar(node.base) * self.algebra.pi() / self.algebra.rational(Fraction(180))
         value = as_scalar(self.evaluate(node.base))
         if node.operator == "-1":
             value = self._printed_rows(node.base, value)
-        if node.operator == "deg":
-            return value * self.algebra.pi() / self.algebra.rational(Fraction(180))
         if isinstance(value, list):
             value = Matrix((tuple(value),))
         if isinstance(value, Identity):
@@ -304,7 +305,7 @@ class Evaluator:
         """Return a tree's value where some joint variables or lengths have the values given."""
         if isinstance(self.algebra, SampledAlgebra):
             return Evaluator(self.names, self.algebra.at(values), self.branch).evaluate(node)
-        return self.algebra.substitute(self.evaluate(node), values)
+        return self.algebra.substitute(_sized(self.evaluate(node)), values)
 
     def _matrix(self, node: n.Matrix) -> Value:
         rows = [[as_scalar(self.evaluate(cell)) for cell in row] for row in node.rows]
@@ -364,6 +365,10 @@ class Evaluator:
             values = [self.scalar(a) for a in node.arguments]
             zero = self.algebra.rational(Fraction(0))
             return Matrix(tuple(tuple(v if r == c else zero for c in range(len(values))) for r, v in enumerate(values)))
+        if function == "abs" and isinstance(matrix := self.evaluate(node.arguments[0]), Matrix):  # |J|, |p|
+            if matrix.shape[1] == 1:
+                return self.algebra.sqrt((matrix.transpose @ matrix).rows[0][0])
+            return self._printed_rows(node.arguments[0], matrix).determinant()
         if function in _MATRIX_CALLS:
             value = self._printed_rows(node.arguments[0], self.evaluate(node.arguments[0]))
             if not isinstance(value, Matrix):
@@ -438,7 +443,7 @@ class Evaluator:
     def _derivative(self, node: n.Derivative) -> Value:
         if isinstance(self.algebra, SampledAlgebra):
             return self.algebra.from_exact(Evaluator(self.names, self.algebra.exact, self.branch).evaluate(node))
-        value = self.evaluate(node.operand)
+        value = _sized(self.evaluate(node.operand))
         variable = node.variable
         for _ in range(node.order):
             value = self._differentiate(value, variable)
@@ -447,7 +452,7 @@ class Evaluator:
     def _differentiate(self, value: Value, variable: n.Node) -> Value:
         if self.names.arm is not None and isinstance(variable, n.Name) and variable.key == "t":
             return self._in_time(value)
-        by = self.evaluate(variable)
+        by = _sized(self.evaluate(variable))
         if isinstance(by, Matrix):  # ∂P/∂q: one column a variable
             cells = by.vector()
             value = value if isinstance(value, Matrix) else column([value])
@@ -503,6 +508,20 @@ def identity(algebra: Algebra, size: int) -> Matrix:
     """Return the identity matrix of a size."""
     one, zero = algebra.rational(Fraction(1)), algebra.rational(Fraction(0))
     return Matrix(tuple(tuple(one if r == c else zero for c in range(size)) for r in range(size)))
+
+
+def _stacked(value: Value) -> Value:
+    """Return a list of values as the column that it stands for."""
+    if not isinstance(value, list):
+        return value
+    if any(isinstance(cell, Matrix | Identity | list) for cell in value):
+        raise EvaluationError("a list of matrices stands where one value is expected")
+    return column(value)
+
+
+def _sized(value: Value) -> Value:
+    """Return a value of which the size is known."""
+    return _no_size() if isinstance(value, Identity) else _stacked(value)
 
 
 def as_scalar(value: Value) -> Value:

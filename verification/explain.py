@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from models.errors import ArmproofError
+from verification.algebras import link_matrix
 from verification.compare import exactly_equal
 from verification.equation import ChainChecker, Outcome
 from verification.latex import nodes as n
@@ -19,6 +20,8 @@ def explain_whole(checker: ChainChecker, outcome: Outcome) -> str | None:
     if pair is None or true is None or outcome.sampled_only:
         return None
     try:
+        if all(isinstance(cell, Scalar) and cell.is_zero() for row in pair.printed.rows for cell in row):
+            return None  # zeros are everything's special case
         for words, candidate in _candidates(checker, outcome):
             if candidate.shape == pair.printed.shape and _equal(candidate, pair.printed):
                 return words
@@ -95,6 +98,9 @@ def _candidates(checker: ChainChecker, outcome: Outcome) -> Iterator[tuple[str, 
         yield from _poses(checker, quantity)
     elif quantity.kind == "jacobian":
         yield from _jacobians(checker, quantity, pair.true_rows)
+    elif quantity.kind == "link":
+        other = "classic" if quantity.frame == "modified" else "modified"
+        yield f"this is the {other} link matrix, the {quantity.frame} one is meant", link_matrix(checker.exact, other)
     elif quantity.kind in ("origin", "axis"):
         yield from _vectors(checker, quantity)
 

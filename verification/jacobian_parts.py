@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 
 from verification.algebras import Value
@@ -36,12 +37,20 @@ def part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | Non
     if len(digits) == 1 and isinstance(value, Matrix) and value.shape[1] == 1:
         if part and value.shape[0] == 3:
             return replace(whole, rows=(1, 2, 3) if part in LINEAR else (4, 5, 6), columns=columns)
-        return replace(whole, columns=columns) if not part and value.shape[0] in (2, 3, 6) else None
+        return replace(whole, columns=columns) if not part and value.shape[0] in (2, 3, 4, 6) else None  # 4: [z; 0]
     if len(digits) == 2 and not part and not isinstance(value, Matrix | list):
         rows = whole.rows or names.shown.get("J") or (1, 2, 3, 4, 5, 6)
         row = int(digits[0])
         return replace(whole, rows=(rows[row - 1],), columns=columns, scalar=True) if 1 <= row <= len(rows) else None
     return None
+
+
+def jacobian_rows(value: Value, printed: tuple[int, ...] | None) -> Iterator[tuple[int, ...]]:
+    """Yield the rows (from 1) that a shorter Jacobian is likely to hold: as printed before, v, the plane's, all that move."""
+    if not isinstance(value, Matrix):
+        return
+    moving = tuple(i for i, row in enumerate(value.rows, 1) if not all(cell.is_zero() for cell in row))
+    yield from dict.fromkeys(rows for rows in (printed, (1, 2, 3), (1, 2), moving, (4, 5, 6)) if rows)
 
 
 def _whole(names: Names, reference: str) -> Quantity | None:
@@ -65,5 +74,5 @@ def jacobian_name(node: n.Node, names: Names) -> n.Name | None:
         node = node.arguments[0]
     if not isinstance(node, n.Name) or node.base != "J" or node.key in names.quantities:
         return None
-    quantity = names.quantity(node)
+    quantity = names.quantity(replace(node, dots=0))
     return node if quantity is not None and quantity.kind == "jacobian" and quantity.rows is None else None

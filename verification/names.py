@@ -40,6 +40,7 @@ class Names:
     inferred: dict[str, Quantity] = field(default_factory=dict)  # names whose meaning the other side of an equation told
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)  # a frame the document adds: (on which of the arm's, name)
     configuration: dict[str, float] = field(default_factory=dict)  # joint variables and lengths that displays gave a value
+    adopted: set[str] = field(default_factory=set)  # letters that only a frame the document adds brings in: a tool's length
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
 
     def known_symbol(self, key: str) -> str | None:
@@ -49,7 +50,7 @@ class Names:
         if self.arm is None:
             return None
         joints = {joint.symbol: joint for joint in self.arm.joints}
-        if key in joints or key in self.arm.lengths or key in self.arm.angles:
+        if key in joints or key in self.arm.lengths or key in self.arm.angles or key in self.adopted:
             return key
         found = re.fullmatch(r"(q|theta|d|r)_(\d+)", key)
         if found and 1 <= int(found.group(2)) <= len(self.arm.joints):
@@ -99,10 +100,15 @@ class Names:
         frame, key = self.beyond[pair[1]]
         return (pair[0], frame, key) if key != name.key else None
 
+    def adds_frame(self, name: n.Name) -> bool:
+        """Whether a transform leads from a frame of the arm to one that is not the arm's."""
+        pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None and name.base in ("T", "A", "H") else None
+        return pair is not None and self.arm is not None and pair[0] in self.arm.frames and pair[1] not in self.arm.frames
+
     def add_frame(self, name: n.Name) -> None:
         """Remember that a defined transform leads from a frame of the arm to one that is not the arm's."""
-        pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None and name.base in ("T", "A", "H") else None
-        if pair is not None and self.arm is not None and pair[0] in self.arm.frames and pair[1] not in self.arm.frames:
+        pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None else None
+        if pair is not None and self.adds_frame(name):
             self.beyond.setdefault(pair[1], (pair[0], name.key))
 
     def quantity(self, name: n.Name) -> Quantity | None:

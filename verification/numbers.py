@@ -25,10 +25,13 @@ class NumericComparison:
 
 
 def is_numeric(node: n.Node) -> bool:
-    """Whether a tree is a square matrix of numbers: a pose or a rotation at a configuration."""
+    """Whether a tree is a square matrix of numbers, or one with decimals: a pose or a point at a configuration."""
     while isinstance(node, n.Group):
         node = node.inner
-    if not isinstance(node, n.Matrix) or len(node.rows) < 3 or any(len(row) != len(node.rows) for row in node.rows):
+    if not isinstance(node, n.Matrix):
+        return False
+    square = len(node.rows) >= 3 and all(len(row) == len(node.rows) for row in node.rows)
+    if not square and not any(isinstance(below, n.Number) and "." in below.text for below in n.walk(node)):
         return False
     return not any(isinstance(below, n.Name | n.Call | n.JointAngles | n.Dots) for below in n.walk(node))
 

@@ -196,7 +196,7 @@ def _implied_vector(name: n.Name, arm: Arm) -> Quantity | None:
     reference = name.pre_sup or name.sup
     if name.pre_sub or (name.pre_sup and name.sup):
         return None
-    frame = _frame(arm, name.sub)
+    frame = _frame(arm, re.sub(r"(?<=\w),?(?:ORG|org|orig)$", "", name.sub))  # Craig's P_{3ORG}
     if frame is None:
         return None
     first = numbered_frames(arm)[0]

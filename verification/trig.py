@@ -50,6 +50,7 @@ class Ring:
         self.radicands: dict[int, Scalar] = {}  # slot of a radical → its square
         self.arcs: dict[str, tuple[Scalar, Scalar]] = {}  # arc name → (cos, sin) of it
         self.denominators = dict(denominators or {})  # angle → d where cos(angle/d) is the generator
+        self.signs_chosen = False  # whether √(k²) was taken as k for a k that may be negative
         self.deadline = math.inf
         self.zero = self.rational(0)
         self.one = self.rational(1)
@@ -234,6 +235,7 @@ class Ring:
         outside = self._root_of_rational(Fraction(abs(int(content.p)), int(content.q)))
         for factor, power in factors:
             outside = outside * Scalar(self, factor, self._context.constant(1)) ** (power // 2)
+            self.signs_chosen |= power > 1 and not self._is_symbol(factor)
             if power % 2:
                 inside = inside * factor
         if inside.is_one():
@@ -247,6 +249,11 @@ class Ring:
         root = self._variable(slot)
         self._relations[slot] = root * root - inside
         return outside * Scalar(self, root, self._context.constant(1))
+
+    def _is_symbol(self, factor: fmpq_mpoly) -> bool:
+        """Whether a factor is a length, a letter or a root, and not something that changes its sign as an angle does."""
+        terms = list(self.terms(factor))
+        return len(terms) == 1 and all(kind in ("symbol", "sqrt", "radical") for kind, _ in terms[0][0])
 
     def _root_of_rational(self, value: Fraction) -> Scalar:
         number = value.numerator * value.denominator
@@ -399,6 +406,20 @@ class Ring:
     def is_extended(self) -> bool:
         """Whether square roots of expressions or arc functions have been adjoined."""
         return bool(self.radicands) or bool(self.arcs)
+
+    def leaves_open(self, difference: Scalar) -> bool:
+        """Whether a difference that is not zero in normal form may vanish nevertheless.
+
+        So it may if it holds a square root of an expression, an arc function, or the cosine of a constant angle that is
+        no multiple of π/12 (cos 2π/5 is a generator of its own, though it is a polynomial in cos π/5).
+        """
+        parts = (difference.numerator, difference.denominator)
+        return any(
+            kind in ("radical", "arc") or (kind in ("cos", "sin") and (name[:1].isdigit() or name.startswith("pi/")))
+            for part in parts
+            for powers, _ in self.terms(part)
+            for kind, name in powers
+        )
 
     def has_arcs(self, value: Scalar) -> bool:
         """Whether the value holds an arc function, so that it is an angle known up to whole turns."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -31,9 +31,9 @@ class Diagnosis:
     message: str
 
 
-def diagnoses(path: Path, seed: int = 0, each: int = EACH) -> Iterator[Diagnosis]:
-    """Yield the diagnoses of some slips of each of a document's proved displays."""
-    for place in proved_places(path):
+def diagnoses(path: Path, seed: int = 0, each: int = EACH, indices: Collection[int] | None = None) -> Iterator[Diagnosis]:
+    """Yield the diagnoses of some slips of each of a document's proved displays, or of those with the numbers given."""
+    for place in proved_places(path, indices):
         mutants = [mutant for mutant in mutants_of(place, seed) if _is_clear(place, mutant)]
         chance = random.Random(f"{seed} {place.where}")
         for mutant in chance.sample(mutants, min(each, len(mutants))):

@@ -16,10 +16,10 @@ from verification.errors import ReadError
 from verification.latex import nodes as n
 from verification.latex.writer import Notation, Writer
 
-CELLS = 5  # of a display whose slips are tried
-CONSTANT_CELLS = 2
-SWAPS = 4
-NAMES = 2
+CELLS = 8  # of a display whose slips are tried
+CONSTANT_CELLS = 3
+SWAPS = 5
+NAMES = 3
 EDITS = 400
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -106,23 +106,34 @@ class _Silent(Diagnostician):
         return record
 
 
-def proved_places(path: Path) -> Iterator[Place]:
-    """Yield the displays of a document that are proved and no errata, in order."""
+def proved_indices(path: Path) -> list[int]:
+    """Return the numbers of the displays of a document that are proved and no errata."""
+    _, records = _read_through(path)
+    return [index for index, record in enumerate(records) if record.verdict is Verdict.PROVED and not record.erratum]
+
+
+def proved_places(path: Path, indices: Collection[int] | None = None) -> Iterator[Place]:
+    """Yield the displays of a document that are proved and no errata, in order, or only those with the numbers given."""
     document = load(path)
-    denominators, records = _records(document)
+    denominators, records = _read_through(path)
+    wanted = set(proved_indices(path) if indices is None else indices)
     checker = _new_checker(document, denominators)
-    for index, (display, record) in enumerate(zip(document.displays, records, strict=True)):
-        if record.verdict is Verdict.PROVED and not display.erratum:
-            place = Place(document, index, record, denominators, checker)
+    for index in range(max(wanted, default=-1) + 1):
+        if index in wanted:
+            place = Place(document, index, records[index], denominators, checker)
             yield place
             checker = place.checker
-        checker.check_display(display)
+        checker.check_display(document.displays[index])
 
 
-def _records(document: Document) -> tuple[dict[str, int], list[Record]]:
+@lru_cache(maxsize=64)
+def _read_through(path: Path) -> tuple[dict[str, int], list[Record]]:
+    """Return the records of a document as `armproof verify` gives them, and the fractions of angles in it."""
+    document = load(path)
     denominators: dict[str, int] = {}
     while True:  # until the angles are fine enough for the document
         checker = _new_checker(document, denominators)
+        checker.checker.confirm = True
         try:
             return denominators, [checker.check_display(display) for display in document.displays]
         except AngleFraction as fraction:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 from tests.mutation.place import Place
 from verification.edits import Letters
@@ -11,6 +12,8 @@ from verification.equation import Outcome
 from verification.latex import nodes as n
 from verification.latex.writer import symbol_as_latex
 from verification.verdict import Verdict
+
+_WRITTEN: dict[Path, dict[str, n.Name]] = {}  # how each document writes the symbols of its arm
 
 
 @dataclass(frozen=True)
@@ -84,7 +87,10 @@ def letters_of(place: Place) -> Letters:
     arm = place.checker.names.arm
     if arm is None:
         return _letters_of_display(place)
-    written = _written_symbols(place)
+    path = place.document.path
+    if path not in _WRITTEN:
+        _WRITTEN[path] = _written_symbols(place)
+    written = _WRITTEN[path]
 
     def names_of(symbols: list[str]) -> tuple[n.Name, ...]:
         return tuple(written[symbol] for symbol in symbols if symbol in written)
@@ -116,7 +122,9 @@ def _written_symbols(place: Place) -> dict[str, n.Name]:
     written: dict[str, n.Name] = {}
     for display in place.document.displays:
         for node in _all_nodes(place, display.latex):
-            if isinstance(node, n.Name) and node.text and not node.dots and (symbol := names.known_symbol(node.key)) is not None:
+            if not isinstance(node, n.Name) or not node.text or node.dots or node.key in names.quantities:
+                continue
+            if (symbol := names.known_symbol(node.key)) is not None:
                 written.setdefault(symbol, node)
     for symbol in (*(joint.symbol for joint in arm.joints), *arm.lengths):
         node = place.checker.names.reader.read_expression(symbol_as_latex(symbol))

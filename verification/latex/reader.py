@@ -81,11 +81,8 @@ def _grammar() -> Lark:
     return Lark(grammar, parser="lalr", lexer=LatexLexer)
 
 
-_KEY = re.compile(r"(?P<ascii>[A-Za-z]+)")
-
-
 def key_as_latex(key: str) -> str:
     """Write a front-matter name as LaTeX: `theta_12` → `\\theta_{12}`, `J'_P` as it stands, `T_w^tool` braced."""
     spelled = re.sub(r"(?<![\\A-Za-z])(theta|alpha|beta|gamma|phi|psi|omega|sigma|delta|lambda|mu|rho|varphi|tau)(?![A-Za-z])", r"\\\1", key)
-    spelled = re.sub(r"([_^])([A-Za-z0-9]{2,})", r"\1{\2}", spelled)
+    spelled = re.sub(r"(?<=[A-Za-z0-9'])([_^])([A-Za-z0-9]{2,})", r"\1{\2}", spelled)  # pre-scripts are one digit, or braced
     return spelled

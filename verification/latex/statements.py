@@ -6,7 +6,7 @@ from lark import Token
 
 from verification.errors import ReadError
 from verification.latex import nodes as n
-from verification.latex.tokens import LAYOUTS
+from verification.latex.tokens import LAYOUTS, span_of_token
 
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
@@ -54,12 +54,12 @@ class _Statements:
         if not self.members:
             self.reopen()
         if len(self.relations) >= len(self.members):
-            raise ReadError(f"two relations in a row at '{token.value}'", token.start_pos)
+            raise ReadError(f"two relations in a row at '{token.value}'", span_of_token(token)[0])
         self.relations.append(token.value)
 
     def connective(self, kind: str, token: Token) -> None:
         self.close()
-        self.done.append(n.Connective(kind, token.value, span=(token.start_pos, token.end_pos)))
+        self.done.append(n.Connective(kind, token.value, span=span_of_token(token)))
 
 
 def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
@@ -153,11 +153,11 @@ def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
     words = [part for part in parts if isinstance(part, Token) and part.type == "TEXT"]
     if words:
         text = " ".join(str(part.value) for part in words)
-        return n.Name("words", text=text, span=(words[0].start_pos, words[-1].end_pos))
+        return n.Name("words", text=text, span=(span_of_token(words[0])[0], span_of_token(words[-1])[1]))
     if not parts:
         raise ReadError("a cell of a matrix is empty: write 0 where a zero is meant", span[0])
     second = parts[1]
-    where = second.start_pos if isinstance(second, Token) else second.span[0]
+    where = span_of_token(second)[0] if isinstance(second, Token) else second.span[0]
     raise ReadError("a cell of a matrix holds more than one expression", where)
 
 
@@ -168,7 +168,7 @@ def _cases(rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
         if value is None:
             raise ReadError("a case without a value", span[0])
         rest = [part for cell in row for part in cell if part is not value]
-        ends = [(p.start_pos, p.end_pos) if isinstance(p, Token) else p.span for p in rest]
+        ends = [span_of_token(p) if isinstance(p, Token) else p.span for p in rest]
         condition = text[min(e[0] for e in ends) : max(e[1] for e in ends)] if ends else ""
         branches.append((value, condition.strip(" ,&")))
     return n.Cases(tuple(branches), span=span)

@@ -37,15 +37,18 @@ UNICODE = {
 FUNCTIONS = {
     "cos": "cos", "sin": "sin", "tan": "tan", "cot": "cot", "sec": "sec", "csc": "csc",
     "arccos": "acos", "acos": "acos", "arcsin": "asin", "asin": "asin", "arctan": "atan", "atan": "atan",
-    "Arccos": "acos", "Arcsin": "asin", "Arctan": "atan", "Cos": "cos", "Sin": "sin", "Tan": "tan",
+    "Arccos": "acos", "Arcsin": "asin", "Arctan": "atan", "Acos": "acos", "Asin": "asin", "Atan": "atan", "ArcTan": "atan",
+    "ArcCos": "acos", "ArcSin": "asin", "ATAN": "atan", "ACOS": "acos", "COS": "cos", "SIN": "sin", "arcos": "acos",
+    "arcsen": "asin", "arctang": "atan", "Cos": "cos", "Sin": "sin", "Tan": "tan",
     "atan2": "atan2", "Atan2": "atan2", "ATAN2": "atan2", "arctan2": "atan2", "Arctan2": "atan2", "arctg": "atan",
     "tg": "tan", "sen": "sin",
     "det": "det", "Det": "det", "DET": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
     "cof": "com", "tr": "tr", "Tr": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
-    "diag": "diag",
+    "diag": "diag", "exp": "exp", "ln": "ln", "log": "log", "sgn": "sgn", "sign": "sgn", "sinh": "sinh", "cosh": "cosh",
+    "tanh": "tanh", "min": "min", "max": "max", "lim": "lim",
 }  # fmt: skip
 # bare letters are a product unless they spell one of these
-BARE_WORDS = sorted((set(FUNCTIONS) - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot"}), key=len, reverse=True)
+BARE_WORDS = sorted((set(FUNCTIONS) - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot", "ln", "min", "max", "lim", "exp", "log", "sgn"}), key=len, reverse=True)
 BARE_GREEK = ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma")
 
 RELATIONS = {
@@ -58,6 +61,10 @@ CONNECTIVES = {
     "iff": "⇔", "Leftrightarrow": "⇔", "Longleftrightarrow": "⇔", "Leftarrow": "⇐", "therefore": "⇒",
     "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒",
 }  # fmt: skip
+
+# units behind a number, which the reader leaves out; True where the number is in degrees
+UNITS = {"mm": False, "cm": False, "m": False, "rad": False, "rads": False, "radians": False, "s": False, "rad/s": False,
+         "m/s": False, "meters": False, "deg": True, "degrees": True, "°": True}  # fmt: skip
 
 MATRICES = {"matrix", "bmatrix", "pmatrix", "vmatrix", "Vmatrix", "Bmatrix", "smallmatrix", "array", "bsmallmatrix",
             "psmallmatrix"}  # fmt: skip
@@ -102,6 +109,7 @@ _FACTOR = re.compile(
     r"Rightarrow|implies|iff|to|therefore|Leftrightarrow|dots|ldots|cdots)(?![A-Za-z]))[A-Za-z{]|[A-Za-z({\[^])"
 )
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
+_MARKED_RELATION = re.compile(r"\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
@@ -120,7 +128,7 @@ _MACROS = {
     "overset": "OVERSET", "underset": "OVERSET", "stackrel": "OVERSET",
     "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "colon": "SEP",
     "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",
-    "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
+    "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "lVert": "OPEN_BAR", "rVert": "CLOSE_BAR", "because": "TEXT", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
     "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
 }  # fmt: skip
 _PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}
@@ -293,6 +301,10 @@ class _Scanner:
             return self._style(name, start, end)
         if name in ("left", "right"):
             raise ReadError(f"\\{name} needs a delimiter such as ( [ | or .", start)
+        if name in ("overset", "stackrel", "underset") and (marked := _MARKED_RELATION.match(self.text, end)):
+            return [self.token("REL", "=", start, marked.end())], marked.end()
+        if name == "checkmark":
+            return [], end
         if name in ("degree", "textdegree"):
             return [self.token("SUP", "\\circ", start, end)], end
         if name == "textcolor":
@@ -330,6 +342,10 @@ class _Scanner:
         if word is None:
             return [], end  # the group that follows is read as it stands
         content, after = word.group(1), word.end()
+        if self.previous in ("NUMBER", "RBRACE", "SUP") and content in UNITS and content not in self.words:
+            if content in ("m", "s") and self.previous != "NUMBER":
+                return [], end
+            return ([self.token("SUP", "\\circ", start, after)] if UNITS[content] else []), after
         if content in FUNCTIONS:
             return self._function(content, start, after)
         if content in VARIANTS or content in GREEK:
@@ -348,7 +364,7 @@ class _Scanner:
 
     def _function(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         if FUNCTIONS[name] in ("atan", "tan") or (name == "a"):
-            two = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\big|\\Big|\(|\{\s*\())").match(self.text, end)
+            two = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))").match(self.text, end)
             if two and FUNCTIONS[name] == "atan":
                 return [self.token("FUNC", "atan2", start, two.end())], two.end()
         if name == "sqrt":
@@ -446,12 +462,18 @@ def canonical_script(text: str) -> str:
     return text.replace("\\", "")
 
 
+def span_of_token(token: Token) -> tuple[int, int]:
+    """Return the place of a token in the display."""
+    return token.start_pos or 0, token.end_pos or 0
+
+
 class LatexLexer(Lexer):
     """Lark's lexer interface over `_Scanner`."""
 
     def __init__(self, lexer_conf: object) -> None:
-        self.words: frozenset[str] = frozenset()
+        """Lark hands over its configuration; nothing of it is needed."""
 
-    def lex(self, data: object) -> Iterator[Token]:
-        text, words = data  # type: ignore[misc]
+    def lex(self, data: tuple[str, frozenset[str]]) -> Iterator[Token]:  # type: ignore[override]
+        """Yield the tokens of (display, names of several letters)."""
+        text, words = data
         return _Scanner(text, words).scan()

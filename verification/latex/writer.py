@@ -194,6 +194,8 @@ class Writer:
 
     def write(self, node: n.Node) -> str:
         """Return LaTeX for a tree, the spelling of the source wherever it was not changed."""
+        if isinstance(node, n.Name) and node.text:
+            return node.text
         if id(node) in self.kept:
             return self.source[node.span[0] : node.span[1]].strip()
         patched = self._patched(node)
@@ -273,7 +275,7 @@ class Writer:
         """Write what a script is set on; without brackets only where it cannot be read as part of the name."""
         text = self.write(node)
         if isinstance(node, n.Name):
-            plain = not (node.sup or node.pre_sub or node.pre_sup or node.dots) and node.base not in SCRIPTED
+            plain = not (node.sup or node.pre_sub or node.pre_sup or node.dots or "^" in text) and node.base not in SCRIPTED
         elif isinstance(node, n.Call):
             plain = node.style in ("index", "script", "bars", "braces") and node.function in ("cos", "sin", "sqrt", "abs", "det")
         else:

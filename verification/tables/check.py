@@ -17,6 +17,7 @@ from verification.tables.cells import Cell, UnreadableCell, read_cell, row_frame
 from verification.tables.columns import CONVENTIONS, Columns, read_columns
 from verification.tables.faults import Faults
 from verification.tables.mend import single_mends
+from verification.tables.origins import check_origins
 from verification.tables.plant import confirm_rows, confirm_tool, counterexample
 from verification.tables.reading import Claim, Row, TableReading
 from verification.tables.tool import turned_tool
@@ -29,6 +30,8 @@ def check_table(checker: ChainChecker, table: Table) -> Record | None:
     """Return the record of a DH table, or None where a table is not one (no α and θ columns)."""
     if (columns := read_columns(table.header)) is not None:
         return _Check(checker, table, columns).record()
+    if (found := check_origins(checker, table, _Check(checker, table, None).blank)) is not None:
+        return found
     turned = _turned(table)
     if turned is None or (columns := read_columns(turned.header)) is None:
         return None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -13,14 +12,14 @@ from verification.algebras import ExactAlgebra
 from verification.tables.row import (
     ANGLES,
     PARAMETERS,
+    SCALES,
     RightRow,
     angle_as_scalar,
     constant_angle,
-    in_radians,
     is_free_of,
-    rational_part,
     right_row,
     row_matrix,
+    to_radians,
 )
 from verification.errors import EvaluationError, UnboundName
 from verification.matrix import Matrix
@@ -30,8 +29,6 @@ from verification.tables.cells import Cell, Frames, cell_values, unbound_name
 from verification.tables.columns import Columns, Reading
 from verification.tables.words import letter_of
 from verification.trig import Scalar
-
-_SCALES = {"mm": Fraction(1, 1000), "cm": Fraction(1, 100)}
 
 
 @dataclass(frozen=True)
@@ -227,22 +224,13 @@ class TableReading:
         if self.claim.lengths:
             values = [self.claim.algebra.substitute(value, self.claim.lengths) for value in values]
         if parameter not in ANGLES:
-            scale = _SCALES.get(unit)
+            scale = SCALES.get(unit)
             return [
                 v * self.claim.algebra.rational(scale) if scale and v.as_fraction() is not None else v for v in values
             ]
-        return [self._angle(value, unit) for value in values]
-
-    def _angle(self, value: Scalar, unit: str) -> Scalar:
-        """Return an angle in radians: a constant is in degrees where the header says so, or where it must be."""
-        constant = rational_part(value)
-        if not constant or unit == "rad":
-            return value
-        if unit != "deg":
-            if constant.denominator != 1 or constant % 15 or abs(constant) > 360:
-                return value
-            self._notes[f"the angle {constant} is read in degrees"] = None
-        return in_radians(value)
+        read = [to_radians(value, unit) for value in values]
+        self._notes.update(dict.fromkeys(note for _, note in read if note))
+        return [value for value, _ in read]
 
     def _judge_unbound(self, verdicts: list[RowVerdict]) -> None:
         """A lone unbound name is wrong where it cannot be the document's letter for what should stand there.

@@ -19,6 +19,7 @@ from verification.trig import Ring, Scalar
 
 PARAMETERS = ("a", "alpha", "d", "theta")
 ANGLES = ("alpha", "theta")
+SCALES = {"mm": Fraction(1, 1000), "cm": Fraction(1, 100)}  # metres, by the unit of a header
 Angle = tuple[Scalar, Scalar]  # the cosine and the sine
 
 
@@ -99,6 +100,18 @@ def rational_part(value: Scalar) -> Fraction:
     if not value.denominator.is_one():
         return Fraction(0)
     return next((coefficient for powers, coefficient in value.ring.terms(value.numerator) if not powers), Fraction(0))
+
+
+def to_radians(value: Scalar, unit: str) -> tuple[Scalar, str]:
+    """Return an angle in radians, and a note where its constant is taken to be in degrees without the header saying so."""
+    constant = rational_part(value)
+    if not constant or unit == "rad":
+        return value, ""
+    if unit == "deg":
+        return in_radians(value), ""
+    if constant.denominator != 1 or constant % 15 or abs(constant) > 360:
+        return value, ""
+    return in_radians(value), f"the angle {constant} is read in degrees"
 
 
 def in_radians(value: Scalar) -> Scalar:

@@ -1,0 +1,116 @@
+"""Print the benchmarks: `python -m tests.benchmarks`. Times depend on the machine, ratios are measured in one run."""
+
+from __future__ import annotations
+
+import argparse
+import platform
+import statistics
+from importlib.metadata import version
+
+from tests.benchmarks import documents, rx90, with_sympy
+
+MEGABYTE = 1_000_000
+ROUNDS = 7
+Row = tuple[str, str, str]
+
+
+def main() -> None:
+    """Print every figure with its target."""
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--sympy-seconds", type=float, default=120.0, help="how long each simplification may take")
+    parser.add_argument("--no-sympy", action="store_true", help="leave SymPy out")
+    options = parser.parse_args()
+    print(f"Python {platform.python_version()}, Drake {version('drake')}, {documents.cores()} cores\n")
+    ours = time_rx90()
+    print_rx90(ours)
+    if not options.no_sympy:
+        print_sympy(ours, options.sympy_seconds)
+    print_course()
+    print_growth()
+    print_handouts()
+
+
+def time_rx90() -> rx90.Times:
+    """Return the median of several rounds, each with the arm loaded afresh, after one that warms up."""
+    claims = rx90.read_claims()
+    rx90.measure(claims)
+    rounds = [rx90.measure(claims) for _ in range(ROUNDS)]
+    return rx90.Times(*(statistics.median(getattr(one, name) for one in rounds) for name in rx90.Times.__dataclass_fields__))
+
+
+def print_rx90(times: rx90.Times) -> None:
+    """Print what the RX-90 takes, step by step."""
+    rows = [
+        ("load the URDF and its card", _ms(times.load), ""),
+        ("read the LaTeX of the claims", _ms(times.read), ""),
+        ("trace pose and Jacobian", _ms(times.trace), ""),
+        ("prove 12 entries of the pose", _ms(times.pose), ""),
+        ("prove 36 entries of the Jacobian", _ms(times.jacobian), ""),
+        ("read, trace and prove 12 + 36 entries", _ms(times.trace_and_prove), "<= 100 ms"),
+        ("prove det J", _ms(times.determinant), ""),
+        ("evaluate them at 1,000 configurations", _ms(times.samples), ""),
+    ]
+    _print("RX-90, after imports (median)", rows)
+
+
+def print_sympy(ours: rx90.Times, timeout: float) -> None:
+    """Print the same against sympy.simplify; neither clock holds the reading of the printed formulas."""
+    results = {part: with_sympy.simplify_in_subprocess(part, timeout) for part in with_sympy.PARTS}
+    traced = ours.trace
+    mine = {"pose": traced + ours.pose, "jacobian": traced + ours.jacobian, "determinant": traced + ours.jacobian + ours.determinant}
+    rows: list[Row] = []
+    for part, result in results.items():
+        at_least = "> " if result.stopped else ""
+        told = "stopped" if result.stopped else f"{result.equal} of {result.entries} equal"
+        rows.append((f"{part}: {_ms(mine[part])} against {at_least}{result.seconds:.2f} s ({told})", f"{at_least}{result.seconds / mine[part]:,.0f}x", ""))
+    whole = ours.trace + ours.pose + ours.jacobian + ours.determinant
+    total = sum(result.seconds for result in results.values())
+    at_least = "> " if any(result.stopped for result in results.values()) else ""
+    rows.append((f"all three: {_ms(whole)} against {at_least}{total:.2f} s", f"{at_least}{total / whole:,.0f}x", ">= 100x"))
+    _print(f"RX-90, against sympy.simplify {version('sympy')}", rows)
+
+
+def print_course() -> None:
+    """Print what the command takes on the handouts."""
+    documents.run_unwatched()
+    seconds = statistics.median(documents.run_unwatched() for _ in range(5))
+    watched = documents.run_cold()
+    rows = [
+        (f"wall clock (exit code {watched.code})", f"{seconds:.2f} s", "<= 2.5 s"),
+        ("memory, largest process (RSS)", f"{watched.largest / MEGABYTE:.0f} MB", "<= 400 MB"),
+        ("memory, all processes (PSS)", f"{watched.together / MEGABYTE:.0f} MB", ""),
+    ]
+    _print("armproof verify course/handouts, a cold process", rows)
+
+
+def print_growth() -> None:
+    """Print how the time grows with the length of a document."""
+    documents.time_synthetic(50)
+    short = statistics.median(documents.time_synthetic(200) for _ in range(3))
+    long = documents.time_synthetic(2000)
+    rows = [("200 displays", f"{short:.2f} s", ""), ("2,000 displays", f"{long:.2f} s", ""), ("ratio", f"{long / short:.1f}x", "<= 11x")]
+    _print("A synthetic document", rows)
+
+
+def print_handouts() -> None:
+    """Print what each handout takes in a warm process."""
+    times = documents.time_handouts()
+    rows = [(f"{one.name}, {one.displays} displays", _ms(one.seconds), "") for one in sorted(times, key=lambda one: -one.seconds)]
+    rows.append((f"together, {sum(one.displays for one in times)} displays", _ms(sum(one.seconds for one in times)), ""))
+    _print("The handouts, one by one, in a warm process", rows)
+
+
+def _ms(seconds: float) -> str:
+    return f"{1000 * seconds:.1f} ms"
+
+
+def _print(title: str, rows: list[Row]) -> None:
+    width = max(len(row[0]) for row in rows)
+    print(title)
+    for what, value, target in rows:
+        print(f"  {what:<{width}}  {value:>10}" + (f"   target {target}" if target else ""))
+    print()
+
+
+if __name__ == "__main__":
+    main()

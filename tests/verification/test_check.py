@@ -1,0 +1,187 @@
+"""From displays to verdicts: each verdict of the design is reached, one record a display, whatever stands in it."""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from models.errors import ArmproofError
+from verification.check import check_document, verify
+from verification.document import Document
+from verification.errors import DocumentError
+from verification.verdict import DocumentResult, Record, Verdict
+
+Judge = Callable[..., Record]
+Check = Callable[..., DocumentResult]
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict", "message"),
+    [
+        (r"z_2 = \begin{bmatrix} 0 \\ 0 \\ -1 \end{bmatrix}", Verdict.PROVED, ""),
+        (r"|c_1| = \sqrt{c_1^2}", Verdict.CONFIRMED, "an absolute value is not exact"),
+        (r"x = a_1 c_1", Verdict.DEFINED, "gives x its meaning"),
+        (r"\theta_1 = 0", Verdict.DEFINED, "a configuration, not a claim"),
+        (r"a_1 c_1", Verdict.DEFINED, "states no equation"),
+        (r"z_2 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}", Verdict.REFUTED, "entry (3, 1): wrong sign"),
+        (r"u + v = 3", Verdict.UNCHECKED, "'u' is not bound"),
+        (r"c_1 = \frac{1}{2", Verdict.UNREADABLE, "line 1, column 17 of the display: the display ends too early"),
+        (r"c_1 = \unknowncommand{3}", Verdict.UNREADABLE, r"'\unknowncommand' is not a command of kinematic LaTeX"),
+    ],
+)
+def test_every_verdict_is_reached(judge: Judge, latex: str, verdict: Verdict, message: str) -> None:
+    record = judge(latex)
+    assert record.verdict is verdict and message in record.message
+    assert (record.line, record.latex, record.erratum) == (1, latex, False)
+
+
+def test_there_is_one_record_a_display_in_their_order(check: Check) -> None:
+    displays = ["c_1 = c_1", r"\frac{", "c_1 = s_1", "u + v = 3", "w = c_1", r"\theta_1 = 0"]
+    result = check(*displays, errata=("c_1 = s_2",))
+    assert [record.latex for record in result.equations] == [*displays, "c_1 = s_2"]
+    assert [record.line for record in result.equations] == list(range(1, 8))
+    assert [record.erratum for record in result.equations] == [False] * 6 + [True]
+
+
+def test_a_display_carries_the_worst_of_its_equations(judge: Judge) -> None:
+    assert judge(r"c_1 = c_1, \quad x = c_1").verdict is Verdict.PROVED
+    assert judge(r"c_1 = c_1, \quad |c_1| = \sqrt{c_1^2}").verdict is Verdict.CONFIRMED
+    assert judge(r"c_1 = c_1, \quad u + v = 1").verdict is Verdict.UNCHECKED
+    record = judge(r"c_1 = c_1, \quad u + v = 1, \quad s_1 = c_1, \quad s_2 = c_2")
+    assert record.verdict is Verdict.REFUTED
+    assert [entry.equation for entry in record.entries] == [3, 4]
+
+
+def test_equations_are_counted_through_every_layout(judge: Judge) -> None:
+    for latex in (
+        r"\begin{aligned} c_1 &= c_1 \\ s_1 &= c_1 \end{aligned}",
+        r"\left\{ \begin{array}{l} c_1 = c_1 \\ s_1 = c_1 \end{array} \right.",
+        r"\begin{cases} c_1 = c_1 \\ s_1 = c_1 \end{cases}",
+        r"c_1 = c_1 \qquad s_1 = c_1",
+        r"c_1 = c_1 \text{ and } s_1 = c_1",
+    ):
+        record = judge(latex)
+        assert record.verdict is Verdict.REFUTED, latex
+        assert [(entry.equation, entry.printed) for entry in record.entries] == [(2, "c_1")], latex
+
+
+def test_a_display_may_go_on_with_the_subject_of_the_one_before(check: Check) -> None:
+    result = check(r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \end{bmatrix}", r"= a_1 \begin{bmatrix} c_1 \\ s_1 \\ 0 \end{bmatrix}", r"= a_1 \begin{bmatrix} c_1 \\ c_1 \\ 0 \end{bmatrix}")  # fmt: skip
+    assert [record.verdict for record in result.equations] == [Verdict.PROVED, Verdict.PROVED, Verdict.REFUTED]
+
+
+def test_half_angles_start_the_document_again_with_finer_angles(check: Check) -> None:
+    result = check("c_1 = c_1", r"c_1 = 1 - 2\sin^2\frac{\theta_1}{2}", r"s_2 = 2\sin\frac{\theta_2}{3}", r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \end{bmatrix}")  # fmt: skip
+    assert [record.verdict for record in result.equations] == [Verdict.PROVED, Verdict.PROVED, Verdict.REFUTED, Verdict.PROVED]
+
+
+def test_a_verdict_does_not_depend_on_what_is_confirmed_or_repeated(check: Check) -> None:
+    displays = (r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 c_1 \\ 0 \end{bmatrix}", r"c_{12} = c_1 c_2 - s_1 s_2", "x = s_1", "x = c_1")
+    first, again, bare = check(*displays), check(*displays), check(*displays, confirm=False)
+    assert [r.as_json() for r in first.equations] == [r.as_json() for r in again.equations]
+    assert [r.verdict for r in first.equations] == [r.verdict for r in bare.equations]
+
+
+def test_proofs_hold_on_the_double_plant_at_a_thousand_configurations_of_six_families(judge: Judge) -> None:
+    record = judge(r"T^0_4 = A^0_1 A^1_2 A^2_3 A^3_4")
+    assert record.samples == 1000 and record.max_error is not None and record.max_error <= 1e-12
+
+
+# -- whatever is combined gets a verdict -----------------------------------------------------------------------------------
+
+ATOMS = ["I", "2", "z_1", "T^0_1", "(1, 2)", r"\{1, 2\}", "[1, 2, 3]", "c_1", "J", r"\dot q", "|c_1|", "x", "f(q)", r"\operatorname{atan2}(s_1, c_1)", r"\sqrt{a_1^2 + a_2^2}", r"\cdots"]  # fmt: skip
+UNARY = ["-{}", "{}^T", "{}^{{-1}}", "{}^2", "{}^{{1/2}}", r"{}^\circ", r"\det({})", r"\operatorname{{tr}}({})", r"\cos({})", r"\sqrt{{{}}}", r"\frac{{{}}}{{2}}", r"\frac{{1}}{{{}}}", r"\frac{{\partial {}}}{{\partial\theta_1}}", r"\frac{{\partial c_1}}{{\partial {}}}", r"\frac{{d}}{{dt}} {}", r"\left.{}\right|_{{\theta_1 = 0}}", r"\begin{{bmatrix}} {} & 1 \\ 0 & 1 \end{{bmatrix}}", r"Rot(z, {})", r"\underbrace{{{}}}_{{3\times 1}}", r"\arccos({})"]  # fmt: skip
+BINARY = ["{} + {}", "{} {}", r"{} \times {}", r"{} \cdot {}", r"\frac{{{}}}{{{}}}", r"{} \pm {}", r"\begin{{bmatrix}} {} & {} \end{{bmatrix}}"]
+RELATIONS = [r"\le", r"\neq", r"\approx", r"\in"]
+
+
+def test_one_operation_on_anything_gets_a_verdict(check: Check) -> None:
+    displays = [f"y = {form.format(atom)}" for form, atom in itertools.product(UNARY, ATOMS)]
+    assert_each_has_a_record(check, displays)
+
+
+def test_two_of_anything_get_a_verdict(check: Check) -> None:
+    displays = [f"z_1 = {form.format(a, b)}" for form, (a, b) in itertools.product(BINARY, itertools.product(ATOMS, ATOMS))]
+    assert_each_has_a_record(check, displays)
+
+
+def test_any_relation_between_anything_gets_a_verdict(check: Check) -> None:
+    pairs = list(itertools.product(ATOMS, ATOMS))
+    relations = [f"{a} {relation} {b}" for relation, (a, b) in itertools.product(RELATIONS, pairs)]
+    arrows = [rf"{a} = 0 \iff {b} = 0" for a, b in pairs]
+    assert_each_has_a_record(check, [*relations, *arrows])
+
+
+def assert_each_has_a_record(check: Check, displays: list[str]) -> None:
+    """Check the displays together: each has its record, and none is a fault of ours."""
+    with np.errstate(all="ignore"):
+        records = check(*displays, confirm=False).equations
+    assert len(records) == len(displays)
+    faults = [f"{record.latex}: {record.message}" for record in records if "internal error" in record.message]
+    assert not faults, f"{len(faults)} displays, such as {faults[:5]}"
+
+
+# -- bounds ----------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"(\cos\theta_1 + \cos\theta_2 + \sin\theta_4 + a_1 + a_2 + d_3 + d_4)^{24} = 1",
+        r"\cos(1000000\theta_1) = 1",
+        r"\det(" + "T^0_4 " * 200 + ") = 1",
+        "1 + " * 3000 + "1 = 3001",
+    ],
+    ids=["a large power", "a large multiple", "a long product", "a long sum"],
+)
+def test_no_display_takes_much_longer_than_two_seconds(judge: Judge, latex: str) -> None:
+    start = time.perf_counter()
+    record = judge(latex)
+    assert time.perf_counter() - start < 4
+    assert record.verdict in (Verdict.PROVED, Verdict.UNCHECKED, Verdict.UNREADABLE)
+    assert record.verdict is Verdict.PROVED or record.message
+
+
+def test_what_is_too_large_says_so_and_the_rest_is_checked(check: Check) -> None:
+    result = check(r"(c_1 + c_2 + a_1 + a_2 + d_3 + d_4 + s_4)^{24} = 1", "c_1 = c_1", "c_1 = s_1")
+    assert [record.verdict for record in result.equations] == [Verdict.UNCHECKED, Verdict.PROVED, Verdict.REFUTED]
+    assert "too large to decide" in result.equations[0].message
+
+
+def test_a_corrected_term_is_never_a_page_long(judge: Judge) -> None:
+    record = judge(r"(c_1 + c_2 + a_1 + a_2 + d_3 + d_4 + s_4)^8 = 1")
+    assert record.verdict is Verdict.REFUTED
+    assert len(record.message) < 5_000 and all(len(entry.correct) < 5_000 for entry in record.entries)
+
+
+# -- documents that cannot be checked ----------------------------------------------------------------------------------------
+
+
+def page(**front: Any) -> Document:
+    return Document(Path("page.md"), front, (), (), lines={"arm": 4, "quantities": 9})
+
+
+def test_an_unknown_arm_is_named_with_its_line() -> None:
+    with pytest.raises(DocumentError, match=r"page\.md:4: .*no_such_arm"):
+        check_document(page(arm="no_such_arm"))
+
+
+def test_a_binding_that_means_nothing_is_named_with_its_line() -> None:
+    with pytest.raises(DocumentError, match=r"page\.md:9: quantity 'X': no frame '9' on arm 'scara'; its frames are 0, 1, 2, 3, 4"):
+        check_document(page(arm="scara", quantities={"X": {"origin": 9}}))
+
+
+def test_a_file_is_read_and_checked(tmp_path: Path) -> None:
+    path = tmp_path / "page.md"
+    path.write_text("---\narm: planar_2r\n---\n\n$$ p_1 = l_1 \\begin{bmatrix} c_1 \\\\ s_1 \\\\ 0 \\end{bmatrix} $$\n", encoding="utf-8")
+    result = verify(path)
+    assert (result.arm, result.passed, [r.line for r in result.equations]) == ("planar_2r", True, [5])
+    assert result.equations[0].verdict is Verdict.PROVED
+    with pytest.raises(ArmproofError, match=r"no_page\.md"):
+        verify(tmp_path / "no_page.md")

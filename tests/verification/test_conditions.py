@@ -1,0 +1,135 @@
+"""Implications, singular configurations, inequalities and sizes: decided where they can be, never waved through."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import pi
+
+import pytest
+
+from verification.verdict import Record, Verdict
+
+Judge = Callable[..., Record]
+DET = r"\det(J_v J_v^T)"
+PLANAR = {"arm": "planar_2r", "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}, "P_x": {"origin": 2, "component": "x"}}}
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\det J = 0 \iff \sin\theta_2 = 0", Verdict.PROVED),
+        (r"\det J = 0 \iff \theta_2 = 0 \text{ or } \theta_2 = \pi", Verdict.PROVED),
+        (r"\det J = 0 \iff \theta_2 = k\pi", Verdict.PROVED),
+        (r"\det J = 0 \iff \theta_2 \in \{0, \pi\}", Verdict.PROVED),
+        (r"\det J = 0 \iff l_1 l_2 s_2 = 0", Verdict.PROVED),  # lengths are not zero
+        (r"\det J = 0 \Leftarrow \theta_2 = 0", Verdict.PROVED),
+        (r"\det J = 0 \text{ if } \theta_2 = \pi", Verdict.PROVED),
+        (r"\theta_2 = 0 \Rightarrow \det J = 0", Verdict.PROVED),
+        (r"\theta_2 = 0 \Rightarrow s_{12} = s_1", Verdict.PROVED),
+        (r"\det J = 0 \iff \theta_2 = 0", Verdict.REFUTED),  # π is forgotten
+        (r"\det J = 0 \Rightarrow \theta_2 = 0", Verdict.REFUTED),
+        (r"\det J = 0 \iff \cos\theta_2 = 0", Verdict.REFUTED),
+        (r"\det J = 0 \iff \theta_1 = 0", Verdict.REFUTED),
+        (r"\det J = 0 \Leftarrow \theta_2 = \frac{\pi}{2}", Verdict.REFUTED),
+        (r"\theta_2 = \pi \Rightarrow s_{12} = s_1", Verdict.REFUTED),
+    ],
+)
+def test_a_singular_set_is_decided(judge: Judge, latex: str, verdict: Verdict) -> None:
+    assert judge(latex, **PLANAR).verdict is verdict
+
+
+def test_a_refuted_condition_comes_with_the_configuration_that_shows_it(judge: Judge) -> None:
+    record = judge(r"\det J = 0 \iff \theta_2 = 0", **PLANAR)
+    assert record.counterexample == {"theta_2": pytest.approx(pi)}
+    assert record.message == "the left side holds and the right does not at the configuration given"
+    record = judge(r"\det J = 0 \Leftarrow \theta_2 = \frac{\pi}{2}", **PLANAR)
+    assert record.counterexample == {"theta_2": pytest.approx(pi / 2)}
+    assert record.message.startswith("the right side holds and the left does not")
+
+
+def test_a_factor_that_may_vanish_is_no_length(judge: Judge) -> None:
+    front = {"arm": "polar_rp", "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}}
+    assert judge(r"\det J = 0 \iff r = 0", **front).verdict is Verdict.PROVED
+    assert judge(r"r \sin\theta = 0 \iff \sin\theta = 0", **front).verdict is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"T^0_1 = 0 \Rightarrow \theta_1 = 0",
+        r"\det J = 0 \iff \theta_2 = 2k\pi",
+        r"\cos\theta_1 + 2 = 0 \Rightarrow \cos\theta_2 = 0",  # true of nothing, which is not shown
+    ],
+)
+def test_what_is_not_decided_is_not_claimed(judge: Judge, latex: str) -> None:
+    record = judge(latex, **PLANAR)
+    assert record.verdict is Verdict.UNCHECKED and record.message
+
+
+def test_an_arrow_between_true_steps_is_a_derivation(judge: Judge) -> None:
+    assert judge(r"c_1 = \cos\theta_1 \Rightarrow c_1^2 = 1 - s_1^2", **PLANAR).verdict is Verdict.PROVED
+    record = judge(r"c_1 = \cos\theta_1 \Rightarrow c_1^2 = 1 + s_1^2", **PLANAR)
+    assert record.verdict is Verdict.REFUTED and [entry.equation for entry in record.entries] == [2]
+    assert judge(r"c_1 = \sin\theta_1 \Rightarrow c_1^2 = 1 - s_1^2", **PLANAR).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("latex", [r"\theta_1 = 0", r"\theta_2 = \frac{\pi}{2}", r"\det J = 0", r"a_1 \neq a_2", r"-\pi \le \theta_1 \le \pi", r"l_1 > 0"])  # fmt: skip
+def test_a_condition_alone_claims_nothing(judge: Judge, latex: str) -> None:
+    assert judge(latex, **PLANAR).verdict is Verdict.DEFINED
+
+
+def test_a_determinant_that_vanishes_everywhere_is_a_claim(judge: Judge) -> None:
+    assert judge(r"\det(J^T z_1) = 0", **PLANAR).verdict is not Verdict.PROVED
+    assert judge(r"\det(\begin{bmatrix} c_1 & s_1 \\ c_1 & s_1 \end{bmatrix}) = 0", **PLANAR).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\left. J \right|_{\theta_2 = 0} = \begin{bmatrix} -(l_1 + l_2) s_1 & -l_2 s_1 \\ (l_1 + l_2) c_1 & l_2 c_1 \end{bmatrix}", Verdict.PROVED),
+        (r"\left. J \right|_{\theta_2 = \pi} = \begin{bmatrix} -(l_1 + l_2) s_1 & -l_2 s_1 \\ (l_1 + l_2) c_1 & l_2 c_1 \end{bmatrix}", Verdict.REFUTED),
+        (r"\left. \det J \right|_{\theta_2 = 0} = 0", Verdict.PROVED),
+        (r"\left. \det J \right|_{\theta_1 = 0} = 0", Verdict.REFUTED),
+        (r"\left. P_x \right|_{\theta_2 = \pi,\ l_2 = l_1} = 0", Verdict.PROVED),
+        (r"\left. P_x \right|_{\theta_2 = \pi} = 0", Verdict.REFUTED),
+        (r"\operatorname{rank}\left(\left. J \right|_{\theta_2 = 0}\right) = 1", Verdict.PROVED),
+        (r"\operatorname{rank}\left(\left. J \right|_{\theta_2 = 0}\right) = 2", Verdict.REFUTED),
+    ],
+)  # fmt: skip
+def test_values_at_a_configuration_are_exact(judge: Judge, latex: str, verdict: Verdict) -> None:
+    assert judge(latex, **PLANAR).verdict is verdict
+
+
+# -- sizes, inequalities, approximations -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict", "message"),
+    [
+        (r"J \in \mathbb{R}^{6 \times 4}", Verdict.PROVED, "the size"),
+        (r"J \in \mathbb{R}^{4 \times 6}", Verdict.REFUTED, "the matrix is 6×4, not 4×6"),
+        (r"p_4 \in \mathbb{R}^3", Verdict.PROVED, "the size"),
+        (r"q \in \mathbb{R}^3", Verdict.REFUTED, "the matrix is 4×1, not 3×1"),
+        (r"c_1^2 + s_1^2 \neq 1", Verdict.REFUTED, "the two sides are equal for every configuration"),
+        (r"c_1 \neq s_1", Verdict.DEFINED, "a condition, not a claim"),
+        (r"c_1^2 \le 1", Verdict.CONFIRMED, "an inequality holds at every sample"),
+        (r"0 \le c_1^2 \le 1", Verdict.CONFIRMED, "an inequality holds at every sample"),
+        (r"0 \le c_1^2 \le \frac12", Verdict.REFUTED, "the inequality fails at some configurations"),
+        (r"c_1 < \frac12", Verdict.REFUTED, "the inequality fails at some configurations"),
+        (r"\frac{\pi}{5} \approx 0.628", Verdict.CONFIRMED, "an approximation, to about a hundredth"),
+        (r"\frac{\pi}{5} \approx 0.5", Verdict.REFUTED, "an approximation, to about a hundredth"),
+        (r"c_1 \approx 1", Verdict.REFUTED, "an approximation, to about a hundredth"),
+    ],
+)
+def test_relations_other_than_equality(judge: Judge, latex: str, verdict: Verdict, message: str) -> None:
+    record = judge(latex)
+    assert (record.verdict, record.message) == (verdict, message)
+
+
+def test_cases_are_checked_each_under_its_condition(judge: Judge) -> None:
+    right = r"x(\sigma) = \begin{cases} a & \text{if } \sigma = 0 \\ b & \text{if } \sigma = 1 \end{cases}"
+    general = {"arm": None}
+    both = (r"y = (1 - \sigma) a + \sigma b", r"y = \begin{cases} a & \sigma = 0 \\ b & \sigma = 1 \end{cases}")
+    assert judge(*both, **general).verdict is Verdict.PROVED
+    assert judge(both[0], both[1].replace("1 \\end", "2 \\end"), **general).verdict is Verdict.REFUTED
+    assert judge(right, **general).verdict is not Verdict.PROVED

@@ -1,0 +1,176 @@
+"""What front matter and notation name on an arm: poses, origins, axes and Jacobians, in the frames that are meant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from models.arm import Arm
+from models.catalogue import load_arm
+from verification.errors import DocumentError
+from verification.matrix import Matrix
+from verification.names import read_names
+from verification.quantities import Quantity, frame_name, read_quantity
+
+# notation → what it means on the SCARA; the upper index of T^i_j is the reference
+IMPLIED = {
+    r"{}^1T_3": Quantity("pose", "3", "1"),
+    r"{}^1_3T": Quantity("pose", "3", "1"),
+    r"^1T_3": Quantity("pose", "3", "1"),
+    r"T^1_3": Quantity("pose", "3", "1"),
+    r"\mathbf{T}_3^1": Quantity("pose", "3", "1"),
+    r"A^1_3": Quantity("pose", "3", "1"),
+    r"H^1_3": Quantity("pose", "3", "1"),
+    r"T_{13}": Quantity("pose", "3", "1"),
+    r"T_{1,3}": Quantity("pose", "3", "1"),
+    r"A_3": Quantity("pose", "3", "2"),
+    r"T^0_n": Quantity("pose", "4", "0"),
+    r"R^1_3": Quantity("rotation", "3", "1"),
+    r"p_3": Quantity("origin", "3", "0"),
+    r"p_3^1": Quantity("origin", "3", "1"),
+    r"{}^1p_3": Quantity("origin", "3", "1"),
+    r"z_2": Quantity("axis", "2", "0"),
+    r"z_2^1": Quantity("axis", "2", "1"),
+    r"{}^1x_2": Quantity("axis", "2", "1", along="x"),
+    r"J": Quantity("jacobian", "4", "0"),
+    r"{}^4J": Quantity("jacobian", "4", "4"),
+    r"J_v": Quantity("jacobian", "4", "0", rows=(1, 2, 3)),
+    r"J_\omega": Quantity("jacobian", "4", "0", rows=(4, 5, 6)),
+}
+UNKNOWN = [r"T^1_7", r"T_3", r"p_x", r"J'", r"x_2", r"A_0", r"z_{12}", r"T'^1_3"]
+
+
+def meaning(latex: str, arm: str = "scara", **front: Any) -> Quantity | None:
+    names = read_names(load_arm(arm), front)
+    return names.quantity(names.reader.read_expression(latex))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("latex", "quantity"), IMPLIED.items(), ids=IMPLIED.keys())
+def test_common_notation_needs_no_front_matter(latex: str, quantity: Quantity) -> None:
+    assert meaning(latex) == quantity
+
+
+@pytest.mark.parametrize("latex", UNKNOWN)
+def test_what_notation_does_not_settle_is_left_unbound(latex: str) -> None:
+    assert meaning(latex) is None
+
+
+def test_transforms_lower_turns_the_indices_of_a_script_pair_only() -> None:
+    assert meaning(r"T^1_3", transforms="lower") == Quantity("pose", "1", "3")
+    assert meaning(r"T_1^3", transforms="lower") == Quantity("pose", "3", "1")
+    assert meaning(r"R_1^3", transforms="lower") == Quantity("rotation", "3", "1")
+    for latex in (r"{}^1T_3", r"{}^1_3T"):  # pre-scripts always name the reference above
+        assert meaning(latex, transforms="lower") == Quantity("pose", "3", "1")
+
+
+def test_frames_are_those_of_the_document() -> None:
+    assert meaning("J", "spherical_wrist") == Quantity("jacobian", "6", "3")
+    assert meaning("p_4", "spherical_wrist") == Quantity("origin", "4", "3")
+    assert meaning("A_4", "spherical_wrist") == Quantity("pose", "4", "3")
+    assert meaning("p_P", "spatial_rrr") == Quantity("origin", "P", "0")
+    assert meaning("J", "spatial_rrr") == Quantity("jacobian", "3", "0")
+    assert meaning("p_2", "spherical_wrist") is None
+
+
+# -- the laws that tie them together, on every arm ---------------------------------------------------------------------------
+
+
+def equal(a: Matrix, b: Matrix) -> bool:
+    return a.shape == b.shape and all((x - y).is_zero() for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True))
+
+
+def test_origins_axes_and_rotations_are_parts_of_poses(arm: Arm, workbench: Callable[..., Any]) -> None:
+    of = workbench(arm.name).exact.quantity
+    base, tool = arm.frames[0], arm.frames[-1]
+    pose = of(Quantity("pose", tool, base))
+    assert equal(of(Quantity("rotation", tool, base)), pose.block(range(3), range(3)))
+    assert equal(of(Quantity("origin", tool, base)), pose.block(range(3), [3]))
+    assert equal(of(Quantity("origin", tool, base, homogeneous=True)), pose.block(range(4), [3]))
+    for k, along in enumerate("xyz"):
+        assert equal(of(Quantity("axis", tool, base, along=along)), pose.block(range(3), [k]))
+    assert of(Quantity("origin", tool, base, rows=(2,), scalar=True)) is not None
+
+
+def test_a_jacobian_in_another_frame_is_the_rotated_one(arm: Arm, workbench: Callable[..., Any]) -> None:
+    of = workbench(arm.name).exact.quantity
+    base, tool = arm.frames[0], arm.frames[-1]
+    rotation = of(Quantity("rotation", base, tool))
+    there, here = of(Quantity("jacobian", tool, tool)), of(Quantity("jacobian", tool, base))
+    count = range(len(arm.joints))
+    for block in (range(3), range(3, 6)):
+        assert equal(there.block(block, count), rotation @ here.block(block, count))
+
+
+def test_a_difference_is_of_origins(arm: Arm, workbench: Callable[..., Any]) -> None:
+    of = workbench(arm.name).exact.quantity
+    base, middle, tool = arm.frames[0], arm.frames[1], arm.frames[-1]
+    difference = of(Quantity("difference", tool, base, start=middle))
+    assert equal(difference + of(Quantity("origin", middle, base)), of(Quantity("origin", tool, base)))
+
+
+# -- front matter ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("spec", "quantity"),
+    [
+        ({"pose": 4}, Quantity("pose", "4")),
+        ({"pose": "n", "in": 2}, Quantity("pose", "4", "2")),
+        ({"pose": 4, "component": [1, 3]}, Quantity("pose", "4", rows=(1,), columns=(3,), scalar=True)),
+        ({"origin": 4, "component": "y"}, Quantity("origin", "4", rows=(2,), scalar=True)),
+        ({"origin": 3, "homogeneous": True}, Quantity("origin", "3", homogeneous=True)),
+        ({"axis": 2, "along": "x", "in": 1}, Quantity("axis", "2", "1", along="x")),
+        ({"jacobian": 4, "rows": [1, 2, 6], "columns": [2, 1]}, Quantity("jacobian", "4", rows=(1, 2, 6), columns=(2, 1))),
+        ({"jacobian": 4, "rows": 3}, Quantity("jacobian", "4", rows=(3,))),
+        ({"difference": [4, 1]}, Quantity("difference", "4", start="1")),
+        ({"joint": "d_3"}, Quantity("joint", "d_3", scalar=True)),
+        ({"vector": "q"}, Quantity("vector", "q")),
+    ],
+)
+def test_an_entry_of_the_front_matter_is_read(spec: dict[str, Any], quantity: Quantity) -> None:
+    assert read_quantity("X", spec, load_arm("scara")) == quantity
+
+
+def test_rows_and_columns_stand_in_the_order_listed(workbench: Callable[..., Any]) -> None:
+    of = workbench("scara").exact.quantity
+    whole = of(Quantity("jacobian", "4"))
+    assert equal(of(Quantity("jacobian", "4", rows=(6, 1), columns=(2, 1))), whole.block([5, 0], [1, 0]))
+
+
+@pytest.mark.parametrize(
+    ("spec", "message"),
+    [
+        (3, "quantity 'X' must name one of pose, rotation, origin, axis, jacobian"),
+        ({}, "quantity 'X' must name one of pose"),
+        ({"pose": 1, "origin": 2}, "quantity 'X' must name one of pose"),
+        ({"origin": 4, "along": "x"}, "quantity 'X': unknown option along; valid with 'origin': component, homogeneous, in, rows"),
+        ({"origin": 9}, "quantity 'X': no frame '9' on arm 'scara'; its frames are 0, 1, 2, 3, 4"),
+        ({"pose": 4, "in": "tool"}, "no frame 'tool' on arm 'scara'"),
+        ({"origin": 4, "component": "w"}, "component must be x, y or z, not 'w'"),
+        ({"pose": 4, "component": [5, 1]}, r"component of a pose is \[row, column\], not \[5, 1\]"),
+        ({"axis": 4, "along": "w"}, "along must be x, y or z, not 'w'"),
+        ({"jacobian": 4, "rows": [0]}, r"rows must be a list of indices counted from 1, not \[0\]"),
+        ({"jacobian": 4, "rows": "all"}, "rows must be a list of indices counted from 1, not 'all'"),
+        ({"jacobian": 4, "rows": [7]}, "a jacobian has 6 rows, there is no row 7"),
+        ({"jacobian": 4, "columns": [5]}, "a jacobian has 4 columns, there is no column 5"),
+        ({"difference": 4}, r"difference takes two frames, \[to, from\], not 4"),
+        ({"joint": "theta_9"}, "no joint 'theta_9'; the arm's are theta_1, theta_2, d_3, theta_4"),
+        ({"link": "khalil"}, "link must be classic or modified, not 'khalil'"),
+    ],
+)
+def test_an_entry_that_means_nothing_is_refused_with_the_choices(spec: object, message: str) -> None:
+    with pytest.raises(DocumentError, match=message):
+        read_quantity("X", spec, load_arm("scara"))
+
+
+def test_a_quantity_of_an_arm_needs_one() -> None:
+    with pytest.raises(DocumentError, match="quantity 'X' is of an arm, but the front matter names no arm"):
+        read_quantity("X", {"origin": 3}, None)
+    assert read_quantity("X", {"link": "classic"}, None).kind == "link"
+
+
+def test_a_frame_called_n_outranks_the_last_frame() -> None:
+    assert frame_name(load_arm("kr210"), "n") == "6"
+    assert frame_name(load_arm("spherical_wrist"), "N") == "6"

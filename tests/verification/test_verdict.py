@@ -1,0 +1,91 @@
+"""Verdicts, their order, what passes, and the JSON that the design promises."""
+
+from __future__ import annotations
+
+import itertools
+import json
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from verification.verdict import DocumentResult, Record, Verdict, WrongEntry, summary, worst
+
+ALL = list(Verdict)
+
+
+def record(verdict: Verdict, **more: object) -> Record:
+    return replace(Record(1, "a = b", verdict), **more)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("a", "b"), itertools.product(ALL, ALL))
+def test_the_worst_of_two_does_not_depend_on_their_order(a: Verdict, b: Verdict) -> None:
+    assert worst([a, b]) is worst([b, a])
+    assert worst([a, b]) in (a, b) and worst([a, a]) is a
+
+
+def test_a_definition_yields_to_all_and_a_refutation_to_none() -> None:
+    order = [Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED, Verdict.UNCHECKED, Verdict.UNREADABLE, Verdict.REFUTED]
+    assert sorted(order) != order and set(order) == set(ALL)
+    for better, worse in itertools.combinations(order, 2):
+        assert worst([better, worse]) is worse
+    assert worst([]) is Verdict.DEFINED
+
+
+def test_an_erratum_passes_when_it_is_refuted_and_anything_else_when_it_is_not() -> None:
+    for verdict in ALL:
+        assert record(verdict, erratum=True).passes == (verdict is Verdict.REFUTED)
+        assert record(verdict).passes == (verdict not in (Verdict.REFUTED, Verdict.UNREADABLE))
+
+
+def test_strictness_fails_on_what_is_unchecked_and_on_nothing_else() -> None:
+    for verdict in ALL:
+        result = DocumentResult("page.md", "scara", (record(Verdict.PROVED), record(verdict)))
+        assert result.passed_strictly() == (result.passed and verdict is not Verdict.UNCHECKED)
+        beside = DocumentResult("page.md", "scara", (record(Verdict.PROVED),), (record(verdict),))
+        assert (beside.passed, beside.passed_strictly()) == (result.passed, result.passed_strictly())
+
+
+def test_the_summary_counts_every_display_once() -> None:
+    results = [DocumentResult("a.md", "", tuple(map(record, ALL))), DocumentResult("b.md", "", (record(Verdict.PROVED),))]
+    counts = summary(results)
+    assert list(counts) == ["proved", "confirmed", "defined", "refuted", "unchecked", "unreadable"]
+    assert sum(counts.values()) == 7 and counts["proved"] == 2 and counts["refuted"] == 1
+    assert summary([]) == dict.fromkeys(counts, 0)
+
+
+def test_a_record_is_written_as_the_design_says(judge: Callable[..., Record]) -> None:
+    written = json.loads(json.dumps(judge(r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 c_1 \\ 0 \end{bmatrix}").as_json()))
+    assert list(written) == ["line", "latex", "verdict", "erratum", "message", "entries", "counterexample", "samples", "max_error"]
+    assert (written["line"], written["verdict"], written["erratum"]) == (1, "refuted", False)
+    (entry,) = written["entries"]
+    assert (entry["equation"], entry["row"], entry["column"]) == (1, 2, 1)
+    assert (entry["printed"], entry["correct"]) == ("a_1 c_1", "a_1 s_1")
+    assert {"theta_1", "theta_2", "d_3", "theta_4"} <= set(written["counterexample"])
+    assert all(isinstance(value, float) for value in written["counterexample"].values())
+
+
+def test_a_proof_is_written_with_its_samples(judge: Callable[..., Record]) -> None:
+    written = judge(r"c_{12} = c_1 c_2 - s_1 s_2").as_json()
+    assert (written["verdict"], written["samples"], written["entries"], written["counterexample"]) == ("proved", 1000, [], {})
+    assert 0 <= written["max_error"] < 1e-14
+
+
+def test_a_cell_of_a_notebook_is_named() -> None:
+    assert record(Verdict.PROVED, cell=3).as_json()["cell"] == 3 and "cell" not in record(Verdict.PROVED).as_json()
+
+
+def test_a_wrong_entry_leaves_out_what_it_does_not_have() -> None:
+    assert WrongEntry(2, None, None, "a", "b").as_json() == {"equation": 2, "printed": "a", "correct": "b"}
+    entry = WrongEntry(1, 3, 4, "a", "b", "wrong sign", (0, 1))
+    assert entry.as_json() == {"equation": 1, "row": 3, "column": 4, "printed": "a", "correct": "b", "change": "wrong sign"}
+
+
+def test_a_document_is_written_as_the_design_says(check: Callable[..., DocumentResult]) -> None:
+    result = check("c_1 = c_1", errata=("c_1 = s_1",))
+    written = result.as_json()
+    assert list(written) == ["path", "arm", "passed", "equations"]
+    assert (written["path"], written["arm"], written["passed"]) == ("page.md", "scara", True)
+    assert [equation["erratum"] for equation in written["equations"]] == [False, True]
+    assert check("c_1 = s_1").as_json()["passed"] is False
+    assert check("c_1 = c_1", arm=None).as_json()["arm"] == ""

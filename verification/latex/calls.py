@@ -1,0 +1,198 @@
+"""Functions and their arguments: cosines in all their spellings, elementary matrices, names applied to joint variables."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence as Seq
+from dataclasses import replace
+
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.latex.indexed import NameReader
+from verification.latex.items import Item, Script
+from verification.latex.tokens import canonical_script
+
+TRIG_LETTERS = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
+ANGLE_LETTERS = frozenset(["theta", "alpha", "beta", "gamma", "phi", "psi", "q", "delta"])
+MATRIX_FUNCTIONS = frozenset(["det", "rank", "adj", "com", "tr"])
+_JOINT_DIGITS = re.compile(r"[+-]?\d(?:,?[+-]?\d)*")
+
+
+class CallReader(NameReader):
+    """Reads functions and what they are applied to."""
+
+    def next_factor(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
+        """Return the factor that begins at an item, and where the next one does."""
+        raise NotImplementedError
+
+    def elementary_letter(self, item: Item) -> n.Node | None:
+        """R_{z,\\theta} is the elementary rotation, 3×3."""
+        subs = [script for script in item.scripts if script[0] == "SUB"]
+        if item.base != "R" or item.pre or len(subs) != 1:
+            return None
+        _, text, span = subs[0]
+        amount = self._elementary_amount(text, span)
+        if amount is None or not any(isinstance(below, n.Name) and below.base in ANGLE_LETTERS for below in n.walk(amount)):
+            return None
+        axis = n.Name(canonical_script(text)[0].lower(), span=span)
+        call = n.Call("Rot3", (axis, amount), self.text[item.start : span[1]], "script", span=(item.start, span[1]))
+        return self.scripted(call, [script for script in item.scripts if script[0] != "SUB"], item.start)
+
+    def application(self, node: n.Node, following: Item) -> n.Node | None:
+        """Read `J(q)` and `A_1(\\theta_1)` as names with arguments; `a_1(…)` stays a product."""
+        if isinstance(node, n.Postfix) and isinstance(node.base, n.Name):  # J^T(q)
+            applied = self.application(node.base, following) if not following.scripts else None
+            return replace(node, base=applied) if applied is not None else None
+        if not isinstance(node, n.Name):
+            return None
+        group = following.node
+        arguments = group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
+        if arguments and node.base[:1].isupper() and node.base not in TRIG_LETTERS and all(map(_is_constant, arguments)):
+            # {}^0T_3(0, 90^\\circ, 0), J(0, 0): the arm at a configuration
+            span = (node.span[0], following.end)
+            head = self.text[node.span[0] : node.span[1]]
+            return self.scripted(n.Call("name", (node, *arguments), head, "name", span=span), following.scripts, node.span[0])
+        if not all(isinstance(argument, n.Name) for argument in arguments):
+            return None
+        inside = ",".join(argument.key for argument in arguments)  # type: ignore[attr-defined]
+        key = f"{node.key}({inside})"
+        plain = all(a.base in ("q", "t", "theta", "d") or a.base in ANGLE_LETTERS for a in arguments)  # type: ignore[attr-defined]
+        letter = node.base
+        is_function = (letter in "fgh" and not node.sub) or (letter[:1].isupper() and letter not in "CS") or (len(letter) > 1 and letter not in ANGLE_LETTERS)
+        if self.is_bound(key) or (is_function and (plain or letter[:1].isupper())) or (plain and inside in ("q", "t") and not self.is_bound(node.key)):
+            named = n.Call(
+                "name", (node, *arguments), self.text[node.span[0] : node.span[1]], "name", span=(node.span[0], following.end)
+            )
+            return self.scripted(named, following.scripts, node.span[0])
+        if letter == "S" and not node.sub and not plain:  # S(v), the skew matrix, unless the argument is an angle
+            named = n.Call("name", (node, *arguments), letter, "name", span=(node.span[0], following.end))
+            return self.scripted(named, following.scripts, node.span[0])
+        return None
+
+    def trig_letter(self, item: Item, following: Item | None) -> tuple[n.Node, int] | None:
+        """c_1, C_{12}, s_{\\theta_1}, C\\theta_1, S(\\theta_1+\\theta_2): unless the document binds that name."""
+        function = TRIG_LETTERS.get(item.base)
+        if function is None or item.pre or any(kind == "PRIME" or kind == "DOT" for kind, _, _ in item.scripts):
+            return None
+        subs = [script for script in item.scripts if script[0] == "SUB"]
+        sups = [script for script in item.scripts if script[0] == "SUP"]
+        if subs:
+            raw = subs[0][1]
+            if self.is_bound(f"{item.base}_{canonical_script(raw)}"):
+                return None
+            argument = self._trig_index(raw, subs[0][2])
+            if argument is None:
+                return None
+            style = "index" if isinstance(argument, n.JointAngles) else "script"
+            call = n.Call(function, (argument,), item.base, style, span=(item.start, subs[0][2][1]))
+            return self.scripted(call, sups, item.start), 1
+        if following is None or self.is_bound(item.base):
+            return None
+        if following.kind == "letter" and following.base in ANGLE_LETTERS and not following.pre:
+            angle = self.name(Item("letter", None, following.start, following.end, following.base, following.scripts))
+            if isinstance(angle, n.Name):
+                call = n.Call(function, (angle,), self.text[item.start : item.end], "letter", span=(item.start, following.end))
+                return self.scripted(call, sups, item.start), 2
+        group = following.node
+        if following.kind in ("list", "braces", "node") and isinstance(group, n.Group) and self._is_angle(group.inner):
+            call = n.Call(function, (group.inner,), self.text[item.start : item.end], "letter()", span=(item.start, following.end))
+            if sups:
+                call = self.scripted(call, sups, item.start)  # type: ignore[assignment]
+            return self.scripted(call, following.scripts, item.start), 2
+        if following.kind == "node" and isinstance(group, n.Name) and group.base in ANGLE_LETTERS:
+            call = n.Call(function, (group,), self.text[item.start : item.end], "letter", span=(item.start, following.end))
+            return self.scripted(call, [*sups, *following.scripts], item.start), 2
+        return None
+
+    def _trig_index(self, raw: str, span: tuple[int, int]) -> n.Node | None:
+        canonical = canonical_script(raw)
+        if _JOINT_DIGITS.fullmatch(canonical):
+            found = re.findall(r"([+-]?),?(\d)", canonical)
+            return n.JointAngles(tuple((-1 if sign == "-" else 1, int(digit)) for sign, digit in found), span=span)
+        if canonical in ("i", "j", "k", "n", "i-1", "i+1", "n-1"):
+            return n.Name("theta", sub=canonical, text=raw, span=span)
+        spaced = re.sub(r"(\\(?:theta|alpha|beta|gamma|phi|psi|varphi))\s*([a-z0-9](?:[-+]1)?)(?![A-Za-z])", r"\1_{\2}", raw)
+        if not re.search(r"\\(?:var)?(?:theta|alpha|beta|gamma|phi|psi)|^\s*q", spaced):
+            return None
+        try:
+            angle = self.parse(spaced, span[0])
+        except ReadError:
+            return None
+        return angle if self._is_angle(angle) else None
+
+    def _is_angle(self, node: n.Node) -> bool:
+        names = [below for below in n.walk(node) if isinstance(below, n.Name)]
+        calls = any(isinstance(below, n.Call | n.Matrix) for below in n.walk(node))
+        return bool(names) and not calls and all(name.base in ANGLE_LETTERS or name.base == "pi" for name in names)
+
+    def call(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
+        """Return the call that begins with a function's name, and where the next factor does."""
+        item = items[index]
+        function = item.base
+        powers: list[Script] = []
+        axis: n.Node | None = None
+        for script in item.scripts:
+            kind, text, span = script
+            if kind == "SUP" and canonical_script(text) == "-1" and function in ("cos", "sin", "tan"):
+                function = "a" + function
+            elif kind == "SUP":
+                powers.append(script)
+            elif kind == "SUB" and function in ("Rot", "Trans"):
+                axis = n.Name(canonical_script(text)[:1].lower(), span=span)
+                if (amount := self._elementary_amount(text, span)) is not None:
+                    return self._scripted_call(item, function, (axis, amount), script, "script"), index + 1
+            elif kind == "SUB" and function in ("cos", "sin"):
+                argument = self._trig_index(text, span)
+                if argument is None:
+                    raise ReadError(f"'{self.text[item.start : item.end]}' has no angle", item.start)
+                style = "index" if isinstance(argument, n.JointAngles) else "script"
+                return self._scripted_call(item, function, (argument,), script, style), index + 1
+        if index + 1 >= len(items):
+            raise ReadError(f"'{self.text[item.start : item.end]}' has no argument", item.start)
+        following = items[index + 1]
+        head = self.text[item.start : item.end]
+        if following.kind == "list" and not following.pre:
+            group = following.node
+            arguments = group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
+            if function == "atan" and len(arguments) == 2:
+                function = "atan2"
+            if axis is not None:
+                arguments = (axis, *arguments)
+            made = n.Call(function, arguments, head, "macro()", span=(item.start, following.end))
+            return self.scripted(self.scripted(made, following.scripts, item.start), powers, item.start), index + 2
+        operand, after = self._bare_argument(items, index + 1, function)
+        made = n.Call(function, (operand,), head, "macro", span=(item.start, operand.span[1]))
+        return self.scripted(made, powers, item.start), after
+
+    def _scripted_call(self, item: Item, function: str, arguments: tuple[n.Node, ...], subscript: Script, style: str) -> n.Node:
+        """A function whose argument stands in its subscript, with its other scripts applied."""
+        end = subscript[2][1]
+        head = self.text[item.start : subscript[2][0] if style != "script" or len(arguments) == 1 else end]
+        made = n.Call(function, arguments, head, style, span=(item.start, end))
+        return self.scripted(made, [script for script in item.scripts if script[0] != "SUB"], item.start)
+
+    def _elementary_amount(self, subscript: str, span: tuple[int, int]) -> n.Node | None:
+        """Return the angle or length of Rot_{z,\\theta_i} and Trans_{x,a_i}, or None where only the axis is given."""
+        parts = re.fullmatch(r"\s*[xyzXYZ]\s*(?:_\s*(?:\{[^{}]*\}|\w))?\s*(?:,|;|\\[,;: ])\s*(\S.*)", subscript, re.DOTALL)
+        return self.parse(parts.group(1), self.text.find(parts.group(1), span[0])) if parts else None
+
+    def _bare_argument(self, items: Seq[Item], index: int, function: str) -> tuple[n.Node, int]:
+        """cos θ_1 takes one operand; cos 2θ_1 a number and the operand after it."""
+        first = items[index]
+        if function in MATRIX_FUNCTIONS:
+            return self.next_factor(items, index)
+        node, after = self.next_factor(items, index)
+        if isinstance(node, n.Number) and after < len(items) and items[after].kind in ("letter", "node"):
+            second, after = self.next_factor(items, after)
+            return n.Product((node, second), ("",), span=(first.start, second.span[1])), after
+        return node, after
+
+
+def _is_constant(node: n.Node) -> bool:
+    """Whether a tree is made of numbers, π and degrees alone."""
+    return all(
+        isinstance(below, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
+        or (isinstance(below, n.Postfix) and below.operator == "deg")
+        or (isinstance(below, n.Name) and below.key == "pi")
+        for below in n.walk(node)
+    )

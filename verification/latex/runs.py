@@ -1,0 +1,124 @@
+"""Runs of juxtaposed items: which is a factor, which the function of the next, which the argument of the one before."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence as Seq
+
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.latex.calls import CallReader
+from verification.latex.items import (
+    DerivativeOperator,
+    Differential,
+    Item,
+    attach_trailing,
+    reassociate,
+    span_of,
+)
+from verification.latex.tokens import canonical_script
+
+
+class RunReader(CallReader):
+    """Reads a run of items as factors."""
+
+    def read(self, items: list[Item]) -> list[n.Node]:
+        """Return the factors of a run."""
+        items = reassociate(attach_trailing(items))
+        factors: list[n.Node] = []
+        index = 0
+        while index < len(items):
+            node, index = self.next_factor(items, index)
+            factors.append(node)
+        return factors
+
+    def next_factor(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
+        """Return the factor that begins at an item, and where the next one does."""
+        item = items[index]
+        if item.kind == "function":
+            return self.call(items, index)
+        if item.kind == "partial":
+            order = next((int(text) for kind, text, _ in item.scripts if kind == "SUP" and text in ("2", "3")), 1)
+            if index + 1 == len(items):
+                return Differential(None, order, span=(item.start, item.end)), index + 1
+            operand, after = self.next_factor(items, index + 1)
+            rest = [operand]
+            while after < len(items):
+                more, after = self.next_factor(items, after)
+                rest.append(more)
+            whole = product(rest)
+            return Differential(whole, order, span=(item.start, whole.span[1])), after
+        if item.kind == "letter":
+            return self._letter_factor(items, index)
+        if item.kind == "labelled":
+            return self._labelled(item), index + 1
+        if item.kind == "evaluated":
+            return self._evaluated(item), index + 1
+        assert item.node is not None
+        if isinstance(item.node, DerivativeOperator):
+            if index + 1 == len(items):
+                raise ReadError("a derivative of nothing", item.start)
+            operand, after = self.next_factor(items, index + 1)
+            return n.Derivative(operand, item.node.variable, item.node.order, span=(item.start, operand.span[1])), after
+        return self.scripted(item.node, item.scripts, item.start), index + 1
+
+    def _labelled(self, item: Item) -> n.Node:
+        label: n.Node | None = None
+        size: tuple[int, int] | None = None
+        for kind, text, span in item.scripts:
+            if found := re.fullmatch(r"\(?(\d+)x(\d+)\)?", canonical_script(text)):
+                size = (int(found.group(1)), int(found.group(2)))
+            elif kind in ("SUB", "SUP"):
+                try:
+                    label = self.parse(text, self.text.find(text, span[0]))
+                except ReadError:
+                    label = None
+                if not isinstance(label, n.Name):
+                    label = None
+        assert item.node is not None
+        return n.Labelled(item.node, label, size, span=(item.start, item.end))
+
+    def _evaluated(self, item: Item) -> n.Node:
+        values: list[tuple[n.Node, n.Node]] = []
+        for kind, text, span in item.scripts:
+            if kind != "SUB":
+                continue
+            offset = self.text.find(text, span[0])
+            for part in re.finditer(r"((?:(?!,|\\[,;]|\\quad|\\\\|=).)+)=((?:(?!,|\\[,;]|\\quad|\\\\).)+)", text, re.DOTALL):
+                sides = (self.parse(part.group(k), offset + part.start(k)) for k in (1, 2))
+                values.append((next(sides), next(sides)))
+        assert item.node is not None
+        if not values:
+            return n.Call("abs", (item.node,), "|", "bars", span=(item.start, item.end))
+        return n.At(item.node, tuple(values), span=(item.start, item.end))
+
+    def _letter_factor(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
+        item = items[index]
+        following = items[index + 1] if index + 1 < len(items) else None
+        trig = self.trig_letter(item, following)
+        if trig is not None:
+            return trig[0], index + trig[1]
+        if item.base in ("R", "T", "D", "Tr", "Ro") and following is not None and following.kind == "list" and not item.pre:
+            axis = next((canonical_script(text) for kind, text, _ in item.scripts if kind == "SUB"), "")
+            if re.fullmatch(r"[xyzXYZ](_.*)?|[xyz],.*", axis) and len(item.scripts) == 1 and isinstance(following.node, n.Group):
+                function = "Rot3" if item.base == "R" else "Trans"
+                axis_name = n.Name(axis[0].lower(), span=item.scripts[0][2])
+                head = self.text[item.start : item.end]
+                call = n.Call(function, (axis_name, following.node.inner), head, "script", span=(item.start, following.end))
+                return self.scripted(call, following.scripts, item.start), index + 2
+        elementary = self.elementary_letter(item)
+        if elementary is not None:
+            return elementary, index + 1
+        name = self.name(item)
+        if following is not None and following.kind == "list" and not following.pre:
+            applied = self.application(name, following)
+            if applied is not None:
+                return applied, index + 2
+        return name, index + 1
+
+
+def product(run: list[n.Node]) -> n.Node:
+    """Return the one factor of a run, or the product of all."""
+    if len(run) == 1:
+        return run[0]
+    return n.Product(tuple(run), ("",) * (len(run) - 1), span=span_of(run))

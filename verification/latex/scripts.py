@@ -1,0 +1,63 @@
+"""What stands above and below an operand: powers, transposes, inverses, sizes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from collections.abc import Sequence as Seq
+from dataclasses import replace
+
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.latex.items import OPERATORS, Script
+from verification.latex.tokens import canonical_script
+
+MAX_EXPONENT = 24
+
+
+class ScriptReader:
+    """Applies scripts to operands; `parse` reads a piece of LaTeX, `is_bound` tells the names the front matter binds."""
+
+    def __init__(self, text: str, is_bound: Callable[[str], bool], parse: Callable[[str, int], n.Node]) -> None:
+        self.text = text
+        self.is_bound = is_bound
+        self.parse = parse
+
+    def scripted(self, node: n.Node, scripts: Seq[Script], start: int) -> n.Node:
+        """Apply what stands above an operand that is not a name: a power, a transpose, an inverse."""
+        if isinstance(node, n.Dots):  # \\prod_{i=1}^{n}: which terms are meant is left to the reader
+            return node
+        for kind, text, span in scripts:
+            if kind == "PRIME":
+                raise ReadError("a prime on an expression", span[0])
+            canonical = canonical_script(text)
+            if kind == "SUB":
+                size = re.fullmatch(r"\(?(\d)x(\d)\)?", canonical)
+                if size and isinstance(node, n.Number) and node.value == 0:  # 0_{3×1}
+                    node = n.Matrix(((node,) * int(size.group(2)),) * int(size.group(1)), "zeros", span=(start, span[1]))
+                    continue
+                if isinstance(node, n.Matrix | n.Group | n.Sequence | n.Call | n.Number) or canonical.startswith("("):
+                    continue  # a size or frame note under a matrix, such as _{3×1} or _{(0)}
+                raise ReadError(f"subscript '{canonical}' on an expression", span[0])
+            if canonical in ("T", "top", "t") and (row := _spaced_row(node)) is not None:
+                node = row
+            node = self._raise_to(node, text, canonical, (start, span[1]), span)
+        return node
+
+    def _raise_to(self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]) -> n.Node:
+        if canonical == "":  # a star
+            return replace(node, span=whole)
+        if canonical in OPERATORS:
+            return n.Postfix(node, OPERATORS[canonical], span=whole)
+        exponent = self.parse(text, self.text.find(text, span[0]))
+        if isinstance(exponent, n.Number) and exponent.value > MAX_EXPONENT:
+            raise ReadError(f"the exponent {exponent.text} is larger than {MAX_EXPONENT}", span[0])
+        return n.Power(node, exponent, span=whole)
+
+
+def _spaced_row(node: n.Node) -> n.Sequence | None:
+    """[q_1 q_2]^T is a row of entries set off by blanks, for a product has no transpose."""
+    if not isinstance(node, n.Group) or node.brackets != "[]" or not isinstance(node.inner, n.Product) or any(node.inner.operators):
+        return None
+    plain = all(isinstance(factor, n.Name | n.Number | n.Call) for factor in node.inner.factors)
+    return n.Sequence(node.inner.factors, "[]", span=node.span) if plain else None
