@@ -37,7 +37,9 @@ class ClosedForm:
 
     @property
     def front(self) -> dict[str, Any]:
-        return {"quantities": {"X": {"pose": self.tool, "in": self.base}, "J": {"jacobian": self.tool, "in": self.base}}}
+        return {
+            "quantities": {"X": {"pose": self.tool, "in": self.base}, "J": {"jacobian": self.tool, "in": self.base}}
+        }
 
 
 def matrix(*rows: str) -> str:
@@ -212,7 +214,9 @@ def test_one_joint_the_other_way_is_caught_and_named(name: str) -> None:
         (record,) = judge(name, rf"J = {jacobian} \operatorname{{diag}}({signs})")
         assert record.verdict is Verdict.REFUTED
         assert {entry.column for entry in record.entries} == {k + 1}
-        assert len(record.entries) == 1 or record.message == f"column {k + 1}: joint {joint.symbol} is taken the other way"
+        assert (
+            len(record.entries) == 1 or record.message == f"column {k + 1}: joint {joint.symbol} is taken the other way"
+        )
 
 
 @arms

@@ -213,6 +213,9 @@ class SampledAlgebra:
     def exclude_near_zeros(self, denominator: np.ndarray) -> None:
         """Mark the samples at which a denominator is smaller than a ten-thousandth of what it usually is."""
         size = np.abs(denominator)
+        if not np.isfinite(size).any():
+            self.regular[:] = False
+            return
         self.regular &= size > 1e-4 * np.nanpercentile(size, 95)
 
     def cos_sin(self, angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

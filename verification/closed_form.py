@@ -54,7 +54,7 @@ def _terms(value: Scalar, polynomial: object, folded: bool) -> list[_Term]:
     """Return the terms of a polynomial, a positive one first."""
     groups: dict[Rest, dict[Trig, Fraction]] = defaultdict(dict)
     for powers, coefficient in value.ring.terms(polynomial):  # type: ignore[arg-type]
-        trig = tuple(sorted((kind, ((name, Fraction(1)),), power) for (kind, name), power in powers.items() if kind in ("cos", "sin")))
+        trig: Trig = tuple(sorted((k, ((name, Fraction(1)),), power) for (k, name), power in powers.items() if k in ("cos", "sin")))
         rest = tuple(sorted((generator, power) for generator, power in powers.items() if generator[0] not in ("cos", "sin")))
         groups[rest][trig] = coefficient
     terms: list[_Term] = []

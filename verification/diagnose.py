@@ -27,6 +27,7 @@ from verification.verdict import Record, WrongEntry
 
 PROBES = 12
 MAX_EDITS = 600
+LONGEST = 2000  # characters of a corrected term; what is longer is no correction that anybody could use
 MAX_MENDED = 6  # of so many wrong entries the change is sought; beyond, the cause lies elsewhere
 
 
@@ -136,7 +137,8 @@ class Diagnostician:
         return entries
 
     def _written(self, value: Any, notation: Notation) -> str:
-        return write_scalar(value, notation) if isinstance(value, Scalar) else str(value)
+        text = write_scalar(value, notation) if isinstance(value, Scalar) else str(value)
+        return text if len(text) <= LONGEST else text[:LONGEST].rsplit(" ", 1)[0] + r" \ldots"
 
     def _mended(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, str]:
         """Return the cell with the one small change that makes it right, and that change in words."""
@@ -172,7 +174,7 @@ class Diagnostician:
             missing = self._written(true - printed, notation)
         except EvaluationError:
             return "", ""
-        if re.search(r".[ ][-+] ", re.sub(r"\([^()]*\)", "", missing)) or "frac" in missing:
+        if re.search(r".[ ][-+] ", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", missing)) or "frac" in missing:
             return "", ""
         text = latex[cell.span[0] : cell.span[1]].strip()
         joined = f"{text} - {missing[1:]}" if missing.startswith("-") else f"{text} + {missing}"

@@ -53,7 +53,7 @@ class Names:
         if key in joints or key in self.arm.lengths or key in self.arm.angles or key in self.adopted:
             return key
         found = re.fullmatch(r"(q|theta|d|r)_(\d+)", key)
-        if found and 1 <= int(found.group(2)) <= len(self.arm.joints):
+        if found:
             letter, index = found.group(1), int(found.group(2))
             joint = self._joint_of_index(index)
             if joint is not None and (letter == "q" or (letter == "theta") == (joint.kind == "revolute")):
@@ -68,7 +68,7 @@ class Names:
             named = [joint for joint in named if joint.kind == "revolute"]
         if len(named) == 1:
             return named[0]
-        return self.arm.joints[index - 1] if not named and index <= len(self.arm.joints) else None
+        return self.arm.joints[index - 1] if not named and 1 <= index <= len(self.arm.joints) else None
 
     def joint_angle(self, index: int) -> str | None:
         """Return the symbol of the angle that the digit in c_{12} names."""

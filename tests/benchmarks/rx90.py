@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from models import catalogue
-from models.arm import Arm
 from verification.check import DocumentChecker
 from verification.document import Display, Document, read_document
 from verification.latex import nodes as n

@@ -62,10 +62,7 @@ def _main(part: str) -> None:
         differences = [whole[r, c] - value for value, (c, r) in zip(printed_pose, [(c, r) for c in range(4) for r in range(3)], strict=True)]
     else:
         traced = _jacobian(poses)
-        if part == "jacobian":
-            differences = list(traced - printed_jacobian)
-        else:
-            differences = [traced.det() - printed_determinant]
+        differences = list(traced - printed_jacobian) if part == "jacobian" else [traced.det() - printed_determinant]
     equal = sum(sympy.simplify(difference) == 0 for difference in differences)
     print(time.perf_counter() - started, equal, len(differences))
 

@@ -35,7 +35,7 @@ def main() -> int:
     with ProcessPoolExecutor(options.jobs) as pool:
         parts = list(pool.map(partial(_examine, seed=options.seed), [path.resolve() for path in paths]))
     trials, answers, diagnoses = ([item for part in parts for item in part[k]] for k in range(3))
-    enough = bool(options.documents) or len(trials) >= FEWEST_MUTANTS and len(answers) >= FEWEST_REWRITES
+    enough = bool(options.documents) or (len(trials) >= FEWEST_MUTANTS and len(answers) >= FEWEST_REWRITES)
     passed = [report_mutants(trials), report_rewrites(answers), enough]
     report_diagnoses(diagnoses)
     print(f"\n{len(paths)} documents, seed {options.seed}, {time.perf_counter() - started:.0f} s")

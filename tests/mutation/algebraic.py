@@ -112,7 +112,7 @@ def counted_twice(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n
     if isinstance(node, n.Product) and isinstance(node.factors[0], n.Number) and node.factors[0].value == 2 and "×" not in node.operators:
         half = node.factors[1] if len(node.factors) == 2 else n.Product(node.factors[1:], node.operators[1:])
         return n.Group(n.Sum((("+", half), ("+", half))))
-    if not isinstance(node, n.Product | n.Name | n.Call) or not is_scalar(node) or isinstance(node, n.Product) and "×" in node.operators:
+    if not isinstance(node, n.Product | n.Name | n.Call) or not is_scalar(node) or (isinstance(node, n.Product) and "×" in node.operators):
         return None
     return n.Group(n.Sum((("+", _times(n.Number(Fraction(2), "2"), node)), ("-", node))))
 
@@ -120,7 +120,7 @@ def counted_twice(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n
 def with_one_inserted(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n.Node | None:
     """a → a (cos² + sin²), of an angle that stands in the formula"""
     call = next((below for below in n.walk(node) if isinstance(below, n.Call) and below.function in ("cos", "sin")), None)
-    if call is None or not isinstance(node, n.Product | n.Call) or not is_scalar(node) or isinstance(node, n.Product) and "×" in node.operators:
+    if call is None or not isinstance(node, n.Product | n.Call) or not is_scalar(node) or (isinstance(node, n.Product) and "×" in node.operators):
         return None
     argument = call.arguments[0]
     if not isinstance(argument, n.JointAngles):

@@ -113,7 +113,7 @@ def other_matrices(latex: str, chance: random.Random) -> str | None:
 
 def other_brackets(latex: str, chance: random.Random) -> str | None:
     opening, closing = chance.choice(((r"\left(", r"\right)"), (r"\big(", r"\big)"), (r"\bigl(", r"\bigr)"), ("{(", ")}")))
-    if re.search(r"\\(?:left|right|[bB]ig+[lr]?)\s*[()]", latex) or opening == "{(" and re.search(r"[A-Za-z}]\(|\)\^", latex):
+    if re.search(r"\\(?:left|right|[bB]ig+[lr]?)\s*[()]", latex) or (opening == "{(" and re.search(r"[A-Za-z}]\(|\)\^", latex)):
         return None
     changed = latex.replace("(", opening).replace(")", closing)
     return changed if changed != latex else None

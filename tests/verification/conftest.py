@@ -52,7 +52,9 @@ def judge() -> Callable[..., Record]:
 class Workbench:
     """An arm's names in both algebras: the exact one, and samples of the double plant."""
 
-    def __init__(self, arm: Arm | None, count: int = 60, denominators: dict[str, int] | None = None, **front: Any) -> None:
+    def __init__(
+        self, arm: Arm | None, count: int = 60, denominators: dict[str, int] | None = None, **front: Any
+    ) -> None:
         self.arm = arm
         self.names: Names = read_names(arm, front)
         self.exact = ExactAlgebra(Ring(denominators), arm)
@@ -65,7 +67,9 @@ class Workbench:
 
     def samples(self, latex: str, *, branch: int = 1) -> np.ndarray:
         """Return the sampled values of an expression, (rows, columns, N) where it is a matrix, else (N,)."""
-        return self.stack(Evaluator(self.names, self.sampled, branch).evaluate(self.names.reader.read_expression(latex)))
+        return self.stack(
+            Evaluator(self.names, self.sampled, branch).evaluate(self.names.reader.read_expression(latex))
+        )
 
     def stack(self, value: Any) -> np.ndarray:
         """Return a sampled value as one array."""

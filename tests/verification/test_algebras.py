@@ -83,7 +83,9 @@ def test_a_free_symbol_has_one_value_a_sample(workbench: Callable[..., Any]) -> 
         r"\tan(\frac{\theta_1}{2})",
     ],
 )
-def test_roots_arc_functions_and_constants_are_the_same_in_both_algebras(workbench: Callable[..., Any], latex: str) -> None:
+def test_roots_arc_functions_and_constants_are_the_same_in_both_algebras(
+    workbench: Callable[..., Any], latex: str
+) -> None:
     bench = workbench("scara", denominators={"theta_1": 2})
     exact = bench.stack(bench.sampled.from_exact(bench.value(latex)))
     np.testing.assert_allclose(exact, bench.samples(latex), rtol=1e-9, atol=1e-7)
@@ -147,4 +149,6 @@ def test_the_two_conventions_are_the_same_steps_in_another_order(workbench: Call
     assert repr(modified.rows[1][2]) == repr(-exact.cos_sin(exact.symbol("alpha_i-1"))[1])
     straight = {"alpha_i": zero, "alpha_i-1": zero, "a_i": one, "a_i-1": one, "theta_i": zero}
     at_zero = [matrix.map(lambda cell: exact.ring.substitute(cell, straight)) for matrix in (classic, modified)]
-    assert all((x - y).is_zero() for r, s in zip(*(m.rows for m in at_zero), strict=True) for x, y in zip(r, s, strict=True))
+    assert all(
+        (x - y).is_zero() for r, s in zip(*(m.rows for m in at_zero), strict=True) for x, y in zip(r, s, strict=True)
+    )

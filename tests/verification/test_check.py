@@ -78,11 +78,21 @@ def test_a_display_may_go_on_with_the_subject_of_the_one_before(check: Check) ->
 
 def test_half_angles_start_the_document_again_with_finer_angles(check: Check) -> None:
     result = check("c_1 = c_1", r"c_1 = 1 - 2\sin^2\frac{\theta_1}{2}", r"s_2 = 2\sin\frac{\theta_2}{3}", r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \end{bmatrix}")  # fmt: skip
-    assert [record.verdict for record in result.equations] == [Verdict.PROVED, Verdict.PROVED, Verdict.REFUTED, Verdict.PROVED]
+    assert [record.verdict for record in result.equations] == [
+        Verdict.PROVED,
+        Verdict.PROVED,
+        Verdict.REFUTED,
+        Verdict.PROVED,
+    ]
 
 
 def test_a_verdict_does_not_depend_on_what_is_confirmed_or_repeated(check: Check) -> None:
-    displays = (r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 c_1 \\ 0 \end{bmatrix}", r"c_{12} = c_1 c_2 - s_1 s_2", "x = s_1", "x = c_1")
+    displays = (
+        r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 c_1 \\ 0 \end{bmatrix}",
+        r"c_{12} = c_1 c_2 - s_1 s_2",
+        "x = s_1",
+        "x = c_1",
+    )
     first, again, bare = check(*displays), check(*displays), check(*displays, confirm=False)
     assert [r.as_json() for r in first.equations] == [r.as_json() for r in again.equations]
     assert [r.verdict for r in first.equations] == [r.verdict for r in bare.equations]
@@ -97,7 +107,15 @@ def test_proofs_hold_on_the_double_plant_at_a_thousand_configurations_of_six_fam
 
 ATOMS = ["I", "2", "z_1", "T^0_1", "(1, 2)", r"\{1, 2\}", "[1, 2, 3]", "c_1", "J", r"\dot q", "|c_1|", "x", "f(q)", r"\operatorname{atan2}(s_1, c_1)", r"\sqrt{a_1^2 + a_2^2}", r"\cdots"]  # fmt: skip
 UNARY = ["-{}", "{}^T", "{}^{{-1}}", "{}^2", "{}^{{1/2}}", r"{}^\circ", r"\det({})", r"\operatorname{{tr}}({})", r"\cos({})", r"\sqrt{{{}}}", r"\frac{{{}}}{{2}}", r"\frac{{1}}{{{}}}", r"\frac{{\partial {}}}{{\partial\theta_1}}", r"\frac{{\partial c_1}}{{\partial {}}}", r"\frac{{d}}{{dt}} {}", r"\left.{}\right|_{{\theta_1 = 0}}", r"\begin{{bmatrix}} {} & 1 \\ 0 & 1 \end{{bmatrix}}", r"Rot(z, {})", r"\underbrace{{{}}}_{{3\times 1}}", r"\arccos({})"]  # fmt: skip
-BINARY = ["{} + {}", "{} {}", r"{} \times {}", r"{} \cdot {}", r"\frac{{{}}}{{{}}}", r"{} \pm {}", r"\begin{{bmatrix}} {} & {} \end{{bmatrix}}"]
+BINARY = [
+    "{} + {}",
+    "{} {}",
+    r"{} \times {}",
+    r"{} \cdot {}",
+    r"\frac{{{}}}{{{}}}",
+    r"{} \pm {}",
+    r"\begin{{bmatrix}} {} & {} \end{{bmatrix}}",
+]
 RELATIONS = [r"\le", r"\neq", r"\approx", r"\in"]
 
 
@@ -107,7 +125,9 @@ def test_one_operation_on_anything_gets_a_verdict(check: Check) -> None:
 
 
 def test_two_of_anything_get_a_verdict(check: Check) -> None:
-    displays = [f"z_1 = {form.format(a, b)}" for form, (a, b) in itertools.product(BINARY, itertools.product(ATOMS, ATOMS))]
+    displays = [
+        f"z_1 = {form.format(a, b)}" for form, (a, b) in itertools.product(BINARY, itertools.product(ATOMS, ATOMS))
+    ]
     assert_each_has_a_record(check, displays)
 
 
@@ -173,13 +193,18 @@ def test_an_unknown_arm_is_named_with_its_line() -> None:
 
 
 def test_a_binding_that_means_nothing_is_named_with_its_line() -> None:
-    with pytest.raises(DocumentError, match=r"page\.md:9: quantity 'X': no frame '9' on arm 'scara'; its frames are 0, 1, 2, 3, 4"):
+    with pytest.raises(
+        DocumentError, match=r"page\.md:9: quantity 'X': no frame '9' on arm 'scara'; its frames are 0, 1, 2, 3, 4"
+    ):
         check_document(page(arm="scara", quantities={"X": {"origin": 9}}))
 
 
 def test_a_file_is_read_and_checked(tmp_path: Path) -> None:
     path = tmp_path / "page.md"
-    path.write_text("---\narm: planar_2r\n---\n\n$$ p_1 = l_1 \\begin{bmatrix} c_1 \\\\ s_1 \\\\ 0 \\end{bmatrix} $$\n", encoding="utf-8")
+    path.write_text(
+        "---\narm: planar_2r\n---\n\n$$ p_1 = l_1 \\begin{bmatrix} c_1 \\\\ s_1 \\\\ 0 \\end{bmatrix} $$\n",
+        encoding="utf-8",
+    )
     result = verify(path)
     assert (result.arm, result.passed, [r.line for r in result.equations]) == ("planar_2r", True, [5])
     assert result.equations[0].verdict is Verdict.PROVED

@@ -11,7 +11,10 @@ from verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 DET = r"\det(J_v J_v^T)"
-PLANAR = {"arm": "planar_2r", "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}, "P_x": {"origin": 2, "component": "x"}}}
+PLANAR = {
+    "arm": "planar_2r",
+    "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}, "P_x": {"origin": 2, "component": "x"}},
+}
 
 
 @pytest.mark.parametrize(

@@ -50,7 +50,9 @@ def put_back(record: Record) -> str:
 
 @pytest.mark.parametrize("notation", NOTATIONS.values(), ids=NOTATIONS.keys())
 @pytest.mark.parametrize(("wrong", "words"), SLIPS.values(), ids=SLIPS.keys())
-def test_a_slip_is_named_and_mended_in_the_documents_own_hand(judge: Judge, notation: dict[str, str], wrong: str, words: str) -> None:
+def test_a_slip_is_named_and_mended_in_the_documents_own_hand(
+    judge: Judge, notation: dict[str, str], wrong: str, words: str
+) -> None:
     matrix = r"p_4 = \begin{{bmatrix}} {cell} \\ a_1 {s1} + a_2 {s12} \\ -d_3 - d_4 \end{{bmatrix}}"
     assert judge(matrix.format(cell=RIGHT.format(**notation), **notation), confirm=False).verdict is Verdict.PROVED
     record = judge(matrix.format(cell=wrong.format(**notation), **notation), confirm=False)
@@ -64,7 +66,10 @@ def test_a_slip_is_named_and_mended_in_the_documents_own_hand(judge: Judge, nota
 
 @pytest.mark.parametrize("notation", NOTATIONS.values(), ids=NOTATIONS.keys())
 def test_what_no_small_change_mends_is_written_anew_in_the_same_hand(judge: Judge, notation: dict[str, str]) -> None:
-    record = judge(f"a_1 {notation['c1']} = \\text{{words}}".replace(r"\text{words}", f"a_2 {notation['s12']} + 5 a_1^3"), confirm=False)
+    record = judge(
+        f"a_1 {notation['c1']} = \\text{{words}}".replace(r"\text{words}", f"a_2 {notation['s12']} + 5 a_1^3"),
+        confirm=False,
+    )
     assert record.verdict is Verdict.REFUTED
     whole = judge(
         rf"p_4 = \begin{{bmatrix}} 7 {notation['c1']} {notation['s1']} a_1^2 \\ a_1 {notation['s1']} + a_2 {notation['s12']} \\ -d_3-d_4 \end{{bmatrix}}",
@@ -127,7 +132,9 @@ def test_every_wrong_entry_is_listed(judge: Judge) -> None:
 
 
 def test_a_sum_over_the_printed_lengths_of_another_arm_is_written_in_the_documents_letters(judge: Judge) -> None:
-    record = judge(r"P_x = \ell_1 c_1", quantities={"P_x": {"origin": 4, "component": "x"}}, symbols={r"\ell_1": "a_1", "L": "a_2"})
+    record = judge(
+        r"P_x = \ell_1 c_1", quantities={"P_x": {"origin": 4, "component": "x"}}, symbols={r"\ell_1": "a_1", "L": "a_2"}
+    )
     (entry,) = record.entries
     assert r"\ell_1" in entry.correct and "L" in entry.correct and "a_" not in entry.correct
 

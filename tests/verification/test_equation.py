@@ -75,7 +75,9 @@ def test_an_erratum_defines_nothing(check: Check) -> None:
 
 
 def test_bare_entries_of_a_matrix_are_defined_by_their_places(check: Check) -> None:
-    result = check(rf"T^0_1 = {UNKNOWN}", r"n_x = c_1", r"o_x = -s_1", r"b_y = a_1 s_1", r"o_x = s_1", r"n_x o_y - n_y o_x = 1")
+    result = check(
+        rf"T^0_1 = {UNKNOWN}", r"n_x = c_1", r"o_x = -s_1", r"b_y = a_1 s_1", r"o_x = s_1", r"n_x o_y - n_y o_x = 1"
+    )
     assert verdicts(result) == ["defined", "proved", "proved", "proved", "refuted", "proved"]
     assert "n_x, o_x, m_x, b_x" in result.equations[0].message
 
@@ -136,7 +138,10 @@ def test_a_quantity_of_the_arm_may_be_met_in_a_smaller_shape(judge: Judge, latex
 @pytest.mark.parametrize(
     ("latex", "message"),
     [
-        (r"p_4 = \begin{bmatrix} a_1 c_1 + a_2 c_{12} \\ a_1 s_1 + a_2 s_{12} \end{bmatrix}", "the printed matrix is 2×1, it should be 3×1"),
+        (
+            r"p_4 = \begin{bmatrix} a_1 c_1 + a_2 c_{12} \\ a_1 s_1 + a_2 s_{12} \end{bmatrix}",
+            "the printed matrix is 2×1, it should be 3×1",
+        ),
         (r"T^0_1 = a_1", "the printed value is a scalar, it should be 4×4"),
         (r"a_1 = \begin{bmatrix} a_1 \\ a_1 \end{bmatrix}", "the printed value is 2×1, it should be a scalar"),
         (r"z_1 + z_2 = T^0_1", "the printed matrix is 3×1, it should be 4×4"),

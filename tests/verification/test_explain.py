@@ -13,7 +13,9 @@ Judge = Callable[..., Record]
 
 LINEAR = r"-a_1 s_1 - a_2 s_{12} & -a_2 s_{12} & 0 & 0 \\ a_1 c_1 + a_2 c_{12} & a_2 c_{12} & 0 & 0 \\ 0 & 0 & -1 & 0"
 ANGULAR = r"0 & 0 & 0 & 0 \\ 0 & 0 & 0 & 0 \\ 1 & 1 & 0 & -1"
-SWAPPED_COLUMNS = r"-a_2 s_{12} & -a_1 s_1 - a_2 s_{12} & 0 & 0 \\ a_2 c_{12} & a_1 c_1 + a_2 c_{12} & 0 & 0 \\ 0 & 0 & -1 & 0"
+SWAPPED_COLUMNS = (
+    r"-a_2 s_{12} & -a_1 s_1 - a_2 s_{12} & 0 & 0 \\ a_2 c_{12} & a_1 c_1 + a_2 c_{12} & 0 & 0 \\ 0 & 0 & -1 & 0"
+)
 TURNED = r"-a_1 s_1 - a_2 s_{12} & a_2 s_{12} & 0 & 0 \\ a_1 c_1 + a_2 c_{12} & -a_2 c_{12} & 0 & 0 \\ 0 & 0 & -1 & 0 \\ 0 & 0 & 0 & 0 \\ 0 & 0 & 0 & 0 \\ 1 & -1 & 0 & -1"  # fmt: skip
 POINT = r"-a_1 s_1 & 0 & 0 & 0 \\ a_1 c_1 & 0 & 0 & 0 \\ 0 & 0 & 0 & 0"
 
@@ -71,7 +73,9 @@ EXPLAINED: list[tuple[str, str, dict[str, Any]]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("latex", "words", "front"), EXPLAINED, ids=[f"{words} [{k}]" for k, (_, words, _) in enumerate(EXPLAINED)])
+@pytest.mark.parametrize(
+    ("latex", "words", "front"), EXPLAINED, ids=[f"{words} [{k}]" for k, (_, words, _) in enumerate(EXPLAINED)]
+)
 def test_a_usual_mistake_is_named(judge: Judge, latex: str, words: str, front: dict[str, Any]) -> None:
     record = judge(latex, **front)
     assert record.verdict is Verdict.REFUTED
@@ -79,7 +83,9 @@ def test_a_usual_mistake_is_named(judge: Judge, latex: str, words: str, front: d
 
 
 def test_each_convention_has_its_axes(judge: Judge) -> None:
-    classic, modified = (f"J = {crossed(frames, 4, sliding)}" for frames, sliding in (([0, 1, 2, 3], 2), ([1, 2, 3, 4], 3)))
+    classic, modified = (
+        f"J = {crossed(frames, 4, sliding)}" for frames, sliding in (([0, 1, 2, 3], 2), ([1, 2, 3, 4], 3))
+    )
     down = modified.replace("& z_3 &", "& -z_3 &")  # d_2 counts downward on that arm
     assert judge(classic).verdict is Verdict.PROVED
     assert judge(down, arm="scara_modified").verdict is Verdict.PROVED

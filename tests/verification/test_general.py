@@ -51,17 +51,27 @@ def test_the_indices_tell_the_convention(judge: Judge, latex: str, convention: s
 @pytest.mark.parametrize("matrix", [CLASSIC, MODIFIED, INVERSE])
 def test_every_single_sign_of_a_link_matrix_matters(judge: Judge, matrix: str) -> None:
     left = {CLASSIC: "A_i", MODIFIED: "A_i", INVERSE: r"{}^iT_{i-1}"}[matrix]
-    rows = [row.split("&") for row in matrix.removeprefix(r"\begin{bmatrix}").removesuffix(r"\end{bmatrix}").split(r"\\")]
+    rows = [
+        row.split("&") for row in matrix.removeprefix(r"\begin{bmatrix}").removesuffix(r"\end{bmatrix}").split(r"\\")
+    ]
     for r, row in enumerate(rows[:3]):
         for c, cell in enumerate(row):
             if cell.strip() == "0":
                 continue
             flipped = cell.replace("-", "", 1) if cell.strip().startswith("-") else f"-{cell}"
-            cells = [[flipped if (i, k) == (r, c) else other for k, other in enumerate(line)] for i, line in enumerate(rows)]
-            record = judge(f"{left} = " + r"\begin{bmatrix}" + r"\\".join("&".join(line) for line in cells) + r"\end{bmatrix}", arm=None)
+            cells = [
+                [flipped if (i, k) == (r, c) else other for k, other in enumerate(line)] for i, line in enumerate(rows)
+            ]
+            record = judge(
+                f"{left} = " + r"\begin{bmatrix}" + r"\\".join("&".join(line) for line in cells) + r"\end{bmatrix}",
+                arm=None,
+            )
             assert record.verdict is Verdict.REFUTED
             assert [(entry.row, entry.column) for entry in record.entries] == [(r + 1, c + 1)]
-            assert set(record.counterexample) <= {"theta_i", "d_i", "a_i", "alpha_i", "a_i-1", "alpha_i-1"} and record.counterexample
+            assert (
+                set(record.counterexample) <= {"theta_i", "d_i", "a_i", "alpha_i", "a_i-1", "alpha_i-1"}
+                and record.counterexample
+            )
 
 
 @pytest.mark.parametrize(

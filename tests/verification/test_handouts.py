@@ -41,7 +41,11 @@ def test_there_is_a_handout_for_every_arm() -> None:
 
 @handouts
 def test_nothing_is_unreadable_or_unchecked(path: Path) -> None:
-    left = [(r.line, r.verdict.value, r.message) for r in everything(path) if r.verdict in (Verdict.UNREADABLE, Verdict.UNCHECKED)]
+    left = [
+        (r.line, r.verdict.value, r.message)
+        for r in everything(path)
+        if r.verdict in (Verdict.UNREADABLE, Verdict.UNCHECKED)
+    ]
     assert not left
 
 
@@ -77,7 +81,9 @@ def test_only_roots_arc_functions_and_inequalities_are_merely_confirmed(path: Pa
 
 @handouts
 def test_proofs_agree_with_the_double_plant(path: Path) -> None:
-    errors = [(r.max_error, r.line) for r in result(path).equations if r.max_error is not None and r.verdict is Verdict.PROVED]
+    errors = [
+        (r.max_error, r.line) for r in result(path).equations if r.max_error is not None and r.verdict is Verdict.PROVED
+    ]
     for error, line in errors:
         latex = next(r.latex for r in result(path).equations if r.line == line)
         assert error <= (1e-6 if BEYOND.search(latex) or "frac" in latex or "^{-1}" in latex else 1e-12), line
@@ -93,7 +99,9 @@ def test_one_flipped_sign_in_a_proved_display_is_refuted(path: Path) -> None:
             displays.append(replace(display, latex=flipped, erratum=True, section="flipped"))
     flips = [display for display in displays if display.section == "flipped"]
     checked = check_document(replace(document, displays=tuple(displays), tables=()))
-    survivors = [record for record in checked.equations if record.section == "flipped" and record.verdict is not Verdict.REFUTED]
+    survivors = [
+        record for record in checked.equations if record.section == "flipped" and record.verdict is not Verdict.REFUTED
+    ]
     for record in survivors:  # a sign before what is zero changes nothing: the double plant says so too
         assert record.verdict is Verdict.PROVED, record.latex
         assert record.samples == 1000 and record.max_error is not None and record.max_error < 1e-12, record.latex
@@ -102,7 +110,11 @@ def test_one_flipped_sign_in_a_proved_display_is_refuted(path: Path) -> None:
 
 def flip_a_sign(latex: str) -> str | None:
     """Return the display with its last sign flipped, scripts apart; a display without a sign gets one after its last "="."""
-    plain = re.sub(r"\\(?:text|mathrm|operatorname|begin|end)\{[^{}]*\}|[_^]\{[^{}]*\}", lambda match: " " * len(match.group()), latex)
+    plain = re.sub(
+        r"\\(?:text|mathrm|operatorname|begin|end)\{[^{}]*\}|[_^]\{[^{}]*\}",
+        lambda match: " " * len(match.group()),
+        latex,
+    )
     if re.search(r"iff|Rightarrow|\\in\b", plain):
         return None
     if found := list(SIGN.finditer(plain)):

@@ -23,7 +23,19 @@ RING = Ring()
 C1, S1 = RING.cos_sin(RING.symbol("theta_1"))
 C2, S2 = RING.cos_sin(RING.symbol("theta_2"))
 A = RING.symbol("a")
-BLOCKS = [RING.zero, RING.one, C1, S1, -S1, C2, A * S2, C1 * C2 - S1 * S2, A, RING.rational(Fraction(-2, 3)), A / 2 + S1]
+BLOCKS = [
+    RING.zero,
+    RING.one,
+    C1,
+    S1,
+    -S1,
+    C2,
+    A * S2,
+    C1 * C2 - S1 * S2,
+    A,
+    RING.rational(Fraction(-2, 3)),
+    A / 2 + S1,
+]
 
 entries = st.sampled_from(BLOCKS)
 integers = st.integers(-3, 3).map(RING.rational)

@@ -54,10 +54,13 @@ def test_digits_of_an_index_are_angles_of_the_joints(workbench: Callable[..., An
     assert workbench(None).names.joint_angle(7) == "theta_7"
 
 
-def test_letters_are_free_only_without_an_arm(judge: Judge) -> None:
+def test_letters_are_free_without_an_arm_and_beside_one_only_in_identities(judge: Judge) -> None:
     identity = r"\cos(\beta + \gamma) = \cos\beta\cos\gamma - \sin\beta\sin\gamma"
-    assert judge(identity, arm=None).verdict is Verdict.PROVED
-    assert judge(identity).verdict is Verdict.UNCHECKED
+    false = identity.replace("- \\sin", "+ \\sin")
+    assert judge(identity, arm=None).verdict is judge(identity).verdict is Verdict.PROVED
+    assert judge(false, arm=None).verdict is Verdict.REFUTED
+    record = judge(false)  # an arm's document may still say what they are
+    assert (record.verdict, record.message) == (Verdict.UNCHECKED, "'beta' is not bound")
 
 
 # -- what comes first ------------------------------------------------------------------------------------------------------
@@ -103,7 +106,9 @@ def test_a_name_has_one_key_however_it_is_spelt(key: str, same: str) -> None:
     assert name_key(reader, key) == name_key(reader, same)
 
 
-@pytest.mark.parametrize("latex", [r"\theta_1^*", r"\theta_1^\star", r"\mathrm{\theta}_1", r"{\theta_1}", r"\theta_{1}"])
+@pytest.mark.parametrize(
+    "latex", [r"\theta_1^*", r"\theta_1^\star", r"\mathrm{\theta}_1", r"{\theta_1}", r"\theta_{1}"]
+)
 def test_stars_fonts_and_braces_do_not_change_a_joint_variable(judge: Judge, latex: str) -> None:
     assert judge(rf"\cos({latex}) = c_1").verdict is Verdict.PROVED
     assert judge(rf"\cos({latex}) = c_2").verdict is Verdict.REFUTED
@@ -123,7 +128,10 @@ def test_a_cosine_may_be_written_in_every_usual_way(judge: Judge, cosine: str) -
     [
         ({"symbols": ["l_1"]}, "'symbols' must be a mapping from names to meanings"),
         ({"symbols": {"l_1": 3}}, "symbol 'l_1' must be bound to a symbol of the arm, not 3"),
-        ({"symbols": {"l_1": "b_9"}}, "the arm 'scara' has no 'b_9'; it has theta_1, theta_2, d_3, theta_4, a_1, a_2, d_4"),
+        (
+            {"symbols": {"l_1": "b_9"}},
+            "the arm 'scara' has no 'b_9'; it has theta_1, theta_2, d_3, theta_4, a_1, a_2, d_4",
+        ),
         ({"quantities": 7}, "'quantities' must be a mapping from names to meanings, not 7"),
         ({"transforms": "left"}, "'transforms' must be upper or lower, not 'left'"),
         ({"quantities": {"1 + x": {"origin": 3}}}, "'1 \\+ x' is not a name; write it as in the displays"),

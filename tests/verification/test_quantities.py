@@ -78,7 +78,9 @@ def test_frames_are_those_of_the_document() -> None:
 
 
 def equal(a: Matrix, b: Matrix) -> bool:
-    return a.shape == b.shape and all((x - y).is_zero() for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True))
+    return a.shape == b.shape and all(
+        (x - y).is_zero() for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True)
+    )
 
 
 def test_origins_axes_and_rotations_are_parts_of_poses(arm: Arm, workbench: Callable[..., Any]) -> None:
@@ -122,7 +124,10 @@ def test_a_difference_is_of_origins(arm: Arm, workbench: Callable[..., Any]) -> 
         ({"origin": 4, "component": "y"}, Quantity("origin", "4", rows=(2,), scalar=True)),
         ({"origin": 3, "homogeneous": True}, Quantity("origin", "3", homogeneous=True)),
         ({"axis": 2, "along": "x", "in": 1}, Quantity("axis", "2", "1", along="x")),
-        ({"jacobian": 4, "rows": [1, 2, 6], "columns": [2, 1]}, Quantity("jacobian", "4", rows=(1, 2, 6), columns=(2, 1))),
+        (
+            {"jacobian": 4, "rows": [1, 2, 6], "columns": [2, 1]},
+            Quantity("jacobian", "4", rows=(1, 2, 6), columns=(2, 1)),
+        ),
         ({"jacobian": 4, "rows": 3}, Quantity("jacobian", "4", rows=(3,))),
         ({"difference": [4, 1]}, Quantity("difference", "4", start="1")),
         ({"joint": "d_3"}, Quantity("joint", "d_3", scalar=True)),
@@ -145,7 +150,10 @@ def test_rows_and_columns_stand_in_the_order_listed(workbench: Callable[..., Any
         (3, "quantity 'X' must name one of pose, rotation, origin, axis, jacobian"),
         ({}, "quantity 'X' must name one of pose"),
         ({"pose": 1, "origin": 2}, "quantity 'X' must name one of pose"),
-        ({"origin": 4, "along": "x"}, "quantity 'X': unknown option along; valid with 'origin': component, homogeneous, in, rows"),
+        (
+            {"origin": 4, "along": "x"},
+            "quantity 'X': unknown option along; valid with 'origin': component, homogeneous, in, rows",
+        ),
         ({"origin": 9}, "quantity 'X': no frame '9' on arm 'scara'; its frames are 0, 1, 2, 3, 4"),
         ({"pose": 4, "in": "tool"}, "no frame 'tool' on arm 'scara'"),
         ({"origin": 4, "component": "w"}, "component must be x, y or z, not 'w'"),

@@ -47,7 +47,10 @@ def test_strictness_fails_on_what_is_unchecked_and_on_nothing_else() -> None:
 
 
 def test_the_summary_counts_every_display_once() -> None:
-    results = [DocumentResult("a.md", "", tuple(map(record, ALL))), DocumentResult("b.md", "", (record(Verdict.PROVED),))]
+    results = [
+        DocumentResult("a.md", "", tuple(map(record, ALL))),
+        DocumentResult("b.md", "", (record(Verdict.PROVED),)),
+    ]
     counts = summary(results)
     assert list(counts) == ["proved", "confirmed", "defined", "refuted", "unchecked", "unreadable"]
     assert sum(counts.values()) == 7 and counts["proved"] == 2 and counts["refuted"] == 1
@@ -56,7 +59,17 @@ def test_the_summary_counts_every_display_once() -> None:
 
 def test_a_record_is_written_as_the_design_says(judge: Callable[..., Record]) -> None:
     written = json.loads(json.dumps(judge(r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 c_1 \\ 0 \end{bmatrix}").as_json()))
-    assert list(written) == ["line", "latex", "verdict", "erratum", "message", "entries", "counterexample", "samples", "max_error"]
+    assert list(written) == [
+        "line",
+        "latex",
+        "verdict",
+        "erratum",
+        "message",
+        "entries",
+        "counterexample",
+        "samples",
+        "max_error",
+    ]
     assert (written["line"], written["verdict"], written["erratum"]) == (1, "refuted", False)
     (entry,) = written["entries"]
     assert (entry["equation"], entry["row"], entry["column"]) == (1, 2, 1)
@@ -67,7 +80,12 @@ def test_a_record_is_written_as_the_design_says(judge: Callable[..., Record]) ->
 
 def test_a_proof_is_written_with_its_samples(judge: Callable[..., Record]) -> None:
     written = judge(r"c_{12} = c_1 c_2 - s_1 s_2").as_json()
-    assert (written["verdict"], written["samples"], written["entries"], written["counterexample"]) == ("proved", 1000, [], {})
+    assert (written["verdict"], written["samples"], written["entries"], written["counterexample"]) == (
+        "proved",
+        1000,
+        [],
+        {},
+    )
     assert 0 <= written["max_error"] < 1e-14
 
 
@@ -78,7 +96,14 @@ def test_a_cell_of_a_notebook_is_named() -> None:
 def test_a_wrong_entry_leaves_out_what_it_does_not_have() -> None:
     assert WrongEntry(2, None, None, "a", "b").as_json() == {"equation": 2, "printed": "a", "correct": "b"}
     entry = WrongEntry(1, 3, 4, "a", "b", "wrong sign", (0, 1))
-    assert entry.as_json() == {"equation": 1, "row": 3, "column": 4, "printed": "a", "correct": "b", "change": "wrong sign"}
+    assert entry.as_json() == {
+        "equation": 1,
+        "row": 3,
+        "column": 4,
+        "printed": "a",
+        "correct": "b",
+        "change": "wrong sign",
+    }
 
 
 def test_a_document_is_written_as_the_design_says(check: Callable[..., DocumentResult]) -> None:

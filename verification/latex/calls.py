@@ -115,7 +115,7 @@ class CallReader(NameReader):
         if not re.search(r"\\(?:var)?(?:theta|alpha|beta|gamma|phi|psi)|^\s*q", spaced):
             return None
         try:
-            angle = self.parse(spaced, span[0])
+            angle = self.parse(spaced, max(self.text.find(raw, span[0]), span[0]))
         except ReadError:
             return None
         return angle if self._is_angle(angle) else None
