@@ -31,6 +31,10 @@ class OutsideAlgebra(EvaluationError):
 class Algebra(Protocol):
     """What the evaluator needs of scalars."""
 
+    def check_time(self) -> None:
+        """Raise TooComplex when the display at hand has had its time."""
+        ...
+
     def rational(self, value: Fraction) -> Any:
         """Return a rational constant."""
         ...
@@ -84,6 +88,9 @@ class ExactAlgebra:
         self.ring = ring
         self.arm = arm
         self._cache: dict[Quantity, Value] = {}
+
+    def check_time(self) -> None:
+        self.ring.check_time()
 
     def rational(self, value: Fraction) -> Scalar:
         return self.ring.rational(value)
@@ -187,6 +194,9 @@ class SampledAlgebra:
         """The number of configurations."""
         return len(self.q)
 
+    def check_time(self) -> None:
+        self.exact.ring.check_time()
+
     def rational(self, value: Fraction) -> np.ndarray:
         return _constant(float(value), self.samples)
 
@@ -283,7 +293,9 @@ class SampledAlgebra:
 
     def rank(self, matrix: Matrix) -> np.ndarray:
         stacked = np.array([[np.broadcast_to(cell, (self.samples,)) for cell in row] for row in matrix.rows])
-        return np.linalg.matrix_rank(np.moveaxis(stacked, -1, 0), tol=1e-9).astype(float)
+        ranks = np.linalg.matrix_rank(np.moveaxis(stacked, -1, 0), tol=1e-9).astype(float)
+        self.regular &= ranks == ranks.max()  # the rank is that of a generic configuration; the singular ones are left out
+        return ranks
 
     def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:
         raise EvaluationError("samples are taken anew at a configuration")
@@ -310,8 +322,8 @@ class SampledAlgebra:
     def whole(self, quantity: Quantity) -> Matrix:
         if quantity.kind == "link":
             return link_matrix(self, quantity.frame)
-        if self.arm is not None and any(name in self.arm.lengths for name in self.overrides):
-            # the double plant keeps the lengths of its URDF: at other lengths the exact trace is sampled
+        if self.arm is not None and any(name in self.arm.lengths or name in self.arm.angles for name in self.overrides):
+            # the double plant keeps the lengths of its URDF and the angles of its table: at others the exact trace is sampled
             return self.from_exact(self.exact.whole(quantity))
         assert self.arm is not None and self._numeric is not None
         if quantity.kind in ("joint", "vector"):

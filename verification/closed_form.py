@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
+import time
 from collections import defaultdict
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -15,7 +16,7 @@ from verification.trig import Generator, Scalar
 Angle = tuple[tuple[str, Fraction], ...]  # sorted (symbol, coefficient)
 Trig = tuple[tuple[str, Angle, int], ...]  # sorted (function, angle, power): a monomial of sines and cosines
 Rest = tuple[tuple[Generator, int], ...]
-MAX_TERMS = 120
+MAX_TERMS = 60
 
 
 @dataclass(frozen=True)
@@ -54,12 +55,16 @@ def _terms(value: Scalar, polynomial: object, folded: bool) -> list[_Term]:
     """Return the terms of a polynomial, a positive one first."""
     groups: dict[Rest, dict[Trig, Fraction]] = defaultdict(dict)
     for powers, coefficient in value.ring.terms(polynomial):  # type: ignore[arg-type]
-        trig: Trig = tuple(sorted((k, ((name, Fraction(1)),), power) for (k, name), power in powers.items() if k in ("cos", "sin")))
-        rest = tuple(sorted((generator, power) for generator, power in powers.items() if generator[0] not in ("cos", "sin")))
+        trig: Trig = tuple(
+            sorted((k, ((name, Fraction(1)),), power) for (k, name), power in powers.items() if k in ("cos", "sin"))
+        )
+        rest = tuple(
+            sorted((generator, power) for generator, power in powers.items() if generator[0] not in ("cos", "sin"))
+        )
         groups[rest][trig] = coefficient
     terms: list[_Term] = []
     for rest, trigs in groups.items():
-        shorter = fold(trigs) if folded and len(trigs) <= MAX_TERMS else trigs
+        shorter = fold(trigs, value.ring.deadline) if folded and len(trigs) <= MAX_TERMS else trigs
         for trig, coefficient in sorted(shorter.items(), key=lambda item: (len(item[0]), item[0])):
             terms.append(_Term(coefficient, rest, trig))
     return sorted(terms, key=lambda term: term.coefficient < 0)  # a positive term first reads better
@@ -110,16 +115,19 @@ def _power_of_trig(text: str, power: int) -> str:
     return text + _exponent(power) if is_one else f"({text}){_exponent(power)}"
 
 
-def fold(terms: dict[Trig, Fraction]) -> dict[Trig, Fraction]:
+def fold(terms: dict[Trig, Fraction], deadline: float = math.inf) -> dict[Trig, Fraction]:
     """Return an equal sum with fewer terms, by writing an angle as a sum of two wherever that shortens it.
 
     With φ = α ± β: c_α = c_φ c_β ± s_φ s_β and s_α = s_φ c_β ∓ c_φ s_β; c_β² + s_β² = 1 then collects the terms.
+    Past the deadline (time.monotonic) the shortest sum found so far is returned.
     """
     best = terms
     while len(best) > 1:
         angles = sorted({angle for trig in best for _, angle, _ in trig})
         candidates = []
         for a, b in itertools.permutations(angles, 2):
+            if time.monotonic() > deadline:
+                return best
             for sign in (1, -1):
                 folded = _substitute(best, a, b, sign)
                 if len(folded) < len(best):
@@ -149,7 +157,9 @@ def _combine(a: Angle, b: Angle, sign: int) -> Angle:
     return tuple(sorted((name, coefficient) for name, coefficient in total.items() if coefficient))
 
 
-def _expanded(trig: Trig, a: Angle, b: Angle, combined: Angle, sign: int) -> list[tuple[dict[tuple[str, Angle], int], Fraction]]:
+def _expanded(
+    trig: Trig, a: Angle, b: Angle, combined: Angle, sign: int
+) -> list[tuple[dict[tuple[str, Angle], int], Fraction]]:
     products: list[tuple[dict[tuple[str, Angle], int], Fraction]] = [({}, Fraction(1))]
     for function, angle, power in trig:
         if angle != a:
@@ -186,5 +196,6 @@ def _reduced(factors: dict[tuple[str, Angle], int], b: Angle) -> list[tuple[Trig
             grown.append((squared, -weight))
         results = grown
     return [
-        (tuple(sorted((f, angle, power) for (f, angle), power in entry.items() if power)), weight) for entry, weight in results
+        (tuple(sorted((f, angle, power) for (f, angle), power in entry.items() if power)), weight)
+        for entry, weight in results
     ]

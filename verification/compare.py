@@ -29,6 +29,7 @@ class Pair:
     true_rows: tuple[int, ...] | None = None
 
 
+ROTATION = "the rotation"
 HOMOGENEOUS = "homogeneous coordinates"
 
 
@@ -92,7 +93,7 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
             yield Pair(true.block(range(3), range(4)), printed, "the rows above 0 0 0 1")
         if (r, c) == (3, 3):
             if all(is_zero(true.rows[i][3]) for i in range(3)):
-                yield Pair(true.block(range(3), range(3)), printed, "the rotation")
+                yield Pair(true.block(range(3), range(3)), printed, ROTATION)
             elif _is_planar(true):
                 yield Pair(true.block([0, 1, 3], [0, 1, 3]), printed, "the planar transform, without its z row and column")
     if (m, k, r, c) == (3, 3, 2, 2) and _is_constant(true.rows[2][2], 1) and _is_planar_rotation(true):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -26,6 +27,8 @@ from verification.trig import Scalar
 from verification.verdict import Record, WrongEntry
 
 PROBES = 12
+WRITTEN = 400  # terms: more are written as an ellipsis
+FOLDED = 120  # terms: of so many, products of sines and cosines are written as those of sums of angles where shorter
 MAX_EDITS = 600
 LONGEST = 2000  # characters of a corrected term; what is longer is no correction that anybody could use
 MAX_MENDED = 6  # of so many wrong entries the change is sought; beyond, the cause lies elsewhere
@@ -137,7 +140,15 @@ class Diagnostician:
         return entries
 
     def _written(self, value: Any, notation: Notation) -> str:
-        text = write_scalar(value, notation) if isinstance(value, Scalar) else str(value)
+        if isinstance(value, Scalar):
+            terms = _terms_to_write(value)
+            if terms > WRITTEN:
+                return r"\ldots"
+            # folding into sums of angles takes its time, and makes no page of terms readable
+            small = terms <= FOLDED and time.monotonic() < self.checker.exact.ring.deadline
+            text = write_scalar(value, notation, folded=small)
+        else:
+            text = str(value)
         return text if len(text) <= LONGEST else text[:LONGEST].rsplit(" ", 1)[0] + r" \ldots"
 
     def _mended(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, str]:
@@ -151,7 +162,7 @@ class Diagnostician:
         letters = self._letters(cell)
         with np.errstate(all="ignore"):
             for count, edit in enumerate(single_edits(cell, letters)):
-                if count > MAX_EDITS:
+                if count > MAX_EDITS or time.monotonic() > self.checker.exact.ring.deadline:
                     break
                 if not self._agrees(edit, target, scale, probe):
                     continue
@@ -383,6 +394,22 @@ class Diagnostician:
             ):
                 return min(used)
         return None
+
+
+def _terms_to_write(value: Scalar) -> int:
+    """How many terms a value is written with, those under its roots and in its arc functions included each time."""
+    total = 0
+    for part in (value.numerator, value.denominator):
+        if len(part) > WRITTEN:
+            return len(part)
+        for powers, _ in value.ring.terms(part):
+            total += 1
+            for kind, name in powers:
+                inner = [value.ring.radicand(name)] if kind == "radical" else value.ring.arcs[name] if kind == "arc" else ()
+                total += sum(_terms_to_write(below) for below in inner)
+            if total > WRITTEN:
+                return total
+    return total
 
 
 def _base_and_index(key: str) -> tuple[str, str]:

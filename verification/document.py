@@ -23,6 +23,7 @@ FRONT_MATTER_KEYS = ("title", "source", "arm", "symbols", "transforms", "quantit
 FOREIGN_KEYS = frozenset(["author", "authors", "date", "lang", "language", "subtitle", "license", "jupyter", "jupytext",
                           "kernelspec", "format", "abstract", "keywords", "slug", "description"])  # fmt: skip
 SUFFIXES = (".md", ".ipynb", ".py")
+_HTML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 MAX_BYTES = 20_000_000
 
 
@@ -128,18 +129,21 @@ def _read_text(path: Path) -> str:
 # -- front matter ------------------------------------------------------------------------------------------------------
 
 
-def _split_front_matter(path: Path, text: str) -> tuple[dict[str, Any] | None, dict[str, int], str, int]:
-    """Return front matter (None where there is none), its keys' lines, the body and the body's first line."""
+def _split_front_matter(path: Path, text: str, first: int = 1) -> tuple[dict[str, Any] | None, dict[str, int], str, int]:
+    """Return front matter (None where there is none), its keys' lines, the body and the body's first line.
+
+    `first` is the line of the file on which the text begins.
+    """
     text = text.replace("\r\n", "\n")
     if not re.match(r"---[ \t]*\n", text):
-        return None, {}, text, 1
+        return None, {}, text, first
     end = re.compile(r"^(?:---|\.\.\.)[ \t]*$", re.MULTILINE).search(text, text.index("\n") + 1)
     if end is None:
-        raise DocumentError(f"{path}:1: the front matter opened by '---' is never closed by '---'")
+        raise DocumentError(f"{path}:{first}: the front matter opened by '---' is never closed by '---'")
     block = text[text.index("\n") + 1 : end.start()]
-    front, lines = parse_front_matter(path, block, 2)
+    front, lines = parse_front_matter(path, block, first + 1)
     body_start = end.end() + 1
-    return front, lines, text[body_start:], text.count("\n", 0, body_start) + 1
+    return front, lines, text[body_start:], first + text.count("\n", 0, body_start)
 
 
 def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[str, Any], dict[str, int]]:
@@ -205,7 +209,10 @@ def _read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list
             quotes.pop()
         elif token.type in ("math_block", "math_block_label"):
             line = first + (token.map[0] if token.map else 0)
-            displays.append(Display(line, token.content.strip("\n"), any(quotes), cell, section))
+            displays.extend(_block_displays(token.content, line, any(quotes), cell, section))
+        elif token.type == "html_block" and "$$" in _HTML_COMMENT.sub("", token.content):
+            line = first + (token.map[0] if token.map else 0) + token.content[: token.content.index("$$")].count("\n")
+            displays.append(Display(line, token.content[token.content.index("$$") + 2 :], any(quotes), cell, section, closed=False))
         elif token.type == "inline":
             displays.extend(_inline_displays(token, first, any(quotes), cell, section))
         elif token.type == "table_open":
@@ -219,19 +226,24 @@ def _is_erratum(tokens: list[Token], start: int) -> bool:
     return first is not None and first.type == "inline" and bool(re.match(r"[*_\s]*errat(?:um|a)\b", first.content, re.IGNORECASE))
 
 
+def _block_displays(content: str, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
+    """Yield the displays of a block: `$$ a = 1 $$ $$ b = 2 $$` on one line are two."""
+    for index, part in enumerate(content.split("$$")):
+        if index % 2 == 0:
+            yield Display(line, part.strip("\n"), erratum, cell, section)
+        line += part.count("\n")
+
+
 def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
-    line = first + (token.map[0] if token.map else 0)
+    base = first + (token.map[0] if token.map else 0)
+    cursor = 0
     for child in token.children or []:
-        if child.type in ("softbreak", "hardbreak"):
-            line += 1
-        elif child.type == "math_inline_double":
-            yield Display(line, child.content, erratum, cell, section)
-            line += child.content.count("\n")
-        elif child.type == "math_inline":
-            line += child.content.count("\n")
-        elif child.type == "text" and "$$" in child.content:
-            rest = token.content[token.content.find("$$") + 2 :]
-            yield Display(line, rest, erratum, cell, section, closed=False)
+        if child.type == "math_inline_double":
+            at = token.content.find("$$" + child.content, cursor)
+            cursor = at + len(child.content) + 4
+            yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
+        elif child.type == "text" and "$$" in child.content and (at := token.content.find("$$", cursor)) >= 0:
+            yield Display(base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False)
             return
 
 
@@ -292,9 +304,7 @@ def _read_percent(path: Path, text: str) -> Document:
         body = "\n".join(re.sub(r"^# ?", "", line) for line in source[start + 1 : end])
         first = start + 2
         if front is None and body.startswith("---"):
-            front, lines, body, offset = _split_front_matter(path, body)
-            lines = {key: line + first - 1 for key, line in lines.items()}
-            first += offset - 1
+            front, lines, body, first = _split_front_matter(path, body, first)
         more, more_tables = _read_markdown(body, first, number)
         displays += more
         tables += more_tables

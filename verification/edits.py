@@ -92,10 +92,18 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
         if rest:
             yield replace(node, terms=rest), "index", f"index {index} does not belong"
             if k:
-                yield replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])), "index", f"wrong sign of angle {index}"
+                yield (
+                    replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])),
+                    "index",
+                    f"wrong sign of angle {index}",
+                )
     for joint in letters.joints:
         if joint not in present:
-            yield replace(node, terms=tuple(sorted((*node.terms, (1, joint)), key=lambda t: t[1]))), "index", f"index {joint} is missing"
+            yield (
+                replace(node, terms=tuple(sorted((*node.terms, (1, joint)), key=lambda t: t[1]))),
+                "index",
+                f"index {joint} is missing",
+            )
 
 
 def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
@@ -126,7 +134,11 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
 
 def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Two lengths, exchanged throughout."""
-    keys = [length.key for length in letters.lengths if any(isinstance(b, n.Name) and b.key == length.key for b in n.walk(root))]
+    keys = [
+        length.key
+        for length in letters.lengths
+        if any(isinstance(b, n.Name) and b.key == length.key for b in n.walk(root))
+    ]
     named = {length.key: length for length in letters.lengths}
     for i, a in enumerate(keys):
         for b in keys[i + 1 :]:
@@ -166,7 +178,9 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
     for node in n.walk(root):
         if isinstance(node, n.Number) and node.value and id(node) not in exponents:
             for value in (node.value * 2, node.value / 2, node.value + 1):
-                yield Edit(n.substitute(root, node, n.Number(value, span=node.span)), "number", f"the number {node.text}")
+                yield Edit(
+                    n.substitute(root, node, n.Number(value, span=node.span)), "number", f"the number {node.text}"
+                )
     for power in powers:
         assert isinstance(power.exponent, n.Number)
         higher = n.Number(power.exponent.value + 1, str(power.exponent.value + 1), span=power.exponent.span)
@@ -175,9 +189,12 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
 
 
 def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
-    angles = {angle.key for angle in letters.angles}
+    """The square of a length, a sine or a cosine, where the first power stands."""
+    lengths = {length.key for length in letters.lengths}
     for node in _formulas(root):
-        if isinstance(node, n.Name | n.Call) and not (isinstance(node, n.Name) and node.key in angles):
+        if (isinstance(node, n.Name) and node.key in lengths) or (
+            isinstance(node, n.Call) and node.function in ("cos", "sin")
+        ):
             square = n.Power(node, n.Number(Fraction(2), "2"), span=node.span)
             yield Edit(n.substitute(root, node, square), "number", "a square is missing")
 
@@ -189,7 +206,13 @@ def _formulas(node: n.Node) -> Iterator[n.Node]:
         return
     if isinstance(node, n.Power | n.Postfix):
         return  # a power of a power is no slip
-    inside = [node.inner] if isinstance(node, n.At | n.Labelled) else [node.operand] if isinstance(node, n.Derivative) else n.children(node)
+    inside = (
+        [node.inner]
+        if isinstance(node, n.At | n.Labelled)
+        else [node.operand]
+        if isinstance(node, n.Derivative)
+        else n.children(node)
+    )
     for child in inside:
         yield from _formulas(child)
 
@@ -201,13 +224,24 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
     if style is not None and isinstance(style.arguments[0], n.JointAngles):
         for joint in letters.joints:
             for function in ("cos", "sin"):
-                head = bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
-                factors.append((replace(style, function=function, head=head, arguments=(n.JointAngles(((1, joint),)),)), f"{function} {joint}"))
+                head = (
+                    bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
+                )
+                factors.append(
+                    (
+                        replace(style, function=function, head=head, arguments=(n.JointAngles(((1, joint),)),)),
+                        f"{function} {joint}",
+                    )
+                )
     elif style is not None:
         for angle in letters.angles:
             for function in ("cos", "sin"):
-                head = bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
-                factors.append((replace(style, function=function, head=head, arguments=(angle,)), f"{function} of {_show(angle)}"))
+                head = (
+                    bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
+                )
+                factors.append(
+                    (replace(style, function=function, head=head, arguments=(angle,)), f"{function} of {_show(angle)}")
+                )
     factors.append((n.Number(Fraction(2), "2"), "2"))
     targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
     if not isinstance(root, n.Sum):

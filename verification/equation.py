@@ -11,14 +11,25 @@ import numpy as np
 from verification.algebras import ExactAlgebra, OutsideAlgebra, SampledAlgebra, Value
 from verification.blocks import Block, partition
 from verification.branches import holds_on
-from verification.compare import HOMOGENEOUS, Pair, ShapeMismatch, align, angle_places, different_entries, entry_errors, exactly_equal, square_rows
+from verification.compare import (
+    HOMOGENEOUS,
+    ROTATION,
+    Pair,
+    ShapeMismatch,
+    align,
+    angle_places,
+    different_entries,
+    entry_errors,
+    exactly_equal,
+    square_rows,
+)
 from verification.errors import EvaluationError, NoValue, TooComplex, UnboundName
 from verification.evaluate import Evaluator, Identity
 from verification.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.names import Names, call_key
-from verification.numbers import FEW, compare_numbers, depends_on_joints, is_numeric
+from verification.numbers import FEW, coarsest_decimals, compare_numbers, depends_on_joints, is_numeric
 from verification.quantities import Quantity
 from verification.trig import AngleFraction, Scalar
 from verification.verdict import Verdict
@@ -268,7 +279,8 @@ class ChainChecker:
         pairs = [self._with_last_coordinate(true.node, pair) for pair in pairs]
         best: tuple[Pair, list[tuple[int, int]]] | None = None
         if true.rank < 4:  # only a quantity of the arm may be met in another shape
-            pairs = [pair for pair in pairs if not pair.note] or pairs[:0]
+            rotations = _is_made_of_rotations(true.node)
+            pairs = [pair for pair in pairs if not pair.note or (rotations and pair.note == ROTATION)]
             if not pairs:
                 sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
                 outcome.message = f"the printed matrix is {sizes[0]}, it should be {sizes[1]}"
@@ -292,7 +304,43 @@ class ChainChecker:
             outcome.verdict, outcome.wrong = Verdict.PROVED, []
             outcome.message = "with the joint angles read as those of the DH table, offsets included"
             return outcome
+        if self._holds_to_its_decimals(outcome, branches):
+            return outcome
         return self._doubt(outcome, branches)
+
+    def _holds_to_its_decimals(self, outcome: Outcome, branches: bool) -> bool:
+        """Confirm an equation whose numbers are rounded (1.501 for √(1.5² + 0.054²)) to the decimals they are printed with."""
+        assert outcome.true is not None and outcome.printed is not None
+        decimals = coarsest_decimals((outcome.true.node, outcome.printed.node), self.names.rounded)
+        if decimals is None or not self._leaves_rounding(outcome, decimals):
+            return False
+        errors = self._sampled_errors(outcome, branches)
+        if errors is None:
+            return False
+        scaled, finite = errors
+        tolerance = 0.45 * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
+        holding = (scaled <= tolerance).all(axis=(0, 1)) & finite
+        left = min(outcome.true.node, outcome.printed.node, key=lambda node: node.span)
+        everywhere = holding.sum() == finite.sum() >= 10
+        if not everywhere and not (self._is_solved_for(left) and holds_on(scaled, finite & self.sampled().random, tolerance)):
+            return False
+        outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
+        outcome.samples, outcome.max_error = int(holding.sum()), float(scaled[..., holding].max())
+        outcome.message = f"to the {decimals} decimals printed" + ("" if everywhere else ", on one branch of its arc functions")
+        return True
+
+    def _leaves_rounding(self, outcome: Outcome, decimals: int) -> bool:
+        """Whether a wrong entry may be wrong by rounding: 0.334 for 0.333 is not, the decimals printed hold 0.333 exactly."""
+        if outcome.pair is None:
+            return True
+        true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
+        for difference in (true[r][c] - printed[r][c] for r, c in outcome.wrong):
+            roots = any(kind == "sqrt" for powers, _ in difference.ring.terms(difference.numerator) for kind, _ in powers)
+            if roots or not difference.denominator.is_one() or difference.ring.leaves_open(difference):
+                continue
+            if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):
+                return False
+        return True
 
     def _compare_blocks(self, true: Member, printed: Member, outcome: Outcome) -> Outcome:
         """A printed matrix of blocks in which a 0 stands for a block of zeros: [z_2; 0] is 6×1."""
@@ -389,6 +437,9 @@ class ChainChecker:
             outcome.wrong = [(int(r), int(c)) for r, c in wrong]
             outcome.message = "holds up to the sign of a square root or the branch of an arc function only"
             outcome.sampled_only = True
+        elif self._rests_on_lengths(outcome, branches):
+            outcome.verdict, outcome.wrong = Verdict.REFUTED, [(r, c) for r, row in enumerate(scaled) for c in range(len(row))]
+            outcome.message, outcome.sampled_only = "the sign of a square root is right for the lengths of this arm only", True
         return outcome
 
     def _doubt(self, outcome: Outcome, branches: bool) -> Outcome:
@@ -402,7 +453,7 @@ class ChainChecker:
         if errors is None:
             return outcome
         scaled, finite = errors
-        if finite.sum() >= 10 and float(scaled[..., finite].max()) <= TOLERANCE:
+        if finite.sum() >= 10 and float(scaled[..., finite].max()) <= TOLERANCE and not self._rests_on_lengths(outcome, branches):
             outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
             outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
         elif not self._on_a_branch(outcome, scaled, finite) and signs:
@@ -449,9 +500,23 @@ class ChainChecker:
         """Return a tree's value on the samples of the double plant."""
         return Evaluator(self.names, self.sampled(), branch).evaluate(node)
 
-    def _sampled_errors(self, outcome: Outcome, branches: bool) -> tuple[np.ndarray, np.ndarray] | None:
+    def _rests_on_lengths(self, outcome: Outcome, branches: bool) -> bool:
+        """Whether the sign of a root is right for the arm's own lengths only, as √((l_1 − l_2)²) = l_1 − l_2 may be."""
+        arm, ring = self.names.arm, self.exact.ring
         assert outcome.true is not None and outcome.printed is not None
+        if arm is None or not (ring.signs_chosen and any(self._has_roots(m.node) for m in (outcome.true, outcome.printed))):
+            return False
+        generator = np.random.default_rng(len(arm.lengths))
         sampled = self.sampled()
+        others = sampled.at({name: generator.uniform(0.2, 1.2, sampled.samples) for name in arm.lengths})
+        errors = self._sampled_errors(outcome, branches, others)
+        return errors is not None and bool((errors[0][..., errors[1]] > TOLERANCE).any())
+
+    def _sampled_errors(
+        self, outcome: Outcome, branches: bool, sampled: SampledAlgebra | None = None
+    ) -> tuple[np.ndarray, np.ndarray] | None:
+        assert outcome.true is not None and outcome.printed is not None
+        sampled = self.sampled() if sampled is None else sampled
         places = angle_places(outcome.pair) if outcome.pair is not None else set()
         # without exact values the trees tell: a side that is an arc function is an angle
         loose = outcome.pair is None and any(_is_arc(m.node) for m in (outcome.true, outcome.printed))
@@ -518,9 +583,15 @@ class ChainChecker:
             if key is not None:
                 if define:
                     self.names.define(key, _getter(self, true.node), line)
+                    if (decimals := coarsest_decimals((true.node,), self.names.rounded)) is not None:
+                        self.names.rounded[key] = decimals
                     if isinstance(member.node, n.Name):
                         self.names.add_frame(member.node)
                 return Outcome(Verdict.DEFINED, f"gives {key} its meaning", equation, true, member, defines=(key,))
+            if (root := _squared_name(member.node)) is not None:
+                if define:
+                    self.names.define(root, _getter(self, n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)), line)
+                return Outcome(Verdict.DEFINED, f"gives {root} its meaning", equation, true, member, defines=(root,))
             pattern = self._define_entries(true, member, equation, line, define)
             if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
                 return pattern
@@ -706,6 +777,20 @@ def _is_mismatch(outcome: Outcome) -> bool:
     """Whether two values of different sizes were equated."""
     known = outcome.true is not None and outcome.printed is not None and outcome.true.known and outcome.printed.known
     return outcome.verdict is Verdict.REFUTED and known and outcome.pair is None and not outcome.wrong
+
+
+def _squared_name(node: n.Node) -> str | None:
+    """The r of r² = x² + y², which is a length and positive."""
+    if isinstance(node, n.Power) and isinstance(node.exponent, n.Number) and node.exponent.value == 2:
+        return bare_key(node.base)
+    return None
+
+
+def _is_made_of_rotations(node: n.Node) -> bool:
+    """Whether a tree is an elementary rotation or a product of such: 3×3 or 4×4, as the document prints it."""
+    calls = [below for below in n.walk(node) if isinstance(below, n.Call) and below.function in ("Rot", "Rot3")]
+    factors = node.factors if isinstance(node, n.Product) else (node,)
+    return bool(calls) and all(factor in calls for factor in factors)
 
 
 def _is_zero(value: Value) -> bool:

@@ -35,6 +35,7 @@ class Evaluator:
         """Return the value; raises UnboundName, EvaluationError."""
         self.depth += 1
         try:
+            self.algebra.check_time()
             if self.depth > MAX_DEPTH:
                 raise EvaluationError("nested too deeply")
             method = _METHODS.get(type(node))
@@ -74,7 +75,7 @@ class Evaluator:
         if node.key == "pi":
             return algebra.pi()
         if node.base in ("I", "Id", "E") and not (node.pre_sub or node.pre_sup or node.sup):
-            if (size := re.fullmatch(r"(\d)(?:x\1)?", node.sub)) is not None:
+            if (size := re.fullmatch(r"([1-9])(?:x\1)?", node.sub)) is not None:
                 return identity(algebra, int(size.group(1)))
             if not node.sub and node.base != "E":
                 return Identity()
@@ -154,6 +155,9 @@ class Evaluator:
         return a + b
 
     def _product(self, node: n.Product) -> Value:
+        if any(isinstance(factor, n.Call) and factor.function == "Trans" for factor in node.factors):  # R_z(θ) T_z(d), all 4×4
+            whole = (replace(f, function="Rot") if isinstance(f, n.Call) and f.function == "Rot3" else f for f in node.factors)
+            node = replace(node, factors=tuple(whole))
         result = self.evaluate(node.factors[0])
         for operator, factor in zip(node.operators, node.factors[1:], strict=True):
             result = self._multiply(result, operator, self.evaluate(factor))
@@ -184,6 +188,9 @@ class Evaluator:
         if isinstance(above, Matrix):
             return above.map(lambda cell: cell / below)
         return above / below
+
+    def _ambiguous(self, node: n.Ambiguous) -> Value:
+        raise EvaluationError(f"'{node.text}' has two readings: write \\frac{{…}}{{…}}, or parentheses")
 
     def _power(self, node: n.Power) -> Value:
         base = _stacked(as_scalar(self.evaluate(node.base)))
@@ -571,6 +578,7 @@ _METHODS: dict[type[n.Node], Callable[[Evaluator, Any], Value]] = {
     n.Sum: Evaluator._sum,
     n.Product: Evaluator._product,
     n.Quotient: Evaluator._quotient,
+    n.Ambiguous: Evaluator._ambiguous,
     n.Power: Evaluator._power,
     n.Postfix: Evaluator._postfix,
     n.Group: Evaluator._group,

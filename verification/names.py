@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 from models.arm import Arm
@@ -41,6 +42,7 @@ class Names:
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)  # a frame the document adds: (on which of the arm's, name)
     configuration: dict[str, float] = field(default_factory=dict)  # joint variables and lengths that displays gave a value
     adopted: set[str] = field(default_factory=set)  # letters that only a frame the document adds brings in: a tool's length
+    rounded: dict[str, int] = field(default_factory=dict)  # names made of rounded numbers: to how many decimals
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
 
     def known_symbol(self, key: str) -> str | None:
@@ -85,7 +87,7 @@ class Names:
         if name.base not in ("theta", "q") or not re.fullmatch(r"[1-9]{2,}", name.sub) or name.sup or name.pre_sup or name.primes:
             return None
         digits = [int(digit) for digit in name.sub]
-        rising = all(a < b for a, b in zip(digits, digits[1:], strict=False))
+        rising = all(a < b for a, b in pairwise(digits))
         if self.arm is None or not rising or any(self.joint_angle(digit) is None for digit in digits):
             return None
         return n.JointAngles(tuple((1, digit) for digit in digits), span=name.span)
@@ -169,7 +171,7 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
 
 
 def _is_greek(word: str) -> bool:
-    from verification.latex.tokens import FUNCTIONS, GREEK
+    from verification.latex.vocabulary import FUNCTIONS, GREEK
 
     return word in GREEK or word in FUNCTIONS
 

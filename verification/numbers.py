@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -70,11 +70,22 @@ def compare_numbers(
     return NumericComparison(wrong, left_open, largest)
 
 
+def coarsest_decimals(nodes: Iterable[n.Node], rounded: Mapping[str, int]) -> int | None:
+    """Return the fewest decimals, from three on, of the numbers in these trees and of the names made of such; None without."""
+    places = []
+    for below in (below for node in nodes for below in n.walk(node)):
+        if isinstance(below, n.Number) and "." in below.text:
+            places.append(_places(below))
+        elif isinstance(below, n.Name) and below.key in rounded:
+            places.append(rounded[below.key])
+    return min((count for count in places if count >= 3), default=None)
+
+
+def _places(number: n.Number) -> int:
+    return -int(Decimal(number.text.replace("{,}", ".")).as_tuple().exponent)
+
+
 def _decimals(node: n.Node) -> int:
     """The decimals to which the matrix is printed; whole numbers and fractions are exact."""
-    places = [
-        -int(Decimal(below.text.replace("{,}", ".")).as_tuple().exponent)
-        for below in n.walk(node)
-        if isinstance(below, n.Number) and below.value.denominator != 1
-    ]
+    places = [_places(below) for below in n.walk(node) if isinstance(below, n.Number) and below.value.denominator != 1]
     return max(places, default=9)

@@ -22,6 +22,7 @@ from verification.errors import EvaluationError, NoValue, TooComplex
 
 Generator = tuple[str, str]
 MAX_TERM_PRODUCTS = 400_000
+MAX_TERMS = 60_000
 FIRST_SLOTS = 64
 
 
@@ -132,13 +133,20 @@ class Ring:
                 degrees = polynomial.degrees()
         return polynomial
 
+    def check_time(self) -> None:
+        """Raise TooComplex when the display at hand has had its time."""
+        if time.monotonic() > self.deadline:
+            raise TooComplex("more time than a display may take")
+
     def multiply(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
         """Return the product in normal form, within the bounds on size and time."""
         if len(a) * len(b) > MAX_TERM_PRODUCTS:
             raise TooComplex(f"a product of {len(a):,} by {len(b):,} terms")
-        if time.monotonic() > self.deadline:
-            raise TooComplex("more time than a display may take")
-        return self.reduce(a * b)
+        self.check_time()
+        product = self.reduce(a * b)
+        if len(product) > MAX_TERMS:
+            raise TooComplex(f"an expression of {len(product):,} terms")
+        return product
 
     def terms(self, polynomial: fmpq_mpoly) -> Iterable[tuple[dict[Generator, int], Fraction]]:
         """Yield the terms as (powers of generators, coefficient)."""

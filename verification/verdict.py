@@ -101,6 +101,7 @@ class DocumentResult:
     arm: str
     equations: tuple[Record, ...]
     tables: tuple[Record, ...] = ()
+    warnings: tuple[str, ...] = ()  # what is doubtful about the arm's own model
     seconds: float = 0.0
 
     @property
@@ -121,6 +122,7 @@ class DocumentResult:
             "passed": self.passed,
             "equations": [record.as_json() for record in self.equations],
             **tables,
+            **({"warnings": list(self.warnings)} if self.warnings else {}),
         }
 
 

@@ -35,7 +35,9 @@ def time_rx90() -> rx90.Times:
     claims = rx90.read_claims()
     rx90.measure(claims)
     rounds = [rx90.measure(claims) for _ in range(ROUNDS)]
-    return rx90.Times(*(statistics.median(getattr(one, name) for one in rounds) for name in rx90.Times.__dataclass_fields__))
+    return rx90.Times(
+        *(statistics.median(getattr(one, name) for one in rounds) for name in rx90.Times.__dataclass_fields__)
+    )
 
 
 def print_rx90(times: rx90.Times) -> None:
@@ -57,16 +59,28 @@ def print_sympy(ours: rx90.Times, timeout: float) -> None:
     """Print the same against sympy.simplify; neither clock holds the reading of the printed formulas."""
     results = {part: with_sympy.simplify_in_subprocess(part, timeout) for part in with_sympy.PARTS}
     traced = ours.trace
-    mine = {"pose": traced + ours.pose, "jacobian": traced + ours.jacobian, "determinant": traced + ours.jacobian + ours.determinant}
+    mine = {
+        "pose": traced + ours.pose,
+        "jacobian": traced + ours.jacobian,
+        "determinant": traced + ours.jacobian + ours.determinant,
+    }
     rows: list[Row] = []
     for part, result in results.items():
         at_least = "> " if result.stopped else ""
         told = "stopped" if result.stopped else f"{result.equal} of {result.entries} equal"
-        rows.append((f"{part}: {_ms(mine[part])} against {at_least}{result.seconds:.2f} s ({told})", f"{at_least}{result.seconds / mine[part]:,.0f}x", ""))
+        rows.append(
+            (
+                f"{part}: {_ms(mine[part])} against {at_least}{result.seconds:.2f} s ({told})",
+                f"{at_least}{result.seconds / mine[part]:,.0f}x",
+                "",
+            )
+        )
     whole = ours.trace + ours.pose + ours.jacobian + ours.determinant
     total = sum(result.seconds for result in results.values())
     at_least = "> " if any(result.stopped for result in results.values()) else ""
-    rows.append((f"all three: {_ms(whole)} against {at_least}{total:.2f} s", f"{at_least}{total / whole:,.0f}x", ">= 100x"))
+    rows.append(
+        (f"all three: {_ms(whole)} against {at_least}{total:.2f} s", f"{at_least}{total / whole:,.0f}x", ">= 100x")
+    )
     _print(f"RX-90, against sympy.simplify {version('sympy')}", rows)
 
 
@@ -88,15 +102,24 @@ def print_growth() -> None:
     documents.time_synthetic(50)
     short = statistics.median(documents.time_synthetic(200) for _ in range(3))
     long = documents.time_synthetic(2000)
-    rows = [("200 displays", f"{short:.2f} s", ""), ("2,000 displays", f"{long:.2f} s", ""), ("ratio", f"{long / short:.1f}x", "<= 11x")]
+    rows = [
+        ("200 displays", f"{short:.2f} s", ""),
+        ("2,000 displays", f"{long:.2f} s", ""),
+        ("ratio", f"{long / short:.1f}x", "<= 11x"),
+    ]
     _print("A synthetic document", rows)
 
 
 def print_handouts() -> None:
     """Print what each handout takes in a warm process."""
     times = documents.time_handouts()
-    rows = [(f"{one.name}, {one.displays} displays", _ms(one.seconds), "") for one in sorted(times, key=lambda one: -one.seconds)]
-    rows.append((f"together, {sum(one.displays for one in times)} displays", _ms(sum(one.seconds for one in times)), ""))
+    rows = [
+        (f"{one.name}, {one.displays} displays", _ms(one.seconds), "")
+        for one in sorted(times, key=lambda one: -one.seconds)
+    ]
+    rows.append(
+        (f"together, {sum(one.displays for one in times)} displays", _ms(sum(one.seconds for one in times)), "")
+    )
     _print("The handouts, one by one, in a warm process", rows)
 
 

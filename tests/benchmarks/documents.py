@@ -111,7 +111,12 @@ def time_synthetic(displays: int) -> float:
     for index in range(displays):
         angles, x, y = REACH[index % 3]
         form = SYNTHETIC[index % len(SYNTHETIC)]
-        lines += [f"$$ {form.format(j=len(angles), angles=angles, x=x, y=y, k=index % 7 + 2)} $$".replace("x_{", f"x_{{{index},"), ""]
+        lines += [
+            f"$$ {form.format(j=len(angles), angles=angles, x=x, y=y, k=index % 7 + 2)} $$".replace(
+                "x_{", f"x_{{{index},"
+            ),
+            "",
+        ]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "synthetic.md"
         path.write_text("\n".join(lines), encoding="utf-8")

@@ -59,7 +59,10 @@ def _main(part: str) -> None:
     poses = _poses()
     if part == "pose":
         whole = poses[-1]
-        differences = [whole[r, c] - value for value, (c, r) in zip(printed_pose, [(c, r) for c in range(4) for r in range(3)], strict=True)]
+        differences = [
+            whole[r, c] - value
+            for value, (c, r) in zip(printed_pose, [(c, r) for c in range(4) for r in range(3)], strict=True)
+        ]
     else:
         traced = _jacobian(poses)
         differences = list(traced - printed_jacobian) if part == "jacobian" else [traced.det() - printed_determinant]
@@ -76,7 +79,12 @@ def _poses() -> list[Any]:
         length, offset = sympy.sympify(a) if not a else sympy.Symbol(a), sympy.sympify(d) if not d else sympy.Symbol(d)
         theta, twist = sympy.Symbol(f"theta_{index}"), sympy.pi * alpha / 180
         c, s, ca, sa = sympy.cos(theta), sympy.sin(theta), sympy.cos(twist), sympy.sin(twist)
-        rows = [[c, -s, 0, length], [s * ca, c * ca, -sa, -offset * sa], [s * sa, c * sa, ca, offset * ca], [0, 0, 0, 1]]
+        rows = [
+            [c, -s, 0, length],
+            [s * ca, c * ca, -sa, -offset * sa],
+            [s * sa, c * sa, ca, offset * ca],
+            [0, 0, 0, 1],
+        ]
         poses.append(poses[-1] * sympy.Matrix(rows))
     return poses[1:]
 

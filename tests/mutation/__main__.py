@@ -51,7 +51,12 @@ def _examine(path: Path, seed: int) -> Results:
 def report_mutants(trials: list[sweep.Trial]) -> bool:
     """Print what became of the mutants; return whether none survived."""
     fates = (sweep.REFUTED, sweep.IDENTICAL, sweep.SURVIVED, sweep.FALSE_ALARM)
-    _table(f"{len(trials)} mutants of proved equations", "kind of slip", [t.kind for t in trials], {f: [t.kind for t in trials if t.fate == f] for f in fates})
+    _table(
+        f"{len(trials)} mutants of proved equations",
+        "kind of slip",
+        [t.kind for t in trials],
+        {f: [t.kind for t in trials if t.fate == f] for f in fates},
+    )
     failures = [trial for trial in trials if trial.fate in (sweep.SURVIVED, sweep.FALSE_ALARM)]
     _failures(failures, lambda t: f"{t.where}: {t.fate}, {t.verdict}: {t.kind}, {t.words}: {t.text} ({t.message})")
     wrong = len(trials) - sum(trial.fate == sweep.IDENTICAL for trial in trials)
@@ -62,7 +67,9 @@ def report_mutants(trials: list[sweep.Trial]) -> bool:
 def report_rewrites(answers: list[rewrites.Answer]) -> bool:
     """Print the verdicts of the rewrites; return whether all are proved."""
     kinds = {"proved": [a.kind for a in answers if a.proved], "not proved": [a.kind for a in answers if not a.proved]}
-    _table(f"\n{len(answers)} equivalent rewrites of proved equations", "kind of rewrite", [a.kind for a in answers], kinds)
+    _table(
+        f"\n{len(answers)} equivalent rewrites of proved equations", "kind of rewrite", [a.kind for a in answers], kinds
+    )
     failures = [answer for answer in answers if not answer.proved]
     _failures(failures, lambda a: f"{a.where}: {a.verdict}: {a.kind}: {' '.join(a.latex.split())} ({a.message})")
     print(f"proved: {_percent(len(answers) - len(failures), len(answers))}")
@@ -76,7 +83,9 @@ def report_diagnoses(found: list[diagnosis.Diagnosis]) -> None:
         "in words": [d.kind for d in found if d.named],
         "mended": [d.kind for d in found if d.mended],
     }
-    _table(f"\n{len(found)} slips of one cell, as the report tells them", "kind of slip", [d.kind for d in found], marks)
+    _table(
+        f"\n{len(found)} slips of one cell, as the report tells them", "kind of slip", [d.kind for d in found], marks
+    )
     failures = [d for d in found if not (d.located and d.mended)]
     _failures(failures, lambda d: f"{d.where}: {d.kind}, {d.words}: {' '.join(d.text.split())} ({d.message})")
     print(f"located and mended: {_percent(len(found) - len(failures), len(found))}")

@@ -29,7 +29,13 @@ def _values(node: n.Node) -> Iterator[n.Node]:
     yield node
     if isinstance(node, n.Call | n.Power | n.Postfix | n.Labelled):
         return
-    children = [node.inner] if isinstance(node, n.At) else [node.operand] if isinstance(node, n.Derivative) else n.children(node)
+    children = (
+        [node.inner]
+        if isinstance(node, n.At)
+        else [node.operand]
+        if isinstance(node, n.Derivative)
+        else n.children(node)
+    )
     for child in children:
         yield from _values(child)
 
@@ -43,13 +49,23 @@ def _negated(node: n.Sum) -> n.Sum:
 
 
 def _scalar_product(node: n.Node, is_scalar: IsScalar) -> bool:
-    return isinstance(node, n.Product) and "×" not in node.operators and all(is_scalar(factor) for factor in node.factors)
+    return (
+        isinstance(node, n.Product) and "×" not in node.operators and all(is_scalar(factor) for factor in node.factors)
+    )
 
 
 def _times(*factors: n.Node) -> n.Product:
     """A product; a dot before a number or a bracket, which could be read as an index or an argument."""
-    flat = [f for factor in factors for f in (factor.factors if isinstance(factor, n.Product) and "×" not in factor.operators else (_group(factor),))]
-    return n.Product(tuple(flat), tuple("⋅" if isinstance(f, n.Number | n.Group | n.Quotient) else "" for f in flat[1:]))
+    flat = [
+        f
+        for factor in factors
+        for f in (
+            factor.factors if isinstance(factor, n.Product) and "×" not in factor.operators else (_group(factor),)
+        )
+    ]
+    return n.Product(
+        tuple(flat), tuple("⋅" if isinstance(f, n.Number | n.Group | n.Quotient) else "" for f in flat[1:])
+    )
 
 
 def reordered_terms(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n.Node | None:
@@ -81,12 +97,18 @@ def factored(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n.Node
     """a b + a c + d → a (b + c) + d"""
     if not isinstance(node, n.Sum):
         return None
-    products = [(k, sign, term) for k, (sign, term) in enumerate(node.terms) if isinstance(term, n.Product) and _scalar_product(term, is_scalar)]
+    products = [
+        (k, sign, term)
+        for k, (sign, term) in enumerate(node.terms)
+        if isinstance(term, n.Product) and _scalar_product(term, is_scalar)
+    ]
     for i, (k, first_sign, first) in enumerate(products):
         for m, other_sign, other in products[i + 1 :]:
             for factor in first.factors:
                 if factor in other.factors and "±" not in first_sign + other_sign:
-                    inside = n.Group(n.Sum(((first_sign, _without(first, factor)), (other_sign, _without(other, factor)))))
+                    inside = n.Group(
+                        n.Sum(((first_sign, _without(first, factor)), (other_sign, _without(other, factor))))
+                    )
                     rest = tuple(t for j, t in enumerate(node.terms) if j not in (k, m))
                     return n.Sum((("+", _times(factor, inside)), *rest))
     return None
@@ -109,24 +131,45 @@ def sign_pulled_out(node: n.Node, chance: random.Random, is_scalar: IsScalar) ->
 
 def counted_twice(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n.Node | None:
     """a → 2a − a, and 2ab → ab + ab"""
-    if isinstance(node, n.Product) and isinstance(node.factors[0], n.Number) and node.factors[0].value == 2 and "×" not in node.operators:
+    if (
+        isinstance(node, n.Product)
+        and isinstance(node.factors[0], n.Number)
+        and node.factors[0].value == 2
+        and "×" not in node.operators
+    ):
         half = node.factors[1] if len(node.factors) == 2 else n.Product(node.factors[1:], node.operators[1:])
         return n.Group(n.Sum((("+", half), ("+", half))))
-    if not isinstance(node, n.Product | n.Name | n.Call) or not is_scalar(node) or (isinstance(node, n.Product) and "×" in node.operators):
+    if (
+        not isinstance(node, n.Product | n.Name | n.Call)
+        or not is_scalar(node)
+        or (isinstance(node, n.Product) and "×" in node.operators)
+    ):
         return None
     return n.Group(n.Sum((("+", _times(n.Number(Fraction(2), "2"), node)), ("-", node))))
 
 
 def with_one_inserted(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n.Node | None:
     """a → a (cos² + sin²), of an angle that stands in the formula"""
-    call = next((below for below in n.walk(node) if isinstance(below, n.Call) and below.function in ("cos", "sin")), None)
-    if call is None or not isinstance(node, n.Product | n.Call) or not is_scalar(node) or (isinstance(node, n.Product) and "×" in node.operators):
+    call = next(
+        (below for below in n.walk(node) if isinstance(below, n.Call) and below.function in ("cos", "sin")), None
+    )
+    if (
+        call is None
+        or not isinstance(node, n.Product | n.Call)
+        or not is_scalar(node)
+        or (isinstance(node, n.Product) and "×" in node.operators)
+    ):
         return None
     argument = call.arguments[0]
     if not isinstance(argument, n.JointAngles):
-        square = [n.Power(n.Call(f, (argument,), f"\\{f}", "macro()"), n.Number(Fraction(2), "2")) for f in ("cos", "sin")]
+        square = [
+            n.Power(n.Call(f, (argument,), f"\\{f}", "macro()"), n.Number(Fraction(2), "2")) for f in ("cos", "sin")
+        ]
     else:
-        square = [n.Power(n.Call(f, (argument,), h, "index"), n.Number(Fraction(2), "2")) for f, h in (("cos", "C"), ("sin", "S"))]
+        square = [
+            n.Power(n.Call(f, (argument,), h, "index"), n.Number(Fraction(2), "2"))
+            for f, h in (("cos", "C"), ("sin", "S"))
+        ]
     return _times(node, n.Group(n.Sum((("+", square[0]), ("+", square[1])))))
 
 
@@ -165,7 +208,11 @@ def divided(node: n.Node, chance: random.Random, is_scalar: IsScalar) -> n.Node 
         return None
     if chance.random() < 0.5:
         return _times(_group(node.numerator), n.Quotient(n.Number(Fraction(1), "1"), node.denominator))
-    return n.Group(replace(node, numerator=n.Group(node.numerator), denominator=n.Group(node.denominator), style="slash", span=(0, 0)))
+    return n.Group(
+        replace(
+            node, numerator=n.Group(node.numerator), denominator=n.Group(node.denominator), style="slash", span=(0, 0)
+        )
+    )
 
 
 RULES: dict[str, Rule] = {

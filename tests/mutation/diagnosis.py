@@ -9,6 +9,7 @@ from pathlib import Path
 
 from tests.mutation.mutants import Mutant, mutants_of
 from tests.mutation.place import Place, proved_places
+from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.trig import Scalar
 from verification.verdict import Verdict
@@ -31,10 +32,13 @@ class Diagnosis:
     message: str
 
 
-def diagnoses(path: Path, seed: int = 0, each: int = EACH, indices: Collection[int] | None = None) -> Iterator[Diagnosis]:
+def diagnoses(
+    path: Path, seed: int = 0, each: int = EACH, indices: Collection[int] | None = None
+) -> Iterator[Diagnosis]:
     """Yield the diagnoses of some slips of each of a document's proved displays, or of those with the numbers given."""
     for place in proved_places(path, indices):
-        mutants = [mutant for mutant in mutants_of(place, seed) if _is_clear(place, mutant)]
+        values = _values(place)
+        mutants = [mutant for mutant in mutants_of(place, seed) if _is_clear(mutant, values[mutant.site.statement])]
         chance = random.Random(f"{seed} {place.where}")
         for mutant in chance.sample(mutants, min(each, len(mutants))):
             found = diagnose(place, mutant)
@@ -42,15 +46,22 @@ def diagnoses(path: Path, seed: int = 0, each: int = EACH, indices: Collection[i
                 yield found
 
 
-def _is_clear(place: Place, mutant: Mutant) -> bool:
+def _values(place: Place) -> list[list[object]]:
+    """Return the value of each side of each chain of a display."""
+    statements = place.read(place.display.latex)
+    with place.altered():
+        place.outcomes(statements)
+        return [[place.member(m).value for m in s.members] if isinstance(s, n.Chain) else [] for s in statements]
+
+
+def _is_clear(mutant: Mutant, values: list[object]) -> bool:
     """Whether one printed scalar is wrong, a cell of a matrix written out or a formula, by a slip of those kinds."""
     site = mutant.site
     if mutant.kind not in KINDS or mutant.node is None or not site.whole or not site.printed:
         return False
-    with place.altered():
-        value = place.checker.checker.member(site.side).value
     if site.matrix is None:
-        return isinstance(value, Scalar)
+        return all(isinstance(value, Scalar) for value in values)
+    value = values[site.member]
     return isinstance(value, Matrix) and value.shape == (len(site.matrix.rows), len(site.matrix.rows[0]))
 
 
@@ -60,9 +71,15 @@ def diagnose(place: Place, mutant: Mutant) -> Diagnosis | None:
     if record.verdict is not Verdict.REFUTED:
         return None
     entries = record.entries
-    located = {(entry.row, entry.column) for entry in entries} == {(mutant.site.row, mutant.site.column)}
+    place_of_slip = (mutant.site.row, mutant.site.column)
+    places = {(entry.row, entry.column) for entry in entries}
+    located = place_of_slip in places and places <= {
+        place_of_slip,
+        (None, None),
+    }  # the label of a brace is a claim of its own
     start, end = mutant.site.node.span
     latex = place.display.latex
-    mended = located and place.check(f"{latex[:start]}{entries[0].correct}{latex[end:]}").verdict is Verdict.PROVED
-    named = bool(entries) and bool(entries[0].change)
+    correct = next((entry.correct for entry in entries if (entry.row, entry.column) == place_of_slip), "")
+    mended = located and place.check(f"{latex[:start]}{correct}{latex[end:]}").verdict is Verdict.PROVED
+    named = any(entry.change for entry in entries)
     return Diagnosis(place.where, mutant.kind, located, mended, named, mutant.words, mutant.text, record.message)

@@ -66,14 +66,16 @@ def mutants_of(place: Place, seed: int = 0) -> Iterator[Mutant]:
 def _renumbered(place: Place, statements: list[n.Statement], chance: random.Random) -> Iterator[Mutant]:
     """Another frame or joint in the scripts of a name: {}^0T_2 for {}^0T_1."""
     latex = place.display.latex
-    checker = place.checker.checker
     names = [
         (s, m, side, below)
         for s, statement in enumerate(statements)
         if isinstance(statement, n.Chain) and set(statement.relations) == {"="}
         for m, side in enumerate(statement.members)
         for below in n.walk(side)
-        if isinstance(below, n.Name) and re.search(r"\d", below.text) and latex[slice(*below.span)] == below.text and checker.member(below).known
+        if isinstance(below, n.Name)
+        and re.search(r"\d", below.text)
+        and latex[slice(*below.span)] == below.text
+        and place.member(below).known
     ]
     for s, m, side, name in chance.sample(names, min(NAMES, len(names))):
         texts = [name.text[: d.start()] + digit + name.text[d.end() :] for d in re.finditer(r"(?<![\d.])\d(?![\d.])", name.text)
@@ -91,11 +93,13 @@ def _is_bound(place: Place, text: str) -> bool:
         node = names.reader.read_expression(text)
     except ReadError:
         return False
-    return isinstance(node, n.Name) and not names.is_new(node) and place.checker.checker.member(node).known
+    return isinstance(node, n.Name) and not names.is_new(node) and place.member(node).known
 
 
 def _is_constant(node: n.Node) -> bool:
-    return isinstance(node, n.Number) or (isinstance(node, n.Sum) and all(isinstance(term, n.Number) for _, term in node.terms))
+    return isinstance(node, n.Number) or (
+        isinstance(node, n.Sum) and all(isinstance(term, n.Number) for _, term in node.terms)
+    )
 
 
 def _one_of_each_kind(edits: Iterator[Edit], chance: random.Random) -> Iterator[Edit]:
@@ -135,7 +139,9 @@ class _Foreign(Writer):
 def _swapped(latex: str, a: Site, b: Site) -> Mutant:
     (a0, a1), (b0, b1) = a.node.span, b.node.span
     changed = f"{latex[:a0]}{latex[b0:b1]}{latex[a1:b0]}{latex[a0:a1]}{latex[b1:]}"
-    return Mutant(changed, "cell", f"cells ({a.row}, {a.column}) and ({b.row}, {b.column}) swapped", a, None, latex[b0:b1])
+    return Mutant(
+        changed, "cell", f"cells ({a.row}, {a.column}) and ({b.row}, {b.column}) swapped", a, None, latex[b0:b1]
+    )
 
 
 def _spliced(latex: str, start: int, end: int, text: str) -> str:

@@ -46,7 +46,11 @@ def compare(place: Place, a: n.Node, b: n.Node) -> Opinion:
         except (ArmproofError, TypeError, IndexError):
             return Opinion.UNKNOWN
         if a_plus.shape != b_plus.shape:
-            return Opinion.DIFFERENT if np.any([_far_from_zero(v) for v in (a_plus, a_minus, b_plus, b_minus)]) else Opinion.EQUAL
+            return (
+                Opinion.DIFFERENT
+                if np.any([_far_from_zero(v) for v in (a_plus, a_minus, b_plus, b_minus)])
+                else Opinion.EQUAL
+            )
         usable = np.isfinite(a_plus) | np.isfinite(b_plus)  # a value on one side alone is a difference
         if not usable.any():
             return Opinion.UNKNOWN
@@ -98,7 +102,11 @@ def _far_from_zero(values: np.ndarray) -> bool:
 
 
 def _holds_arcs(*nodes: n.Node) -> bool:
-    return any(isinstance(below, n.Call) and below.function in ("acos", "asin", "atan", "atan2") for node in nodes for below in n.walk(node))
+    return any(
+        isinstance(below, n.Call) and below.function in ("acos", "asin", "atan", "atan2")
+        for node in nodes
+        for below in n.walk(node)
+    )
 
 
 def _close_as_angles(a: np.ndarray, b: np.ndarray) -> np.ndarray:

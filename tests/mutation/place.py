@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -12,11 +13,12 @@ from models.catalogue import load_arm
 from verification.check import DocumentChecker
 from verification.diagnose import Diagnostician
 from verification.document import Display, Document, read_document
-from verification.equation import Outcome
+from verification.equation import Member, Outcome
 from verification.latex import nodes as n
 from verification.trig import AngleFraction
 from verification.verdict import Record, Verdict
 
+SECONDS = 60.0  # for what no display may take as long as
 HANDOUTS = Path(__file__).resolve().parents[2] / "course" / "handouts"
 
 
@@ -69,13 +71,23 @@ class Place:
                 return self.checker.check_display(replace(self.display, latex=latex))
         except AngleFraction as fraction:  # in this LaTeX alone: the angles become finer for one check
             finer = {**self.denominators, fraction.symbol: fraction.denominator}
-            return Place(self.document, self.index, self.record, finer, _replay(self.document, self.index, finer)).check(
-                latex, confirm=confirm, diagnose=diagnose
-            )
+            return Place(
+                self.document, self.index, self.record, finer, _replay(self.document, self.index, finer)
+            ).check(latex, confirm=confirm, diagnose=diagnose)
         finally:
             self.checker.checker.confirm = False
             if self.checker.diagnostician.__class__ is _Silent:
                 self.checker.diagnostician = diagnostician
+
+    def member(self, node: n.Node) -> Member:
+        """Return the exact value of a tree that stands here, or why it has none."""
+        self.checker.ring.deadline = time.monotonic() + SECONDS
+        return self.checker.checker.member(node)
+
+    def outcomes(self, statements: list[n.Statement]) -> list[Outcome]:
+        """Return what becomes of each equation of a display that stands here; use it within `altered`."""
+        self.checker.ring.deadline = time.monotonic() + SECONDS
+        return self.checker.outcomes(statements, self.display.line)[0]
 
     @contextmanager
     def altered(self) -> Iterator[None]:

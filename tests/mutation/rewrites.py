@@ -94,15 +94,19 @@ def rewrites_of(place: Place, chance: random.Random) -> Iterator[Rewrite]:
         yield from _written_anew(place, latex, sites, notation, folded, chance)
 
 
-def _written_anew(place: Place, latex: str, sites: list[Site], notation: Notation, folded: bool, chance: random.Random) -> Iterator[Rewrite]:
+def _written_anew(
+    place: Place, latex: str, sites: list[Site], notation: Notation, folded: bool, chance: random.Random
+) -> Iterator[Rewrite]:
     """A cell, or all cells of a matrix, from their exact values."""
-    scalars = [site for site in sites if _is_scalar(place, site.node, roots=False) and not isinstance(site.node, n.Number)]
+    scalars = [
+        site for site in sites if _is_scalar(place, site.node, roots=False) and not isinstance(site.node, n.Number)
+    ]
     if not scalars:
         return
     first = chance.choice(scalars)
     together = [site for site in scalars if site.matrix is first.matrix and site.matrix is not None] or [first]
     for site in sorted(together, key=lambda site: -site.node.span[0]):
-        value = place.checker.checker.member(site.node).value
+        value = place.member(site.node).value
         if isinstance(value, Matrix):
             value = value.rows[0][0]
         latex = _put(latex, site, write_scalar(value, notation, folded=folded))
@@ -111,12 +115,17 @@ def _written_anew(place: Place, latex: str, sites: list[Site], notation: Notatio
 
 def _is_scalar(place: Place, node: n.Node, *, roots: bool = True) -> bool:
     """Whether a tree has a scalar value; without `roots`, one with no root or arc function, whose branch would be lost."""
-    value = place.checker.checker.member(node).value
+    value = place.member(node).value
     if isinstance(value, Matrix) and value.shape == (1, 1):
         value = value.rows[0][0]
     if not isinstance(value, Scalar):
         return False
-    kinds = {kind for part in (value.numerator, value.denominator) for powers, _ in value.ring.terms(part) for kind, _ in powers}
+    kinds = {
+        kind
+        for part in (value.numerator, value.denominator)
+        for powers, _ in value.ring.terms(part)
+        for kind, _ in powers
+    }
     return roots or not kinds & {"radical", "arc"}
 
 

@@ -38,7 +38,7 @@ class Site:
 def find_sites(place: Place, statements: list[n.Statement]) -> list[Site]:
     """Return the sites of the equations of a display that are proved; conditions joined by ⇔ give their sides."""
     with place.altered():
-        outcomes, _ = place.checker.outcomes(statements, place.display.line)
+        outcomes = place.outcomes(statements)
     proved = [outcome for outcome in outcomes if outcome.verdict is Verdict.PROVED]
     printed = {id(node) for outcome in proved for node in _nodes(outcome, printed=True)}
     true = {id(node) for outcome in proved for node in _nodes(outcome, printed=False)}
@@ -106,7 +106,13 @@ def _letters_of_display(place: Place) -> Letters:
     found: dict[str, n.Name] = {}
     indices: set[int] = set()
     for node in _all_nodes(place, place.display.latex):
-        if isinstance(node, n.Name) and names.is_free(node) and node.key not in names.definitions and not node.dots and node.text:
+        if (
+            isinstance(node, n.Name)
+            and names.is_free(node)
+            and node.key not in names.definitions
+            and not node.dots
+            and node.text
+        ):
             found.setdefault(node.key, node)
         elif isinstance(node, n.JointAngles):
             indices.update(index for _, index in node.terms)

@@ -33,7 +33,13 @@ ENVIRONMENTS = (
 def allowed_styles(place: Place) -> dict[str, Notation]:
     """Return the spellings of cosines whose letters mean nothing else in the document."""
     names = place.checker.names
-    taken = {*names.definitions, *names.used, *names.quantities, *names.symbols, *(names.arm.lengths if names.arm else ())}
+    taken = {
+        *names.definitions,
+        *names.used,
+        *names.quantities,
+        *names.symbols,
+        *(names.arm.lengths if names.arm else ()),
+    }
     letters = _letters(place)
     revolute = {joint.symbol for joint in names.arm.joints if joint.kind == "revolute"} if names.arm else set()
     usual = all(re.match(r"\\?(?:theta|q)", text) for symbol, text in letters.items() if symbol in revolute)
@@ -43,7 +49,9 @@ def allowed_styles(place: Place) -> dict[str, Notation]:
         pair = {letter, {"C": "S", "c": "s"}.get(letter, letter)}
         if notation.style in ("letter", "letter()", "script") and not usual:
             continue  # c(t_1) is a product
-        if letter.startswith("\\") or not any(re.match(rf"[{''.join(pair)}](?![A-Za-z])(?!_[a-z])", key) for key in taken):
+        if letter.startswith("\\") or not any(
+            re.match(rf"[{''.join(pair)}](?![A-Za-z])(?!_[a-z])", key) for key in taken
+        ):
             free[style] = Notation(letters, notation.style, notation.cosine)
     return free
 
@@ -68,7 +76,12 @@ def _letters(place: Place) -> dict[str, str]:
 
 def other_cosines(place: Place, latex: str, notation: Notation) -> str | None:
     """Write every cosine and sine of a display in another way."""
-    calls = [below for statement in place.read(latex) for below in n.walk(statement) if isinstance(below, n.Call) and below.function in ("cos", "sin")]
+    calls = [
+        below
+        for statement in place.read(latex)
+        for below in n.walk(statement)
+        if isinstance(below, n.Call) and below.function in ("cos", "sin")
+    ]
     changed = latex
     for call in sorted(calls, key=lambda call: -call.span[0]):
         angle = angle_of(place, call.arguments[0])
@@ -89,7 +102,11 @@ def angle_of(place: Place, node: n.Node) -> dict[str, Fraction] | None:
         return angle_of(place, node.inner)
     if isinstance(node, n.JointAngles):
         symbols = [(names.joint_angle(index), sign) for sign, index in node.terms]
-        return {symbol: Fraction(sign) for symbol, sign in symbols if symbol} if all(s for s, _ in symbols) and names.arm else None
+        return (
+            {symbol: Fraction(sign) for symbol, sign in symbols if symbol}
+            if all(s for s, _ in symbols) and names.arm
+            else None
+        )
     if isinstance(node, n.Name):
         symbol = symbol_of(place, node)
         return {symbol: Fraction(1)} if symbol is not None else None
@@ -112,8 +129,12 @@ def other_matrices(latex: str, chance: random.Random) -> str | None:
 
 
 def other_brackets(latex: str, chance: random.Random) -> str | None:
-    opening, closing = chance.choice(((r"\left(", r"\right)"), (r"\big(", r"\big)"), (r"\bigl(", r"\bigr)"), ("{(", ")}")))
-    if re.search(r"\\(?:left|right|[bB]ig+[lr]?)\s*[()]", latex) or (opening == "{(" and re.search(r"[A-Za-z}]\(|\)\^", latex)):
+    opening, closing = chance.choice(
+        ((r"\left(", r"\right)"), (r"\big(", r"\big)"), (r"\bigl(", r"\bigr)"), ("{(", ")}"))
+    )
+    if re.search(r"\\(?:left|right|[bB]ig+[lr]?)\s*[()]", latex) or (
+        opening == "{(" and re.search(r"[A-Za-z}]\(|\)\^", latex)
+    ):
         return None
     changed = latex.replace("(", opening).replace(")", closing)
     return changed if changed != latex else None
@@ -135,7 +156,12 @@ def other_transforms(place: Place, latex: str, chance: random.Random) -> str | N
             return found.group()
         return chance.choice(forms).format(upper, letter, lower)
 
-    forms = ("{{}}^{{{0}}}_{{{2}}}{1}", "{{}}_{{{2}}}^{{{0}}}{1}", "{{}}^{{{0}}}{{{1}}}_{{{2}}}", "{{}}^{0}\\mathbf{{{1}}}_{2}")
+    forms = (
+        "{{}}^{{{0}}}_{{{2}}}{1}",
+        "{{}}_{{{2}}}^{{{0}}}{1}",
+        "{{}}^{{{0}}}{{{1}}}_{{{2}}}",
+        "{{}}^{0}\\mathbf{{{1}}}_{2}",
+    )
     changed = re.sub(r"\{\}\^(\d)\s*([TAHR]|\\math\w+\{[TAHR]\})_(\d)", other, latex)
     if chance.random() < 0.3:
         changed = re.sub(r"(^|=)(\s*)\{\}\^", r"\1\2^", latex)
@@ -159,6 +185,8 @@ def sides_exchanged(place: Place, latex: str) -> str | None:
         return None
     left, right = latex.split("=")
     statements = place.read(latex)
-    if len(statements) != 1 or any(mark in latex for mark in (",", r"\quad", r"\qquad", "cases", "underbrace", "overbrace", r"\right|")):
+    if len(statements) != 1 or any(
+        mark in latex for mark in (",", r"\quad", r"\qquad", "cases", "underbrace", "overbrace", r"\right|")
+    ):
         return None
     return f"{right.strip()} = {left.strip()}"

@@ -63,7 +63,7 @@ def _second_opinions(place: Place, mutants: list[Mutant]) -> list[Opinion]:
     statements = place.read(place.display.latex)
     implication = any(isinstance(s, n.Connective) and s.kind in ("⇔", "if") for s in statements)
     with place.altered():
-        place.checker.outcomes(statements, place.display.line)  # so that names which the display itself defines are known
+        place.outcomes(statements)  # so that names which the display itself defines are known
         return [_second_opinion(place, mutant, implication, statements) for mutant in mutants]
 
 
@@ -73,7 +73,11 @@ def _second_opinion(place: Place, mutant: Mutant, implication: bool, statements:
         changed, original = place.read(mutant.latex)[site.statement], statements[site.statement]
     except (ReadError, IndexError):
         return Opinion.UNKNOWN
-    if not isinstance(changed, n.Chain) or not isinstance(original, n.Chain) or len(changed.members) != len(original.members):
+    if (
+        not isinstance(changed, n.Chain)
+        or not isinstance(original, n.Chain)
+        or len(changed.members) != len(original.members)
+    ):
         return Opinion.UNKNOWN
     if implication:
         return compare_conditions(place, original.members, changed.members)

@@ -97,6 +97,10 @@ def test_checking_elsewhere_leaves_no_trace() -> None:
 def test_a_slip_is_located_and_mended(name: str) -> None:
     """`correct`, put back in the place of the reported cell, verifies."""
     indices = proved_indices(HANDOUTS / name)[::4]
-    found = [diagnosis for diagnosis in diagnoses(HANDOUTS / name, seed=1, each=1, indices=indices) if "constant" not in diagnosis.words]
+    found = [
+        diagnosis
+        for diagnosis in diagnoses(HANDOUTS / name, seed=1, each=1, indices=indices)
+        if "constant" not in diagnosis.words
+    ]
     assert found
     assert [diagnosis for diagnosis in found if not (diagnosis.located and diagnosis.mended)] == []

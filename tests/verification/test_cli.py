@@ -215,6 +215,20 @@ def test_the_text_report_shows_each_wrong_entry_with_its_correction(armproof, wr
     assert out.endswith("1 document does not pass\n")
 
 
+def test_an_endless_entry_is_cut_short_for_people_and_whole_for_programs():
+    entry = WrongEntry(1, None, None, "a", "a + " * 1_000 + "a")
+    results = [DocumentResult("page.md", "", (Record(3, "x", Verdict.REFUTED, entries=(entry,)),))]
+    assert max(len(text) for line in text_report(results) for text, _ in line) == 600
+    assert json.loads(json_report(results))["documents"][0]["equations"][0]["entries"][0]["correct"] == entry.correct
+
+
+def test_an_entry_names_its_equation_where_there_are_several():
+    entry = WrongEntry(2, 1, 3, "a", "b")
+    for latex, place in (("p = a", "row 1, column 3"), ("p = q = a", "equation 2, row 1, column 3")):
+        lines = text_report([DocumentResult("page.md", "", (Record(3, latex, Verdict.REFUTED, entries=(entry,)),))])
+        assert f"        {place}   printed  a" in ["".join(text for text, _ in line) for line in lines]
+
+
 def test_what_passes_takes_one_line(armproof, write):
     out = armproof("verify", write(RIGHT, name="a.md"), write(RIGHT, RIGHT, name="b.md")).stdout.splitlines()
     assert [line.split("  ")[-1] for line in out[:2]] == ["1 display: 1 proved", "2 displays: 2 proved"]
@@ -273,7 +287,7 @@ def test_github_gets_one_annotation_a_finding(armproof, write, tmp_path: Path, m
         "::error file=missing.md",
     ]
     assert "title=Armproof%3A refuted::" in commands[0]
-    assert "%0Aequation 1, row 1, column 2: printed l_2 S_{12}, correct -l_2 S_{12}" in commands[0]
+    assert "%0Arow 1, column 2: printed l_2 S_{12}, correct -l_2 S_{12}" in commands[0]
     assert commands[-1].endswith("cannot be checked::no such file or folder")
     assert lines[-1] == "1 document does not pass; 1 could not be checked"
     strict = armproof("verify", path, "--strict", "--format", "github").stdout
@@ -284,8 +298,7 @@ def test_github_commands_escape_what_would_end_them():
     record = Record(3, "x", Verdict.REFUTED, message="100%\nof ::error", entries=(WrongEntry(1, None, None, "a", "b"),))
     [command, *_] = github_report([DocumentResult("a:b.md", "", (record,))])
     assert (
-        command
-        == "::error file=a%3Ab.md,line=3,title=Armproof%3A refuted::100%25%0Aof ::error%0Aequation 1: printed a, correct b"
+        command == "::error file=a%3Ab.md,line=3,title=Armproof%3A refuted::100%25%0Aof ::error%0Aprinted a, correct b"
     )
 
 

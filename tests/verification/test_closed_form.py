@@ -41,7 +41,9 @@ def value_of(latex: str) -> Scalar:
     return Evaluator(NAMES, EXACT).scalar(NAMES.reader.read_expression(latex))
 
 
-angles = st.dictionaries(st.sampled_from(["theta_1", "theta_2", "theta_3"]), st.sampled_from([1, 1, -1, 2]), min_size=1, max_size=3)
+angles = st.dictionaries(
+    st.sampled_from(["theta_1", "theta_2", "theta_3"]), st.sampled_from([1, 1, -1, 2]), min_size=1, max_size=3
+)
 factors = st.tuples(st.sampled_from(["cos", "sin"]), angles)
 terms = st.tuples(
     st.fractions(-3, 3, max_denominator=20),

@@ -33,6 +33,8 @@ PLANAR = {
         (r"\det J = 0 \Rightarrow \theta_2 = 0", Verdict.REFUTED),
         (r"\det J = 0 \iff \cos\theta_2 = 0", Verdict.REFUTED),
         (r"\det J = 0 \iff \theta_1 = 0", Verdict.REFUTED),
+        (r"\det J = 0 \iff \sin\theta_2 \cos\theta_1 = 0", Verdict.REFUTED),  # the right side holds more often
+        (r"\det J = 0 \Rightarrow \sin\theta_2 \cos\theta_1 = 0", Verdict.PROVED),
         (r"\det J = 0 \Leftarrow \theta_2 = \frac{\pi}{2}", Verdict.REFUTED),
         (r"\theta_2 = \pi \Rightarrow s_{12} = s_1", Verdict.REFUTED),
     ],

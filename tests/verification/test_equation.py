@@ -185,6 +185,13 @@ def test_a_root_elsewhere_in_the_document_excuses_nothing(check: Check, false: s
     assert verdicts(check(r"x = \sqrt{a_1^2 + a_2^2}", r"y = \operatorname{atan2}(s_1, a_1)", false))[-1] == "refuted"
 
 
+@pytest.mark.parametrize(
+    "angle", [r"\operatorname{atan2}(c_1, s_1)", r"\operatorname{atan2}(-s_1, -c_1)", r"\arccos s_1"]
+)
+def test_a_wrong_angle_is_refuted_without_the_double_plant_too(judge: Judge, angle: str) -> None:
+    assert judge(rf"\theta_1 = {angle}", confirm=False).verdict is Verdict.REFUTED
+
+
 def test_a_proof_is_evaluated_on_the_double_plant_as_well(judge: Judge) -> None:
     record = judge(f"p_1 = {P1}")
     assert record.samples == 1000 and record.max_error is not None and record.max_error < 1e-14

@@ -12,7 +12,7 @@ import pytest
 
 from models.arm import Arm
 from models.catalogue import arm_names, load_arm
-from models.origins import JointOrigin, joint_origins
+from models.origins import joint_origins
 from verification.check import DocumentChecker, check_document, verify
 from verification.document import Document, Table
 from verification.tables import check_table
@@ -103,36 +103,6 @@ def table_of(arm: Arm) -> Table:
     return Table(1, HEADER, tuple(rows))
 
 
-# -- the origins ---------------------------------------------------------------------------------------------------------
-
-
-def test_the_joints_of_the_chain_lead_from_link_to_link(arm: Arm) -> None:
-    origins = joint_origins(arm)
-    assert {joint.name for joint in arm.joints} <= origins.keys()
-    assert all(origins[joint.name].kind == joint.kind for joint in arm.joints)
-    links = {origin.child for origin in origins.values()}
-    assert len(links) == len(origins)
-    assert len({origin.parent for origin in origins.values()} - links) == 1
-
-
-def test_the_origins_are_those_of_the_double_plant(arm: Arm) -> None:
-    for name, origin in joint_origins(arm).items():
-        X_PF = arm.plant.GetJointByName(name).frame_on_parent().GetFixedPoseInBodyFrame()
-        xyz = arm.trace.evaluate([[entry] for entry in origin.xyz], np.zeros((1, len(arm.joints))))[0, :, 0]
-        np.testing.assert_allclose(xyz, X_PF.translation(), atol=1e-12)
-
-
-def test_an_arm_given_by_a_dh_table_has_no_joint_origins() -> None:
-    row = {"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"}
-    assert joint_origins(load_arm({"dh": "classic", "rows": [row]})) == {}
-
-
-def test_a_moving_joint_has_an_axis_and_a_fixed_one_none() -> None:
-    origins: dict[str, JointOrigin] = dict(joint_origins(load_arm("kr210")))
-    axes = [origin.axis and "xyz"[origin.axis.index(1.0)] for origin in origins.values()]
-    assert axes == ["z", "y", "y", "x", "y", "x", None]
-
-
 # -- right tables ----------------------------------------------------------------------------------------------------------
 
 
@@ -184,7 +154,9 @@ def test_angles_may_be_in_degrees_or_radians(quarter: str, header: str) -> None:
 
 
 def test_names_may_be_spelt_with_blanks_hyphens_and_capitals() -> None:
-    rows = tuple((f"`{row[0].replace('_', ' ').title()}`", row[1].replace("_", r"\_"), *row[2:]) for row in TABLES["kr210"].rows)
+    rows = tuple(
+        (f"`{row[0].replace('_', ' ').title()}`", row[1].replace("_", r"\_"), *row[2:]) for row in TABLES["kr210"].rows
+    )
     assert judge("kr210", replace(TABLES["kr210"], rows=rows)).verdict is Verdict.PROVED
 
 
@@ -208,6 +180,8 @@ def test_types_and_axes_are_checked() -> None:
     assert entries(judge("kr210", changed(table, 3, 10, "prismatic"))) == [(3, 10, "prismatic", "revolute")]
     assert entries(judge("kr210", changed(table, 3, 11, "-y"))) == [(3, 11, "-y", "0 1 0")]
     assert entries(judge("kr210", changed(table, 5, 11, "z"))) == [(5, 11, "z", "0 1 0")]
+    garbled = judge("kr210", changed(table, 5, 11, "up"))
+    assert garbled.verdict is Verdict.UNCHECKED and "row 5: axis: 'up' is no axis" in garbled.message
 
 
 def test_other_angles_of_the_same_rotation_are_right(tmp_path: Path) -> None:
@@ -232,7 +206,11 @@ def test_every_change_of_one_cell_is_refuted_at_that_cell_and_undone(arm: str) -
     table = TABLES[arm]
     for row, texts in enumerate(table.rows, 1):
         for column, text in enumerate(texts, 1):
-            others = ["link_7"] if column < 4 else ["1", *([] if text == "0" else ["0", text.removeprefix("-") if "-" in text else f"-{text}"])]
+            others = (
+                ["link_7"]
+                if column < 4
+                else ["1", *([] if text == "0" else ["0", text.removeprefix("-") if "-" in text else f"-{text}"])]
+            )
             for other in others:
                 record = judge(arm, changed(table, row, column, other))
                 assert record.verdict is Verdict.REFUTED, (row, column, other)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 import pytest
 
+from verification.check import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from verification.verdict import DocumentResult, Record, Verdict
 
 Check = Callable[..., DocumentResult]
@@ -61,6 +63,8 @@ def test_a_root_has_one_sign(check: Check) -> None:
         (r"\sqrt{3 - 2\sqrt{2}} = \sqrt{2} - 1", r"\sqrt{3 - 2\sqrt{2}} = 1 - \sqrt{2}"),
         (r"\sqrt{l_1 l_2} = \sqrt{l_1}\sqrt{l_2}", r"\sqrt{l_1 + l_2} = \sqrt{l_1} + \sqrt{l_2}"),
         (r"\sin(\arccos c_1) = |s_1|", r"\sin(\arccos c_1) = s_1"),
+        (r"\sqrt{(l_1 - l_2)^2} = |l_1 - l_2|", r"\sqrt{(l_1 - l_2)^2} = l_1 - l_2"),  # whatever this arm's lengths
+        (r"\sqrt{(l_2 - l_1)^2} = |l_1 - l_2|", r"\sqrt{(l_2 - l_1)^2} = l_2 - l_1"),
     ]
     tell_apart(check, pairs, arm="planar_2r")
 
@@ -82,7 +86,11 @@ def test_constant_angles_that_depend_on_each_other_are_no_false_alarm(check: Che
 
 
 def test_the_cosine_of_what_is_no_angle_is_sampled(check: Check) -> None:
-    tell_apart(check, [(r"\cos(\theta_1\theta_2) = \cos(\theta_2\theta_1)", r"\cos(\theta_1\theta_2) = c_1 c_2")], arm="planar_2r")
+    tell_apart(
+        check,
+        [(r"\cos(\theta_1\theta_2) = \cos(\theta_2\theta_1)", r"\cos(\theta_1\theta_2) = c_1 c_2")],
+        arm="planar_2r",
+    )
 
 
 # -- sizes ---------------------------------------------------------------------------------------------------------------
@@ -91,7 +99,11 @@ def test_the_cosine_of_what_is_no_angle_is_sampled(check: Check) -> None:
 def test_the_fourth_coordinate_tells_a_point_from_a_direction(check: Check) -> None:
     point = r"\begin{bmatrix} l_1 c_1 + l_2 c_{12} \\ l_1 s_1 + l_2 s_{12} \\ 0 \\ %d \end{bmatrix}"
     axis = r"\begin{bmatrix} 0 \\ 0 \\ 1 \\ %d \end{bmatrix}"
-    tell_apart(check, [(f"p_2 = {point % 1}", f"p_2 = {point % 0}"), (f"z_2 = {axis % 0}", f"z_2 = {axis % 1}")], arm="planar_2r")
+    tell_apart(
+        check,
+        [(f"p_2 = {point % 1}", f"p_2 = {point % 0}"), (f"z_2 = {axis % 0}", f"z_2 = {axis % 1}")],
+        arm="planar_2r",
+    )
 
 
 def test_the_rotation_of_the_plane_may_stand_without_its_third_row(check: Check) -> None:
@@ -101,16 +113,32 @@ def test_the_rotation_of_the_plane_may_stand_without_its_third_row(check: Check)
 
 def test_a_row_of_zeros_is_not_the_plane_of_motion(check: Check) -> None:
     upper = r"-l_1 s_1 - l_2 s_{12} & -l_2 s_{12}"
-    pairs = [(rf"J = \begin{{bmatrix}} {upper} \\ l_1 c_1 + l_2 c_{{12}} & l_2 c_{{12}} \end{{bmatrix}}", rf"J = \begin{{bmatrix}} {upper} \\ 0 & 0 \end{{bmatrix}}")]
+    pairs = [
+        (
+            rf"J = \begin{{bmatrix}} {upper} \\ l_1 c_1 + l_2 c_{{12}} & l_2 c_{{12}} \end{{bmatrix}}",
+            rf"J = \begin{{bmatrix}} {upper} \\ 0 & 0 \end{{bmatrix}}",
+        )
+    ]
     tell_apart(check, pairs, arm="planar_2r")
 
 
 def test_listed_rows_are_the_rows_that_are_meant(check: Check) -> None:
     upper = r"-l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\ l_1 c_1 + l_2 c_{12} & l_2 c_{12}"
-    linear, angular = rf"\begin{{bmatrix}} {upper} \\ 0 & 0 \end{{bmatrix}}", r"\begin{bmatrix} 0 & 0 \\ 0 & 0 \\ 1 & 1 \end{bmatrix}"
+    linear, angular = (
+        rf"\begin{{bmatrix}} {upper} \\ 0 & 0 \end{{bmatrix}}",
+        r"\begin{bmatrix} 0 & 0 \\ 0 & 0 \\ 1 & 1 \end{bmatrix}",
+    )
     planar = rf"\begin{{bmatrix}} {upper} \\ 1 & 1 \end{{bmatrix}}"
-    quantities = {"J_P": {"jacobian": 2, "rows": [1, 2, 3]}, "J_w": {"jacobian": 2, "rows": [4, 5, 6]}, "J_3": {"jacobian": 2, "rows": [1, 2, 6]}}
-    pairs = [(f"J_P = {linear}", f"J_P = {angular}"), (f"J_w = {angular}", f"J_w = {linear}"), (f"J_3 = {planar}", f"J_3 = {linear}")]
+    quantities = {
+        "J_P": {"jacobian": 2, "rows": [1, 2, 3]},
+        "J_w": {"jacobian": 2, "rows": [4, 5, 6]},
+        "J_3": {"jacobian": 2, "rows": [1, 2, 6]},
+    }
+    pairs = [
+        (f"J_P = {linear}", f"J_P = {angular}"),
+        (f"J_w = {angular}", f"J_w = {linear}"),
+        (f"J_3 = {planar}", f"J_3 = {linear}"),
+    ]
     tell_apart(check, pairs, arm="planar_2r", quantities=quantities)
 
 
@@ -119,6 +147,30 @@ def test_the_derivative_of_a_jacobian_has_the_rows_that_are_printed(check: Check
     rows = rf"-l_1 c_1\dot\theta_1 - l_2 c_{{12}} {rate} & -l_2 c_{{12}} %s \\ -l_1 s_1\dot\theta_1 - l_2 s_{{12}} {rate} & -l_2 s_{{12}} {rate}"
     matrix = rf"\dot J = \begin{{bmatrix}} {rows} \end{{bmatrix}}"
     tell_apart(check, [(matrix % rate, matrix % r"\dot\theta_2")], arm="planar_2r")
+
+
+def test_the_rank_is_that_of_a_generic_configuration(check: Check) -> None:
+    at = r"\operatorname{rank}\left(\left. J \right|_{\theta_2 = 0}\right) = %d"
+    tell_apart(check, [(r"\operatorname{rank} J = 4", r"\operatorname{rank} J = 3"), (at % 3, at % 4)], arm="scara")
+    tell_apart(check, [(r"\operatorname{rank} J = 6", r"\operatorname{rank} J = 5")], arm="rx90")
+
+
+# -- configurations ------------------------------------------------------------------------------------------------------
+
+
+def test_lengths_and_constant_angles_may_be_given_values(check: Check) -> None:
+    arm = {"dh": "classic", "rows": [{"a": "a_1", "alpha": "alpha_1", "d": "d_1 + h", "theta": "theta_1"}]}
+    pairs = [
+        (
+            r"\left. z_1 \right|_{\alpha_1 = \frac{\pi}{2}} = \begin{bmatrix} s_1 \\ -c_1 \\ 0 \end{bmatrix}",
+            r"\left. z_1 \right|_{\alpha_1 = 0} = z_1",
+        ),
+        (
+            r"\left. p_1 \right|_{h = -d_1} = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \end{bmatrix}",
+            r"\left. p_1 \right|_{h = d_1} = p_1",
+        ),
+    ]
+    tell_apart(check, pairs, arm=arm)
 
 
 # -- definitions ---------------------------------------------------------------------------------------------------------
@@ -148,7 +200,9 @@ def test_a_letter_met_twice_has_one_value_in_an_erratum_too(check: Check) -> Non
 
 
 @pytest.mark.parametrize("link", [CLASSIC, MODIFIED])
-@pytest.mark.parametrize(("name", "inverse"), [("{}^{i-1}T_i", False), ("A_i", False), ("({}^{i-1}T_i)^{-1}", True), ("A_i^{-1}", True)])
+@pytest.mark.parametrize(
+    ("name", "inverse"), [("{}^{i-1}T_i", False), ("A_i", False), ("({}^{i-1}T_i)^{-1}", True), ("A_i^{-1}", True)]
+)
 @pytest.mark.parametrize("arm", [None, "rx90"])
 def test_a_link_matrix_is_not_its_inverse(judge: Judge, name: str, inverse: bool, link: str, arm: str | None) -> None:
     assert (judge(f"{name} = {link}", arm=arm).verdict is Verdict.PROVED) is not inverse
@@ -186,15 +240,24 @@ def test_conditions_hold_on_either_branch(check: Check) -> None:
     pairs = [
         (r"c_2 = 0 \Rightarrow \theta_2 = \pm\frac{\pi}{2}", r"c_2 = 0 \Rightarrow \theta_2 = \frac{\pi}{2}"),
         (r"s_2 = 0 \Rightarrow c_2 = \pm 1", r"s_2 = 0 \Rightarrow c_2 = 1"),
-        (r"c_2 = 0 \Leftrightarrow \theta_2 = \pm\frac{\pi}{2}", r"s_2 = 0 \Leftrightarrow \theta_2 = \pm\frac{\pi}{2}"),
+        (
+            r"c_2 = 0 \Leftrightarrow \theta_2 = \pm\frac{\pi}{2}",
+            r"s_2 = 0 \Leftrightarrow \theta_2 = \pm\frac{\pi}{2}",
+        ),
     ]
     tell_apart(check, pairs, arm="planar_2r")
 
 
 def test_two_sides_that_are_no_identity_may_be_a_condition(check: Check) -> None:
     pairs = [
-        (r"c_1 = s_1 \Rightarrow \theta_1 = \frac{\pi}{4} \text{ or } \theta_1 = \frac{5\pi}{4}", r"P_x = l_1 c_1 \Rightarrow P_x - l_1 c_1 = 0"),
-        (r"P_x = l_1 c_1 + l_2 c_{12} \Rightarrow P_x - l_1 c_1 = l_2 c_{12}", r"P_x = l_1 c_1 - l_2 c_{12} \Rightarrow P_x - l_1 c_1 = -l_2 c_{12}"),
+        (
+            r"c_1 = s_1 \Rightarrow \theta_1 = \frac{\pi}{4} \text{ or } \theta_1 = \frac{5\pi}{4}",
+            r"P_x = l_1 c_1 \Rightarrow P_x - l_1 c_1 = 0",
+        ),
+        (
+            r"P_x = l_1 c_1 + l_2 c_{12} \Rightarrow P_x - l_1 c_1 = l_2 c_{12}",
+            r"P_x = l_1 c_1 - l_2 c_{12} \Rightarrow P_x - l_1 c_1 = -l_2 c_{12}",
+        ),
     ]
     tell_apart(check, pairs[1:], arm="planar_2r", quantities=PLANE)
     assert told(check(pairs[0][0], arm="planar_2r")) == ["proved"]
@@ -207,6 +270,24 @@ def test_a_matrix_may_follow_from_a_condition(check: Check) -> None:
         (rf"{matrix % '+'} \text{{ if }} \theta_2 = 0", rf"{matrix % '+'} \text{{ if }} \theta_2 = \pi"),
     ]
     tell_apart(check, pairs, arm="planar_2r")
+
+
+# -- bounds --------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("latex", "arm"),
+    [
+        (r"J^4 = I_6", "rx90"),
+        (r"({}^0T_6)^6 = I_4", "rx90"),
+        (rf"\cos({' + '.join(rf'{chr(92)}theta_{{{k}}}' for k in range(1, 25))}) = 1", None),
+        (r"\sqrt{(a_3 + d_3 + c_1 + c_2 + c_3 + s_4)^{10} + 1} = 0", "rx90"),
+    ],
+)
+def test_no_display_takes_longer_than_its_bound(judge: Judge, latex: str, arm: str | None) -> None:
+    started = time.perf_counter()
+    assert judge(latex, arm=arm).verdict in (Verdict.REFUTED, Verdict.UNCHECKED)
+    assert time.perf_counter() - started < 2 * (SECONDS_TO_DECIDE + SECONDS_TO_EXPLAIN)  # a loaded machine is granted as much again
 
 
 # -- records -------------------------------------------------------------------------------------------------------------

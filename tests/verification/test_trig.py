@@ -110,9 +110,9 @@ def test_a_normal_form_has_the_value_of_what_was_written(tree: Tree) -> None:
 
 
 @given(trees, trees, trees)
-def test_the_ring_axioms_hold_in_normal_form(x: Tree, y: Tree, z: Tree) -> None:
+def test_the_ring_axioms_hold_in_normal_form(first: Tree, second: Tree, third: Tree) -> None:
     ring = Ring()
-    x, y, z = (exact(ring, tree) for tree in (x, y, z))
+    x, y, z = (exact(ring, tree) for tree in (first, second, third))
     assert same(x + y, y + x) and same(x * y, y * x)
     assert same((x + y) + z, x + (y + z)) and same((x * y) * z, x * (y * z))
     assert same(x * (y + z), x * y + x * z)
@@ -213,9 +213,9 @@ def test_a_false_neighbour_of_an_identity_is_not_equal(difference: Any) -> None:
 
 
 @given(trees, trees, trees)
-def test_quotients_are_a_field(x: Tree, y: Tree, z: Tree) -> None:
+def test_quotients_are_a_field(first: Tree, second: Tree, third: Tree) -> None:
     ring = Ring()
-    x, y, z = (exact(ring, tree) for tree in (x, y, z))
+    x, y, z = (exact(ring, tree) for tree in (first, second, third))
     assume(not y.is_zero())
     assert (x / y * y - x).is_zero()
     assert (x / y + z / y - (x + z) / y).is_zero()
@@ -443,6 +443,14 @@ def test_substitution_reaches_under_roots_and_into_arc_functions() -> None:
     at = {"a": x.one * 3, "theta_1": x.pi / 2}
     assert (x.ring.substitute(x.sqrt(x.a + x.s1), at) - 2).is_zero()
     assert (x.ring.substitute(x.cos(x.ring.atan2(x.s1 * 4, x.a)), at) - Fraction(3, 5)).is_zero()
+
+
+def test_substitution_reaches_fractions_of_angles() -> None:
+    ring = Ring({"theta_1": 2})
+    angle, pi = ring.symbol("theta_1"), ring.generator(("pi", ""))
+    whole, half = ring.cos_sin(angle), ring.cos_sin(angle / 2)
+    assert (ring.substitute(half[0], {"theta_1": pi * Fraction(2, 3)}) - Fraction(1, 2)).is_zero()
+    assert (ring.substitute(whole[0], {"theta_1": pi * Fraction(2, 3)}) + Fraction(1, 2)).is_zero()
 
 
 # -- bounds ------------------------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ def record(verdict: Verdict, **more: object) -> Record:
     return replace(Record(1, "a = b", verdict), **more)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(("a", "b"), itertools.product(ALL, ALL))
+@pytest.mark.parametrize(("a", "b"), list(itertools.product(ALL, ALL)))
 def test_the_worst_of_two_does_not_depend_on_their_order(a: Verdict, b: Verdict) -> None:
     assert worst([a, b]) is worst([b, a])
     assert worst([a, b]) in (a, b) and worst([a, a]) is a

@@ -106,13 +106,22 @@ def test_a_square_is_no_index_and_no_angle_is_squared(base: str, expected: str) 
 
 @pytest.mark.parametrize(
     ("latex", "expected"),
-    [("C12 + S1", "S12 + S1"), ("C_{12} + S_1", "S_{12} + S_1"), (r"\sin^2(\theta_1)", r"(\cos(\theta_1))^{2}"), (r"s_{\theta_1}", r"c_{\theta_1}")],
+    [
+        ("C12 + S1", "S12 + S1"),
+        ("C_{12} + S_1", "S_{12} + S_1"),
+        (r"\sin^2(\theta_1)", r"(\cos(\theta_1))^{2}"),
+        (r"s_{\theta_1}", r"c_{\theta_1}"),
+    ],
 )
 def test_the_other_function_is_written_in_the_same_style(latex: str, expected: str) -> None:
     from verification.edits import Letters, single_edits
 
     root = read(latex)
-    texts = [Writer(latex, root, Notation()).write(edit.node) for edit in single_edits(root, Letters((1, 2))) if edit.kind == "function"]
+    texts = [
+        Writer(latex, root, Notation()).write(edit.node)
+        for edit in single_edits(root, Letters((1, 2)))
+        if edit.kind == "function"
+    ]
     assert expected in texts
 
 
@@ -139,7 +148,14 @@ def test_numbers_are_written_as_people_write_them(value: Fraction, expected: str
 
 @pytest.mark.parametrize(
     ("name", "expected"),
-    [("theta_1", r"\theta_1"), ("theta_12", r"\theta_{12}"), ("a_3", "a_3"), ("dot theta_1", r"\dot{\theta}_1"), ("dot dot q_2", r"\ddot{q}_2"), ("r", "r")],
+    [
+        ("theta_1", r"\theta_1"),
+        ("theta_12", r"\theta_{12}"),
+        ("a_3", "a_3"),
+        ("dot theta_1", r"\dot{\theta}_1"),
+        ("dot dot q_2", r"\ddot{q}_2"),
+        ("r", "r"),
+    ],
 )
 def test_symbols_are_written_in_latex(name: str, expected: str) -> None:
     assert symbol_as_latex(name) == expected
@@ -168,7 +184,9 @@ def test_a_notation_is_learnt_from_one_function(latex: str, cosine: str) -> None
 
 
 @pytest.mark.parametrize("style", ["index", "macro()", "letter", "letter()", "script"])
-@pytest.mark.parametrize("angle", [{"theta_1": 1}, {"theta_1": 1, "theta_2": 1}, {"theta_1": 1, "theta_2": -1}, {"theta_1": 2, "theta_3": 1}])
+@pytest.mark.parametrize(
+    "angle", [{"theta_1": 1}, {"theta_1": 1, "theta_2": 1}, {"theta_1": 1, "theta_2": -1}, {"theta_1": 2, "theta_3": 1}]
+)
 def test_a_function_of_any_angle_is_read_back(style: str, angle: dict[str, int]) -> None:
     notation = Notation(style=style, cosine="\\cos" if style == "macro()" else "C")
     text = notation.trig("sin", {name: Fraction(size) for name, size in angle.items()})

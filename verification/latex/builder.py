@@ -93,9 +93,11 @@ class TreeBuilder(Transformer):
             if isinstance(left, Differential) and isinstance(right, Differential):
                 return partial_derivative(left, right, span)
             if len(run) > 1 and not (isinstance(left, n.Number) and isinstance(run[0], n.Number)):
-                raise ReadError(
-                    f"'{self.text[span[0] : span[1]]}' has two readings: write \\frac{{…}}{{…}}, or parentheses", span_of_token(operator)[0]
-                )
+                below = n.Quotient(left, right, "slash", span=span)
+                first = n.Quotient(left, run[0], "slash", span=(left.span[0], run[0].span[1]))
+                beside = n.Product((first, *run[1:]), ("",) * (len(run) - 1), span=span)
+                readings = (below, beside) if isinstance(run[0], n.Number) else (beside, below)
+                return n.Ambiguous(readings, self.text[span[0] : span[1]], span=span)
             if len(run) > 1:
                 quotient = n.Quotient(left, run[0], "slash", span=(left.span[0], run[0].span[1]))
                 return n.Product((quotient, *run[1:]), ("",) * (len(run) - 1), span=span)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +98,14 @@ class Quotient(Node):
     numerator: Node
     denominator: Node
     style: str = field(default="frac", compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Ambiguous(Node):
+    """a/2b: both readings, the likelier first; which of them is meant is decided against the arm."""
+
+    readings: tuple[Node, Node]
+    text: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,7 +214,7 @@ Statement = Chain | Connective
 
 def children(node: Node) -> Iterator[Node]:
     """Yield the nodes directly below."""
-    for name in _branching(type(node)):
+    for name in _branching(type(node)):  # type: ignore[arg-type]
         value = getattr(node, name)
         if isinstance(value, Node):
             yield value
@@ -214,7 +223,7 @@ def children(node: Node) -> Iterator[Node]:
 
 
 @cache
-def _branching(kind: type[Node]) -> tuple[str, ...]:
+def _branching(kind: Any) -> tuple[str, ...]:
     """The fields of a class that may hold nodes."""
     plain = ("str", "int", "Fraction", "tuple[int, int]", "tuple[int, int] | None", "tuple[tuple[int, int], ...]", "tuple[str, ...]")
     return tuple(spec.name for spec in fields(kind) if spec.type not in plain)
@@ -241,8 +250,8 @@ def substitute(node: Node, old: Node, new: Node) -> Node:
     """Return the tree with the very node `old` (by identity) replaced."""
     if node is old:
         return new
-    changes = {}
-    for name in _branching(type(node)):
+    changes: dict[str, Any] = {}
+    for name in _branching(type(node)):  # type: ignore[arg-type]
         before = getattr(node, name)
         after = _substitute_in(before, old, new)
         if after is not before:

@@ -58,6 +58,8 @@ class Reader:
         except VisitError as error:
             if isinstance(error.orig_exc, ReadError):
                 raise error.orig_exc from None
+            if isinstance(error.orig_exc, RecursionError):
+                raise ReadError("nested too deeply") from None
             raise
         except RecursionError:
             raise ReadError("nested too deeply") from None

@@ -6,7 +6,8 @@ from lark import Token
 
 from verification.errors import ReadError
 from verification.latex import nodes as n
-from verification.latex.tokens import LAYOUTS, span_of_token
+from verification.latex.tokens import span_of_token
+from verification.latex.vocabulary import LAYOUTS
 
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
@@ -97,7 +98,7 @@ def _word_kind(text: str) -> str:
         return "and"
     if words in ("if and only if", "iff", "si et seulement si", "ssi"):
         return "⇔"
-    if words in ("if", "si", "when", "for", "pour", "lorsque", "provided", "wenn", "for all"):
+    if words in ("if", "si", "when", "whenever", "for", "pour", "lorsque", "provided", "wenn", "for all"):
         return "if"
     return "words"
 

@@ -14,79 +14,33 @@ from lark import Token
 from lark.lexer import Lexer
 
 from verification.errors import ReadError
+from verification.latex.vocabulary import (
+    BARE_GREEK,
+    BARE_WORDS,
+    CHARACTERS,
+    COMMANDS,
+    CONNECTIVES,
+    FUNCTIONS,
+    GREEK,
+    LAYOUTS,
+    MATRICES,
+    PUNCTUATION,
+    RELATIONS,
+    SPACES,
+    STYLES,
+    TRANSPARENT,
+    UNICODE,
+    UNITS,
+    VARIANTS,
+)
 
 MAX_TOKENS = 20_000
 MAX_DEPTH = 60
 
-GREEK = (
-    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi rho sigma tau "
-    "upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega ell"
-).split()
-VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon", "ell": "l"}
-
-UNICODE = {
-    "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
-    "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
-    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ",
-    "α": r"\alpha ", "β": r"\beta ", "γ": r"\gamma ", "θ": r"\theta ", "ϑ": r"\theta ", "φ": r"\phi ", "ϕ": r"\phi ",
-    "ψ": r"\psi ", "π": r"\pi ", "ω": r"\omega ", "σ": r"\sigma ", "λ": r"\lambda ", "μ": r"\mu ", "ρ": r"\rho ",
-    "τ": r"\tau ", "δ": r"\delta ", "\u00a0": " ",
-}  # fmt: skip
-
-# how the functions of kinematics are spelt: the spelling → the function
-FUNCTIONS = {
-    "cos": "cos", "sin": "sin", "tan": "tan", "cot": "cot", "sec": "sec", "csc": "csc",
-    "arccos": "acos", "acos": "acos", "arcsin": "asin", "asin": "asin", "arctan": "atan", "atan": "atan",
-    "Arccos": "acos", "Arcsin": "asin", "Arctan": "atan", "Acos": "acos", "Asin": "asin", "Atan": "atan", "ArcTan": "atan",
-    "ArcCos": "acos", "ArcSin": "asin", "ATAN": "atan", "ACOS": "acos", "COS": "cos", "SIN": "sin", "arcos": "acos",
-    "arcsen": "asin", "arctang": "atan", "Cos": "cos", "Sin": "sin", "Tan": "tan",
-    "atan2": "atan2", "Atan2": "atan2", "ATAN2": "atan2", "arctan2": "atan2", "Arctan2": "atan2", "arctg": "atan",
-    "tg": "tan", "sen": "sin",
-    "det": "det", "Det": "det", "DET": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
-    "cof": "com", "tr": "tr", "Tr": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
-    "diag": "diag", "exp": "exp", "ln": "ln", "log": "log", "sgn": "sgn", "sign": "sgn", "sinh": "sinh", "cosh": "cosh",
-    "tanh": "tanh", "min": "min", "max": "max", "lim": "lim",
-}  # fmt: skip
-# bare letters are a product unless they spell one of these
-BARE_WORDS = sorted((set(FUNCTIONS) - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot", "ln", "min", "max", "lim", "exp", "log", "sgn"}), key=len, reverse=True)
-BARE_GREEK = ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma")
-
-RELATIONS = {
-    "=": "=", "equiv": "=", "triangleq": "=", "coloneqq": "=", ":=": "=", "approx": "≈", "simeq": "≈",
-    "leq": "≤", "le": "≤", "leqslant": "≤", "geq": "≥", "ge": "≥", "geqslant": "≥", "<": "<", ">": ">",
-    "neq": "≠", "ne": "≠", "in": "∈", "notin": "∉", "lt": "<", "gt": ">", "subset": "⊂", "propto": "∝",
-}  # fmt: skip
-CONNECTIVES = {
-    "Rightarrow": "⇒", "implies": "⇒", "Longrightarrow": "⇒", "to": "⇒", "rightarrow": "⇒", "longrightarrow": "⇒",
-    "iff": "⇔", "Leftrightarrow": "⇔", "Longleftrightarrow": "⇔", "Leftarrow": "⇐", "therefore": "⇒",
-    "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒",
-}  # fmt: skip
-
-# units behind a number, which the reader leaves out; True where the number is in degrees
-UNITS = {"mm": False, "cm": False, "m": False, "rad": False, "rads": False, "radians": False, "s": False, "rad/s": False,
-         "m/s": False, "meters": False, "deg": True, "degrees": True, "°": True}  # fmt: skip
-
-MATRICES = {"matrix", "bmatrix", "pmatrix", "vmatrix", "Vmatrix", "Bmatrix", "smallmatrix", "array", "bsmallmatrix",
-            "psmallmatrix"}  # fmt: skip
-LAYOUTS = {"aligned", "align", "split", "gather", "gathered", "alignat", "alignedat", "eqnarray", "multline",
-           "cases", "dcases", "rcases", "flalign"}  # fmt: skip
-TRANSPARENT = {"equation", "displaymath", "math", "subequations", "small", "footnotesize", "center"}
-
-STYLES = (
-    "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
-    "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
-    "ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
-)
-SPACES = (
-    r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hfill|noindent|"
-    r"normalsize|small|footnotesize|scriptsize|tiny|large|Large|centering|allowbreak|"
-    r"thinspace|medspace|thickspace|negthinspace|middle|[bB]igg?[lrm]?|toprule|midrule|bottomrule|strut|relax|null"
-)
-
 _MASTER = re.compile(
     r"""
     (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n)|%%[^\n]*\n)+)
-  | (?P<TAG>\\(?:tag\*?|label|color|hspace\*?|vspace\*?|cline|arraycolsep|cmidrule|rule|eqno|setlength|renewcommand)\s*\{[^{}]*\})
+  | (?P<TAG>\\(?:tag\*?|label|color|[hv]?phantom|hspace\*?|vspace\*?|cline|arraycolsep|cmidrule|rule|eqno|setlength|renewcommand)\s*\{[^{}]*\})
   | (?P<NEWLINE>\\\\\*?(?:\s*\[\s*-?[\d.]+\s*(?:ex|em|pt|mm|cm|in|\\baselineskip)\s*\])?|\\cr(?![A-Za-z])|\\newline(?![A-Za-z])|\\tabularnewline(?![A-Za-z]))
   | (?P<BEGIN>\\begin\s*\{\s*([A-Za-z]+)\*?\s*\})
   | (?P<END>\\end\s*\{\s*([A-Za-z]+)\*?\s*\})
@@ -110,30 +64,12 @@ _FACTOR = re.compile(
 )
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
 _MARKED_RELATION = re.compile(r"\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
+_WIDE_SPACE = re.compile(r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}")
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
     ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
 )
-_CHARS = {
-    "+": "PLUS", "-": "MINUS", "/": "SLASH", "(": "LPAR", "[": "LPAR", ")": "RPAR", "]": "RPAR", "{": "LBRACE",
-    "}": "RBRACE", "&": "AMP", ",": "COMMA", ";": "SEP", ":": "SEP", "=": "REL", "<": "REL", ">": "REL", "'": "PRIME",
-    ".": "DOT", "*": "STAR",
-}  # fmt: skip
-_MACROS = {
-    "pm": "PM", "mp": "PM", "cdot": "CDOT", "times": "TIMES", "wedge": "TIMES", "ast": "CDOT", "star": "CDOT",
-    "bullet": "CDOT", "circ": "CDOT", "div": "SLASH", "frac": "FRAC", "dfrac": "FRAC", "tfrac": "FRAC", "cfrac": "FRAC",
-    "sqrt": "SQRT", "partial": "PARTIAL", "dots": "DOTS", "ldots": "DOTS", "cdots": "DOTS", "vdots": "DOTS",
-    "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "dotsm": "DOTS", "prod": "DOTS", "sum": "DOTS", "int": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
-    "overset": "OVERSET", "underset": "OVERSET", "stackrel": "OVERSET",
-    "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "colon": "SEP",
-    "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",
-    "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "lVert": "OPEN_BAR", "rVert": "CLOSE_BAR", "because": "TEXT", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
-    "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
-}  # fmt: skip
-_PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}
-
-
 class _Scanner:
     """One pass over a display: the state that a token's meaning may depend on."""
 
@@ -164,6 +100,8 @@ class _Scanner:
             elif found.group("END"):
                 kind = "END"
             if kind in ("SPACE", "TAG"):
+                if _WIDE_SPACE.match(found.group()):
+                    yield self.token("SEP", "\\quad", position, found.end())
                 position = found.end()
                 continue
             handler = getattr(self, "on_" + kind.lower())
@@ -262,6 +200,8 @@ class _Scanner:
         """`{}` carries pre-scripts where scripts follow; elsewhere it prints nothing."""
         if re.compile(r"(?:\s|\\!)*[_^]").match(self.text, end):
             return [self.token("PRE", "{}", start, end)], end
+        if self.previous in ("FRAC", "SQRT", "ACCENT", "BRACE", "OVERSET"):  # an argument
+            return [self.token("LBRACE", "{", start, start + 1), self.token("RBRACE", "}", end - 1, end)], end
         return [], end
 
     def on_fence(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
@@ -312,8 +252,8 @@ class _Scanner:
             return [], colour.end() if colour else end
         if name == "operatornamewithlimits":
             return self._style("operatorname", start, end)
-        if name in _MACROS:
-            kind = _MACROS[name]
+        if name in COMMANDS:
+            kind = COMMANDS[name]
             if kind == "BAR":
                 return self._bar(start, end)
             if kind == "LETTER":
@@ -327,7 +267,7 @@ class _Scanner:
             return [self.token("REL", RELATIONS[name], start, end)], end
         if name in CONNECTIVES:
             return [self.token("CONN", CONNECTIVES[name], start, end)], end
-        if name in _PUNCTUATION:
+        if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
         raise ReadError(f"'{value}' is not a command of kinematic LaTeX", start)
 
@@ -414,7 +354,7 @@ class _Scanner:
             return self._bar(start, end)
         if value == "\u200b" or start in self.transparent_braces:
             return [], end
-        kind = _CHARS.get(value)
+        kind = CHARACTERS.get(value)
         if kind is None:
             raise ReadError(f"cannot read '{value}'", start)
         if kind == "LBRACE":
@@ -443,6 +383,16 @@ class _Scanner:
 def normalise_unicode(text: str) -> str:
     """Write the Unicode signs of mathematics as their LaTeX commands."""
     return _UNICODE.sub(lambda found: UNICODE[found.group()], text) if not text.isascii() else text
+
+
+def original_offset(text: str, offset: int) -> int:
+    """Return the place in `text` of a place in its normalised form."""
+    position = 0
+    for index, character in enumerate(text):
+        if position >= offset:
+            return index
+        position += len(UNICODE.get(character, character))
+    return len(text)
 
 
 _UNICODE = re.compile("[" + "".join(UNICODE) + "]")

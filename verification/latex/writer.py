@@ -14,7 +14,9 @@ SWAPPED = {"cos": "sin", "sin": "cos", "\\cos": "\\sin", "\\sin": "\\cos", "C": 
 
 
 # letters whose superscript may be the name of a frame: T_1^2 is no square
-SCRIPTED = frozenset(["T", "A", "H", "R", "p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"])
+SCRIPTED = frozenset(
+    ["T", "A", "H", "R", "p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
+)
 
 
 @dataclass
@@ -93,7 +95,21 @@ def symbol_as_latex(name: str) -> str:
     while name.startswith("dot "):
         name, dots = name[4:], dots + 1
     base, _, index = name.partition("_")
-    greek = base in ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma", "lambda", "mu", "rho", "tau", "delta")
+    greek = base in (
+        "theta",
+        "alpha",
+        "beta",
+        "gamma",
+        "phi",
+        "psi",
+        "omega",
+        "sigma",
+        "lambda",
+        "mu",
+        "rho",
+        "tau",
+        "delta",
+    )
     letter = f"\\{base}" if greek else base
     if dots:
         letter = f"\\{'d' * dots}ot{{{letter}}}"
@@ -129,11 +145,24 @@ def _pi(coefficient: Fraction) -> str:
     return above if coefficient.denominator == 1 else f"\\frac{{{above}}}{{{coefficient.denominator}}}"
 
 
+def _read_apart(node: n.Node) -> tuple[n.Node, ...]:
+    """Return the parts of a node that stand in its script: the values of a bar, the angle of c_{12} or c_{\\theta_1}."""
+    if isinstance(node, n.At):
+        return tuple(side for value in node.values for side in value)
+    if isinstance(node, n.Call) and node.style in ("index", "script") and node.function in ("cos", "sin"):
+        return node.arguments
+    return ()
+
+
 def _differs_below_only(node: n.Node, original: n.Node) -> bool:
     """Whether two nodes of one type have the same text around as many children."""
     if len(list(n.children(node))) != len(list(n.children(original))):
         return False
-    return all(_shape(getattr(node, spec.name)) == _shape(getattr(original, spec.name)) for spec in fields(node) if spec.name != "span")
+    return all(
+        _shape(getattr(node, spec.name)) == _shape(getattr(original, spec.name))
+        for spec in fields(node)
+        if spec.name != "span"
+    )
 
 
 def _shape(value: object) -> object:
@@ -148,7 +177,9 @@ def _binds(parent: n.Node, before: n.Node, after: n.Node) -> bool:
     if isinstance(after, n.Sum) and isinstance(parent, n.Sum | n.Product):
         return True
     if isinstance(parent, n.Product):
-        return isinstance(after, n.Product | n.Quotient) and ("×" in parent.operators or isinstance(after, n.Quotient))
+        if isinstance(after, n.Quotient):
+            return after.style == "slash"
+        return isinstance(after, n.Product) and "×" in parent.operators
     if isinstance(parent, n.Derivative):
         return True
     if isinstance(parent, n.Quotient) and parent.style == "slash":
@@ -185,9 +216,10 @@ class Writer:
     def __init__(self, source: str, original: n.Node, notation: Notation) -> None:
         self.source = source
         self.notation = notation
-        moved = {id(below) for node in n.walk(original) if isinstance(node, n.At) for value in node.values for side in value for below in n.walk(side)}
-        # the values under a bar are read apart and have no place of their own; ids stay valid while the nodes live
-        self.kept: dict[int, n.Node] = {id(node): node for node in n.walk(original) if id(node) not in moved}
+        # what is read apart, such as the values under a bar, has no place of its own
+        apart = {id(below) for node in n.walk(original) for part in _read_apart(node) for below in n.walk(part)}
+        # ids stay valid while these live
+        self.kept: dict[int, n.Node] = {id(node): node for node in n.walk(original) if id(node) not in apart}
         self.at: dict[tuple[type, tuple[int, int]], n.Node] = {}
         for node in self.kept.values():
             self.at.setdefault((type(node), node.span), node)
@@ -206,8 +238,8 @@ class Writer:
         original = self.at.get((type(node), node.span))
         if original is None or isinstance(node, n.At) or not _differs_below_only(node, original):
             return None
-        if any(isinstance(child, n.JointAngles) for child in n.children(node)):
-            return None  # the digits of c_{12}
+        if isinstance(node, n.Call) and _read_apart(node):
+            return None
         pieces: list[str] = []
         position, end = original.span
         for before, after in zip(n.children(original), n.children(node), strict=True):
@@ -223,7 +255,7 @@ class Writer:
         return ("".join(pieces) + self.source[position:end]).strip()
 
     def _bracketed(self, parent: n.Node, before: n.Node, after: n.Node) -> str:
-        if isinstance(parent, n.Power | n.Postfix):
+        if isinstance(parent, n.Power | n.Postfix) and after is not getattr(parent, "exponent", None):
             return self._base(after)
         return self._tight(after) if _binds(parent, before, after) else self.write(after)
 
@@ -275,9 +307,17 @@ class Writer:
         """Write what a script is set on; without brackets only where it cannot be read as part of the name."""
         text = self.write(node)
         if isinstance(node, n.Name):
-            plain = not (node.sup or node.pre_sub or node.pre_sup or node.dots or "^" in text) and node.base not in SCRIPTED
+            plain = (
+                not (node.sup or node.pre_sub or node.pre_sup or node.dots or "^" in text) and node.base not in SCRIPTED
+            )
         elif isinstance(node, n.Call):
-            plain = node.style in ("index", "script", "bars", "braces") and node.function in ("cos", "sin", "sqrt", "abs", "det")
+            plain = node.style in ("index", "script", "bars", "braces") and node.function in (
+                "cos",
+                "sin",
+                "sqrt",
+                "abs",
+                "det",
+            )
         else:
             plain = isinstance(node, n.Number | n.Group | n.Matrix | n.Sequence)
         return text if plain else f"({text})"

@@ -32,7 +32,7 @@ def github_report(results: Sequence[DocumentResult | Failure], *, strict: bool =
 def _annotate(level: str, path: str, record: Record, kind: str) -> str:
     title = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
     title = f"{kind} {title}".strip()
-    parts = [record.message, *(describe_entry(entry) for entry in record.entries)]
+    parts = [record.message, *(describe_entry(entry, record) for entry in record.entries)]
     if record.cell is not None:  # a notebook's line counts within its cell
         return _command(level, path, None, title, "\n".join([describe_place(record), *filter(None, parts)]))
     return _command(level, path, record.line, title, "\n".join(filter(None, parts)))

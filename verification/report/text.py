@@ -10,6 +10,7 @@ from verification.batch import Failure
 from verification.report.lines import Line
 from verification.verdict import DocumentResult, Record, Verdict, WrongEntry
 
+LONGEST = 600  # characters of a message or of an entry
 GOOD, BAD, WARN, FAINT, STRONG = "green", "bold red", "yellow", "dim", "bold"
 _ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
 _STYLES = {Verdict.REFUTED: BAD, Verdict.UNREADABLE: BAD, Verdict.UNCHECKED: WARN}
@@ -72,10 +73,11 @@ def describe_place(record: Record) -> str:
     return f"line {record.line}" if record.cell is None else f"cell {record.cell}, line {record.line}"
 
 
-def describe_entry(entry: WrongEntry) -> str:
-    """Return a wrong entry on one line."""
+def describe_entry(entry: WrongEntry, record: Record) -> str:
+    """Return a wrong entry of a display on one line."""
     change = f" ({entry.change})" if entry.change else ""
-    return f"{_cell(entry)}: printed {entry.printed}, correct {entry.correct}{change}"
+    cell = _cell(entry, record)
+    return f"{cell}{': ' if cell else ''}printed {_short(entry.printed)}, correct {_short(entry.correct)}{change}"
 
 
 # -- one document ------------------------------------------------------------------------------------------------------
@@ -107,20 +109,27 @@ def _describe_record(record: Record, kind: str) -> Iterator[Line]:
     style = BAD if not record.passes else _STYLES.get(record.verdict, "")
     yield (("    ", ""), (describe_place(record), STRONG), ("  ", ""), (what + verdict, style), (section, FAINT))
     if record.message:
-        yield (("        ", ""), (record.message, ""))
+        yield (("        ", ""), (_short(record.message), ""))
     for entry in record.entries:
-        cell = _cell(entry)
+        cell = f"{_cell(entry, record)}   " if _cell(entry, record) else ""
         change = ((f"   ({entry.change})", FAINT),) if entry.change and entry.change not in record.message else ()
-        yield ((f"        {cell}   printed  ", ""), (entry.printed, BAD))
-        yield ((f"        {'':{len(cell)}}   correct  ", ""), (entry.correct, GOOD), *change)
+        yield ((f"        {cell}printed  ", ""), (_short(entry.printed), BAD))
+        yield ((f"        {'':{len(cell)}}correct  ", ""), (_short(entry.correct), GOOD), *change)
     if record.counterexample:
         values = ", ".join(f"{symbol} = {value:.6g}" for symbol, value in record.counterexample.items())
         yield (("        ", ""), (f"for example at {values}", FAINT))
 
 
-def _cell(entry: WrongEntry) -> str:
-    place = "" if entry.row is None else f", row {entry.row}, column {entry.column}"
-    return f"equation {entry.equation}{place}"
+def _cell(entry: WrongEntry, record: Record) -> str:
+    """Return where in its display an entry stands: "equation 2, row 1, column 3", as far as there is more than one."""
+    equation = [f"equation {entry.equation}"] if record.latex.count("=") > 1 else []
+    place = [] if entry.row is None else [f"row {entry.row}", f"column {entry.column}"]
+    return ", ".join(equation + place)
+
+
+def _short(text: str) -> str:
+    """Return a text without what nobody reads; the JSON report has it whole."""
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."
 
 
 def _places(records: Sequence[Record]) -> str:

@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from verification.document import Display, Table
 
 _OPENING = re.compile(
-    r"\s*(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?"
-    r"\\begin\s*\{(?P<name>array|tabular|[bpvB]?matrix|aligned)\}\s*(?:\[\w\])?"
+    r"\s*(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?\\begin\s*"
+    r"\{(?:(?P<ruled>array|tabular)\}\s*(?:\[\w\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}|(?P<plain>[bpvB]?matrix|aligned)\})"
 )
 _TWIST = re.compile(r"alpha|α|twist|torsi", re.IGNORECASE)  # no DH table without that column
-_CLOSING = re.compile(r"\s*(?:\\right\s*\\?[\])}|.]\s*)?[.,;]?\s*(?:\\(?:tag|label)\{[^}]*\}\s*)?[.,;]?\s*")
+_CLOSING = re.compile(
+    r"\\end\s*\{(?P<name>\w+)\}\s*(?:\\right\s*\\?[\])}|.]\s*)?[.,;]?\s*(?:\\(?:tag|label)\{[^}]*\}\s*)?[.,;]?\s*"
+)
 _RULE = re.compile(
     r"\\(?:hline|toprule|midrule|bottomrule|hdashline|(?:cline|cmidrule)\s*(?:\([^)]*\))?\s*\{[^}]*\}|addlinespace)(?![A-Za-z])"
 )
@@ -42,18 +44,12 @@ def read_array(display: Display) -> ArrayTable | None:
     if "&" not in latex or not _TWIST.search(latex):
         return None
     opening = _OPENING.match(latex)
-    if opening is None:
-        return None
-    start = opening.end()
-    if opening.group("name") in ("array", "tabular"):
-        start = _after_group(latex, start)
-    cut = _cut(latex, start)
-    if cut is None:
+    cut = _cut(latex, opening.end()) if opening is not None else None
+    if opening is None or cut is None:
         return None
     rows, end = cut
-    if not re.match(r"\\end\s*\{%s\}" % opening.group("name"), latex[end:]) or not _CLOSING.fullmatch(
-        latex, latex.index("}", end) + 1
-    ):
+    closing = _CLOSING.fullmatch(latex, end)
+    if closing is None or closing.group("name") not in opening.groups():
         return None
     cells = [[_trimmed(latex, a, b) for a, b in row] for row in rows]
     cells = [row for row in cells if any(a < b for a, b in row)]
@@ -65,18 +61,6 @@ def read_array(display: Display) -> ArrayTable | None:
     texts = [tuple(_RULE.sub("", latex[a:b]).strip() for a, b in row) for row in spans]
     table = Table(display.line, texts[0], tuple(texts[1:]), display.erratum, display.cell, display.section)
     return ArrayTable(table, tuple(tuple(row) for row in spans))
-
-
-def _after_group(latex: str, start: int) -> int:
-    """Return the place after the braces of the column specification."""
-    found = re.compile(r"\s*\{").match(latex, start)
-    if found is None:
-        return start
-    depth, at = 1, found.end()
-    while at < len(latex) and depth:
-        depth += {"{": 1, "}": -1}.get(latex[at], 0)
-        at += 1
-    return at
 
 
 def _cut(latex: str, start: int) -> tuple[list[list[tuple[int, int]]], int] | None:

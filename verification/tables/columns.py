@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from verification.latex.tokens import STYLES, normalise_unicode
+from verification.latex.tokens import normalise_unicode
+from verification.latex.vocabulary import STYLES
 
 CONVENTIONS = ("classic", "modified")
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋", "0123456789ij-")
@@ -58,16 +59,16 @@ class Header:
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read a table: the convention, and the column (from 0; None: not printed, all 0) of each parameter."""
+    """One way to read a table: the convention, and the column (from 0) of each parameter."""
 
     convention: str
-    a: int | None
+    a: int
     alpha: int
-    d: int | None
+    d: int
     theta: int
 
     @property
-    def columns(self) -> dict[str, int | None]:
+    def columns(self) -> dict[str, int]:
         """The columns by parameter."""
         return {"a": self.a, "alpha": self.alpha, "d": self.d, "theta": self.theta}
 
@@ -78,7 +79,7 @@ class Columns:
 
     headers: tuple[Header, ...]
     stated: str
-    lengths: tuple[tuple[int | None, int | None], ...]  # the columns of (a, d), the likeliest first
+    lengths: tuple[tuple[int, int], ...]  # the columns of (a, d), the likeliest first
     alpha: int
     theta: int
     contradictory: bool = False
@@ -139,28 +140,21 @@ def read_columns(header: Sequence[str]) -> Columns | None:
     place: dict[str, int] = {}
     for k, one in enumerate(headers):
         place.setdefault(one.role, k)
-    theta = place.get("theta", place.get("q"))
-    if "alpha" not in place or theta is None or not place.keys() & {"a", "d", "r", "b"}:
+    alpha, theta = place.get("alpha"), place.get("theta", place.get("q"))
+    along_x = next((place[role] for role in "ad" if role in place), None)
+    along_z = next((place[role] for role in "drb" if role in place and place[role] != along_x), None)
+    if alpha is None or theta is None or along_x is None or along_z is None:
         return None
-    a, d, r, b = (place.get(letter) for letter in "adrb")
-    is_khalil = a is None and d is not None and r is not None
-    lengths: tuple[tuple[int | None, int | None], ...]
-    if is_khalil:
-        lengths = ((d, r), (r, d))
-    elif a is not None:
-        lengths = ((a, d if d is not None else r if r is not None else b),)
-    else:
-        lengths = ((None, d if d is not None else r if r is not None else b),)
-    stated = {headers[k].convention for k in (lengths[0][0], place["alpha"]) if k is not None} - {""}
+    is_khalil = headers[along_x].role == "d"
+    stated = {headers[k].convention for k in (along_x, alpha)} - {""}
     if is_khalil and stated == {"classic"}:  # Khalil's d_j and α_j are the modified parameters
         stated = set()
-    contradictory = len(stated) > 1
     return Columns(
         headers,
-        "" if contradictory or not stated else stated.pop(),
-        lengths,
-        place["alpha"],
+        stated.pop() if len(stated) == 1 else "",
+        ((along_x, along_z), (along_z, along_x))[: 1 + is_khalil],
+        alpha,
         theta,
-        contradictory,
-        is_khalil,
+        contradictory=len(stated) > 1,
+        is_khalil=is_khalil,
     )

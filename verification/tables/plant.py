@@ -1,18 +1,21 @@
-"""The rows of a DH table on the plant: the second route to a proved row, and a configuration that refutes a wrong one."""
+"""A DH table on the double plant: the second route to a proved table, and a configuration that refutes a wrong one."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 
 from verification.algebras import SampledAlgebra
 from verification.compare import Pair, entry_errors
-from verification.tables.row import PARAMETERS, row_matrix
 from verification.equation import TOLERANCE
 from verification.matrix import Matrix
 from verification.quantities import Quantity
-from verification.tables.reading import RowVerdict, TableReading
+from verification.tables.claim import RowVerdict
+from verification.tables.reading import TableReading
+from verification.tables.row import PARAMETERS, row_matrix
 from verification.tables.tool import Tool
 from verification.trig import Scalar
 from verification.verdict import Record, Verdict
@@ -21,28 +24,31 @@ from verification.verdict import Record, Verdict
 _GENERIC = ((0.7, -0.15), (0.73, -0.11))
 
 
+def sampled_link(found: TableReading, values: Mapping[str, Scalar], sampled: SampledAlgebra) -> Matrix:
+    """Return the link matrix of a row's values at the samples."""
+    return row_matrix(sampled, found.convention, *(sampled.from_exact(values[parameter]) for parameter in PARAMETERS))
+
+
 def confirm_rows(found: TableReading, proved: Record, sampled: SampledAlgebra) -> Record:
     """Return the record of a proved table with the largest error of its link matrices on the double plant."""
-    worst = 0.0
-    for verdict in found.verdicts:
-        frames = verdict.row.frames
-        if frames is not None:
-            pose = sampled.quantity(Quantity("pose", frames.frame, frames.reference))
-            worst = max(worst, _largest_error(sampled, pose, _link(found, verdict, sampled)))
-    return _confirmed(proved, sampled, worst)
+    pairs = [
+        (sampled.quantity(Quantity("pose", frames.frame, frames.reference)), sampled_link(found, v.values, sampled))
+        for v in found.verdicts
+        if (frames := v.row.frames) is not None
+    ]
+    return _confirmed(proved, sampled, pairs)
 
 
-def confirm_tool(found: TableReading, tool: Tool, reference: str, proved: Record, sampled: SampledAlgebra) -> Record:
+def confirm_tool(found: TableReading, tool: Tool, proved: Record, sampled: SampledAlgebra) -> Record:
     """Return the record of a table whose product, followed by a constant rotation, is a pose of the arm."""
-    links = [_link(found, verdict, sampled) for verdict in found.verdicts]
-    total = links[0]
-    for link in links[1:]:
-        total = total @ link
-    pose = sampled.quantity(Quantity("pose", tool.frame, reference))
-    origin = sampled.quantity(Quantity("pose", tool.origin, reference)).block(range(3), [3])
+    total = reduce(Matrix.__matmul__, (sampled_link(found, v.values, sampled) for v in found.verdicts))
     rotation = total.block(range(3), range(3)) @ sampled.from_exact(tool.turn)
-    errors = [(pose.block(range(3), range(3)), rotation), (origin, total.block(range(3), [3]))]
-    return _confirmed(proved, sampled, max(_largest_error(sampled, true, printed) for true, printed in errors))
+    base = found.arm.frames[0]
+    pairs = [
+        (sampled.quantity(Quantity("rotation", tool.frame, base)), rotation),
+        (sampled.quantity(Quantity("origin", tool.origin, base)), total.block(range(3), [3])),
+    ]
+    return _confirmed(proved, sampled, pairs)
 
 
 def counterexample(found: TableReading) -> dict[str, float]:
@@ -63,32 +69,23 @@ def counterexample(found: TableReading) -> dict[str, float]:
 
 
 def _differences(found: TableReading, verdict: RowVerdict) -> list[Scalar]:
-    """The entries of the row's link matrix that are wrong, less the right ones."""
+    """The entries of the row's link matrix less the right ones, where it is wrong."""
     if verdict.holds or verdict.problems or verdict.row.frames is None:
         return []
-    pairs = zip(found.pose(verdict.row.frames).rows, found.matrix(verdict).rows, strict=True)
-    return [x - y for one, other in pairs for x, y in zip(one, other, strict=True) if not (x - y).is_zero()]
+    difference = found.pose(verdict.row.frames) + -found.matrix(verdict)
+    return [cell for row in difference.rows for cell in row if not cell.is_zero()]
 
 
-def _link(found: TableReading, verdict: RowVerdict, sampled: SampledAlgebra) -> Matrix:
-    values = [sampled.from_exact(verdict.values[parameter]) for parameter in PARAMETERS]
-    return row_matrix(sampled, found.convention, *values)
-
-
-def _confirmed(proved: Record, sampled: SampledAlgebra, worst: float) -> Record:
+def _confirmed(proved: Record, sampled: SampledAlgebra, pairs: list[tuple[Matrix, Matrix]]) -> Record:
+    worst = max((_largest_error(sampled, true, printed) for true, printed in pairs), default=0.0)
     if worst > TOLERANCE:
-        return replace(
-            proved, verdict=Verdict.REFUTED, message="the proof and the double plant disagree", max_error=worst
-        )
+        message = "the proof and the double plant disagree"
+        return replace(proved, verdict=Verdict.REFUTED, message=message, max_error=worst)
     return replace(proved, samples=sampled.samples, max_error=worst)
 
 
 def _largest_error(sampled: SampledAlgebra, true: Matrix, printed: Matrix) -> float:
     """The largest error of an entry over the samples, scaled by its size."""
-
-    def whole(matrix: Matrix) -> Matrix:
-        return matrix.map(lambda cell: np.broadcast_to(cell, (sampled.samples,)))
-
-    errors = entry_errors(Pair(whole(true), whole(printed)))
-    sizes = np.abs(np.array([list(row) for row in whole(true).rows]))
-    return float((errors / (1.0 + sizes)).max())
+    true, printed = (m.map(lambda cell: np.broadcast_to(cell, (sampled.samples,))) for m in (true, printed))
+    sizes = np.abs(np.array([list(row) for row in true.rows]))
+    return float((entry_errors(Pair(true, printed)) / (1.0 + sizes)).max())

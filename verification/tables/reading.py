@@ -2,96 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import replace
+from functools import cached_property, reduce
 from typing import Any
 
-from models.arm import Arm
-from verification.algebras import ExactAlgebra
-from verification.tables.row import (
-    ANGLES,
-    PARAMETERS,
-    SCALES,
-    RightRow,
-    angle_as_scalar,
-    constant_angle,
-    is_free_of,
-    right_row,
-    row_matrix,
-    to_radians,
-)
 from verification.errors import EvaluationError, UnboundName
 from verification.matrix import Matrix
-from verification.names import Names
-from verification.quantities import Quantity
-from verification.tables.cells import Cell, Frames, cell_values, unbound_name
-from verification.tables.columns import Columns, Reading
-from verification.tables.words import letter_of
+from verification.tables.angles import angle_as_scalar, constant_angle, to_radians
+from verification.tables.cells import Cell
+from verification.tables.claim import Claim, Row, RowVerdict
+from verification.tables.columns import Reading
+from verification.tables.frames import Frames
+from verification.tables.row import ANGLES, PARAMETERS, SCALES, is_free_of, right_row, row_matrix
+from verification.tables.words import letter_of, symbols_of
 from verification.trig import Scalar
-
-
-@dataclass(frozen=True)
-class Row:
-    """A row of the body: its number from 1, its frames (None: the arm has none for it), its cells by column."""
-
-    number: int
-    frames: Frames | None
-    cells: Mapping[int, Cell]
-
-
-@dataclass
-class RowVerdict:
-    """What became of a row. `values` are the printed ones, `right` what the frames call for (None: no DH frames)."""
-
-    row: Row
-    right: RightRow | None = None
-    values: dict[str, Scalar] = field(default_factory=dict)
-    wrong: list[str] = field(default_factory=list)
-    problems: dict[str, str] = field(default_factory=dict)  # parameter → why it has no value
-    unbound: dict[str, str] = field(default_factory=dict)  # parameter → the one name that the cell consists of
-
-    @property
-    def holds(self) -> bool:
-        """Whether the row is the one that the frames call for."""
-        if self.row.frames is None:
-            return self.is_identity
-        return self.right is not None and not self.wrong and not self.problems
-
-    @property
-    def is_identity(self) -> bool:
-        """Whether nothing but zeros stands in the row."""
-        return len(self.values) == len(PARAMETERS) and all(value.is_zero() for value in self.values.values())
-
-
-@dataclass(frozen=True)
-class Claim:
-    """A table's claim about an arm. `lengths`: values for the arm's lengths, where the table gives them in numbers."""
-
-    names: Names
-    arm: Arm
-    algebra: ExactAlgebra
-    columns: Columns
-    rows: tuple[Row, ...]
-    lengths: Mapping[str, Scalar] = field(default_factory=dict)
-    notes: dict[str, None] = field(default_factory=dict)  # what was taken for granted
-
-    def pose(self, frame: str, reference: str) -> Matrix:
-        """Return the arm's pose {}^{reference}T_{frame}."""
-        pose: Matrix = self.algebra.quantity(Quantity("pose", frame, reference))
-        return self.algebra.substitute(pose, self.lengths) if self.lengths else pose
 
 
 class TableReading:
     """A table read in one convention, with the parameters in given columns."""
 
     def __init__(self, claim: Claim, reading: Reading, given: list[RowVerdict] | None = None) -> None:
-        self.claim = claim
-        self.arm = claim.arm
-        self.rows = claim.rows
-        self.reading = reading
-        self.convention = reading.convention
-        self._notes: dict[str, None] = {}
+        self.claim, self.arm, self.rows = claim, claim.arm, claim.rows
+        self.reading, self.convention = reading, reading.convention
+        self._notes: dict[str, None] = {}  # what was taken for granted
         self._given = given
         self._variables = [joint.symbol for joint in claim.arm.joints]
 
@@ -121,7 +54,7 @@ class TableReading:
     @property
     def notes(self) -> list[str]:
         """What was taken for granted."""
-        return list(dict.fromkeys([*self.claim.notes, *self._notes])) if self.verdicts else []
+        return list(self._notes) if self.verdicts else []
 
     @property
     def score(self) -> int:
@@ -143,31 +76,23 @@ class TableReading:
         """The rows with a wrong entry."""
         return [verdict for verdict in self.verdicts if verdict.wrong]
 
-    def joint_symbol(self, row: Row) -> str | None:
-        """Return the variable of a row's joint."""
-        joint = row.frames.joint if row.frames is not None else None
-        return self.arm.joints[joint - 1].symbol if joint is not None else None
-
     def pose(self, frames: Frames) -> Matrix:
         """Return the arm's pose of a row's frame in the one before."""
         return self.claim.pose(frames.frame, frames.reference)
 
     def matrix(self, verdict: RowVerdict) -> Matrix:
-        """Return the link matrix of the row as printed; raises EvaluationError where an entry has no value."""
-        if verdict.problems:
-            raise EvaluationError(next(iter(verdict.problems.values())))
+        """Return the link matrix of a row as printed, all of whose entries have a value."""
         return row_matrix(self.claim.algebra, self.convention, *(verdict.values[parameter] for parameter in PARAMETERS))
 
     @cached_property
     def product(self) -> Matrix | None:
         """The product of all link matrices as printed, or None where an entry has no value."""
-        total: Matrix | None = None
+        if any(verdict.problems for verdict in self.verdicts):
+            return None
         try:
-            for verdict in self.verdicts:
-                total = self.matrix(verdict) if total is None else total @ self.matrix(verdict)
+            return reduce(Matrix.__matmul__, (self.matrix(verdict) for verdict in self.verdicts))
         except EvaluationError:
             return None
-        return total
 
     def right_value(self, verdict: RowVerdict, parameter: str) -> Scalar | None:
         """Return what a parameter should be; an angle as ±variable + k·π/12, or None if it is nothing like that."""
@@ -176,11 +101,10 @@ class TableReading:
         right: Any = getattr(verdict.right, parameter)
         if parameter not in ANGLES:
             return right  # type: ignore[no-any-return]
-        ring = self.claim.algebra.ring
-        own = self.joint_symbol(verdict.row)
-        symbols = [*([own] if own else []), *(s for s in self._variables if s != own), *self.arm.angles]
-        constants = [constant_angle(ring, name) for name in self.arm.trace.constants if name not in self.arm.angles]
-        return angle_as_scalar(ring, right, symbols, constants)
+        ring, arm = self.claim.algebra.ring, self.arm
+        symbols = sorted(self._variables, key=lambda symbol: symbol != self.claim.joint_symbol(verdict.row))
+        constants = [constant_angle(ring, name) for name in arm.trace.constants if name not in arm.angles]
+        return angle_as_scalar(ring, right, [*(ring.symbol(symbol) for symbol in (*symbols, *arm.angles)), *constants])
 
     # -- one row -----------------------------------------------------------------------------------------------------
 
@@ -189,48 +113,41 @@ class TableReading:
         if row.frames is not None:
             verdict.right = right_row(self.pose(row.frames), self.convention, self._variables)
         for parameter in PARAMETERS:
-            column = self.reading.columns[parameter]
-            cell = row.cells[column] if column is not None else Cell("", kind="blank")
+            cell = row.cells[self.reading.columns[parameter]]
             try:
-                values = self._values(parameter, column, cell, verdict)
+                values = self._values(parameter, cell, verdict)
             except EvaluationError as problem:
                 verdict.problems[parameter] = str(problem)
-                if isinstance(problem, UnboundName) and (
-                    name := unbound_name(self.claim.names, self.claim.algebra, cell)
-                ):
-                    verdict.unbound[parameter] = name
+                if isinstance(problem, UnboundName) and cell.name is not None:
+                    verdict.unbound[parameter] = problem.name
                 continue
             verdict.values[parameter] = values[0]
             if verdict.right is not None and not all(verdict.right.agrees(parameter, value) for value in values):
                 verdict.wrong.append(parameter)
         return verdict
 
-    def _values(self, parameter: str, column: int | None, cell: Cell, verdict: RowVerdict) -> list[Scalar]:
-        zero = self.claim.algebra.ring.zero
+    def _values(self, parameter: str, cell: Cell, verdict: RowVerdict) -> list[Scalar]:
+        algebra = self.claim.algebra
         if cell.kind == "blank":
-            if column is not None:
-                self._notes["an empty entry is read as 0"] = None
-            return [zero]
+            self._notes["an empty entry is read as 0"] = None
+            return [algebra.ring.zero]
         if cell.kind == "variable":
-            own = self.joint_symbol(verdict.row)
-            if own is None:
-                raise EvaluationError(f"'{cell.text}' names the variable of a row that has no joint")
-            variable = self.claim.algebra.symbol(own)
-            right = self.right_value(verdict, parameter)
-            return [variable if right is None or is_free_of(right, [own]) else right]
-        assert column is not None
-        unit = self.claim.columns.headers[column].unit
-        values = list(cell_values(self.claim.names, self.claim.algebra, cell))
-        if self.claim.lengths:
-            values = [self.claim.algebra.substitute(value, self.claim.lengths) for value in values]
+            return [self._variable(parameter, cell, verdict)]
+        unit = self.claim.columns.headers[self.reading.columns[parameter]].unit
+        values = [algebra.substitute(value, self.claim.lengths) for value in cell.values(self.claim.names, algebra)]
         if parameter not in ANGLES:
-            scale = SCALES.get(unit)
-            return [
-                v * self.claim.algebra.rational(scale) if scale and v.as_fraction() is not None else v for v in values
-            ]
+            return [v * SCALES.get(unit, 1) if v.as_fraction() is not None else v for v in values]
         read = [to_radians(value, unit) for value in values]
         self._notes.update(dict.fromkeys(note for _, note in read if note))
         return [value for value, _ in read]
+
+    def _variable(self, parameter: str, cell: Cell, verdict: RowVerdict) -> Scalar:
+        """The value of a cell that only says that it is the variable: its offset is taken to be right."""
+        own = self.claim.joint_symbol(verdict.row)
+        if own is None:
+            raise EvaluationError(f"'{cell.text}' names the variable of a row that has no joint")
+        right = self.right_value(verdict, parameter)
+        return self.claim.algebra.symbol(own) if right is None or is_free_of(right, [own]) else right
 
     def _judge_unbound(self, verdicts: list[RowVerdict]) -> None:
         """A lone unbound name is wrong where it cannot be the document's letter for what should stand there.
@@ -238,15 +155,16 @@ class TableReading:
         It cannot where a number should stand, where another index of the arm's own letter should, and where one name
         would have to mean two things.
         """
-        meanings: dict[str, list[Any]] = {}
+        meanings: dict[str, Scalar] = {}
         for verdict in verdicts:
             for parameter, name in verdict.unbound.items():
                 right = self.right_value(verdict, parameter)
                 if right is None:
                     continue
-                known = [n for powers, _ in right.ring.terms(right.numerator) for kind, n in powers if kind == "symbol"]
-                others = meanings.setdefault(name, [])
-                clash = any(not (right - other).is_zero() for other in others)
-                others.append(right)
-                if not known or clash or letter_of(known[0]) == letter_of(name):
+                letters = {letter_of(symbol) for symbol in symbols_of(right)}
+                if (
+                    not letters
+                    or letter_of(name) in letters
+                    or not (right - meanings.setdefault(name, right)).is_zero()
+                ):
                     verdict.wrong.append(parameter)

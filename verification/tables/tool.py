@@ -6,7 +6,9 @@ from dataclasses import dataclass
 
 from verification.matrix import Matrix
 from verification.quantities import numbered_frames
+from verification.tables.frames import last_frames
 from verification.tables.reading import TableReading
+from verification.tables.row import equal
 
 
 @dataclass(frozen=True)
@@ -20,37 +22,25 @@ class Tool:
 
 def same_tool(found: TableReading) -> str | None:
     """Return the arm's last frame whose pose the product of the printed link matrices is, or None."""
-    frames = numbered_frames(found.arm)
-    for frame in [frames[-1], *(other for other in found.arm.frames if other not in frames)]:
-        if found.product is not None and equal(found.product, found.claim.pose(frame, frames[0])):
-            return frame
-    return None
+    if (product := found.product) is None:
+        return None
+    return next((frame for frame in last_frames(found.arm) if equal(product, _pose(found, frame))), None)
 
 
 def turned_tool(found: TableReading) -> Tool | None:
     """Return how the table's last frame stands in the arm's: still, with its origin at that of one of the arm's frames."""
-    frames = numbered_frames(found.arm)
     if (product := found.product) is None:
         return None
-    extra = [frame for frame in found.arm.frames if frame not in frames]
-    origins = [*extra, *reversed(frames)]
-    origin = next(
-        (
-            f
-            for f in origins
-            if equal(product.block(range(3), [3]), found.claim.pose(f, frames[0]).block(range(3), [3]))
-        ),
-        None,
-    )
-    for frame in sorted([frames[-1], *extra], key=lambda one: one != origin) if origin is not None else []:
-        rotation = found.claim.pose(frame, frames[0]).block(range(3), range(3))
-        turn = product.block(range(3), range(3)).transpose @ rotation
+    last, *extra = last_frames(found.arm)
+    at = product.block(range(3), [3])
+    origins = (*extra, *reversed(numbered_frames(found.arm)))
+    origin = next((frame for frame in origins if equal(at, _pose(found, frame).block(range(3), [3]))), None)
+    for frame in sorted([last, *extra], key=lambda one: one != origin) if origin is not None else []:
+        turn = product.block(range(3), range(3)).transpose @ _pose(found, frame).block(range(3), range(3))
         if origin is not None and all(cell.as_fraction() is not None for row in turn.rows for cell in row):
             return Tool(frame, origin, turn)
     return None
 
 
-def equal(one: Matrix, other: Matrix) -> bool:
-    """Decide whether two matrices of one shape are equal."""
-    cells = ((x, y) for a, b in zip(one.rows, other.rows, strict=True) for x, y in zip(a, b, strict=True))
-    return all((x - y).is_zero() for x, y in cells)
+def _pose(found: TableReading, frame: str) -> Matrix:
+    return found.claim.pose(frame, numbered_frames(found.arm)[0])

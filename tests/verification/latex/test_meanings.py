@@ -1,0 +1,196 @@
+"""What names mean by where they stand: blocks of unknowns, columns of a Jacobian, frames a document adds, numbers."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from verification.verdict import DocumentResult, Record, Verdict
+
+Judge = Callable[..., Record]
+Check = Callable[..., DocumentResult]
+
+ARM: dict[str, Any] = {
+    "dh": "classic",
+    "rows": [
+        {"a": 0, "alpha": "pi/2", "d": "d_1", "theta": "theta_1"},
+        {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"},
+        {"a": "a_3", "alpha": 0, "d": 0, "theta": "theta_3"},
+    ],
+}
+PLANAR: dict[str, Any] = {
+    "dh": "classic",
+    "rows": [{"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"}, {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"}],
+}
+POINT = r"\begin{bmatrix} c_1(a_2c_2+a_3c_{23}) \\ s_1(a_2c_2+a_3c_{23}) \\ d_1%sa_2s_2+a_3s_{23} \end{bmatrix}"
+
+
+# -- matrices of unknowns ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("whole", "part"),
+    [
+        (r"\begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}", "p"),
+        (r"\begin{bmatrix} R_{3\times3} & P_{3\times1} \\ 0_{1\times3} & 1 \end{bmatrix}", "P"),
+        (r"\left[\begin{array}{c|c} \mathbf{R} & \mathbf{t} \\ \hline 0\;0\;0 & 1 \end{array}\right]", "t"),
+        (r"\begin{bmatrix} n & o & a & p \\ 0 & 0 & 0 & 1 \end{bmatrix}", "p"),
+        (r"\begin{bmatrix} {}^0R_3 & p \\ \mathbf{0}^T & 1 \end{bmatrix}", "p"),
+    ],
+)
+def test_a_block_of_a_pose_gives_its_name_a_meaning(judge: Judge, whole: str, part: str) -> None:
+    display = rf"{{}}^0T_3 = {whole}"
+    assert judge(display, arm=ARM).verdict is Verdict.DEFINED
+    assert judge(display, f"{part} = {POINT % '+'}", arm=ARM).verdict is Verdict.PROVED
+    assert judge(display, f"{part} = {POINT % '-'}", arm=ARM).verdict is Verdict.REFUTED
+
+
+def test_known_entries_among_unknown_ones_are_checked(judge: Judge) -> None:
+    cells = r"{}^0T_3 = \begin{bmatrix} r_{11} & r_{12} & %s & p_x \\ r_{21} & r_{22} & -c_1 & p_y \\ s_{23} & c_{23} & 0 & p_z \\ 0&0&0&1 \end{bmatrix}"
+    assert judge(cells % "s_1", arm=ARM).verdict is Verdict.DEFINED
+    record = judge(cells % "c_1", arm=ARM)
+    assert record.verdict is Verdict.REFUTED
+    assert [(entry.row, entry.column) for entry in record.entries] == [(1, 3)]
+    assert judge(cells % "s_1", r"r_{11} = c_1c_{23}", arm=ARM).verdict is Verdict.PROVED
+    assert judge(cells % "s_1", r"r_{11} = c_1s_{23}", arm=ARM).verdict is Verdict.REFUTED
+
+
+def test_a_wrong_entry_is_refuted_beside_one_that_is_not_bound(judge: Judge) -> None:
+    cells = r"{}^0T_1 = \begin{bmatrix} c_1 & 0 & s_1 & 0 \\ s_1 & 0 & %sc_1 & 0 \\ 0 & 1 & 0 & d_1 + 2h \\ 0&0&0&1 \end{bmatrix}"
+    assert judge(cells % "-", arm=ARM).verdict is Verdict.UNCHECKED
+    assert judge(cells % "+", arm=ARM).verdict is Verdict.REFUTED
+
+
+# -- slips that leave the arm ------------------------------------------------------------------------------------------
+
+
+def test_an_angle_that_the_arm_does_not_have_is_a_slip(judge: Judge) -> None:
+    record = judge(r"{}^1T_2 = \begin{bmatrix} c_2 & -s_2 & 0 & a_2c_2 \\ s_2 & c_5 & 0 & a_2s_2 \\ 0&0&1&0 \\ 0&0&0&1 \end{bmatrix}", arm=ARM)
+    assert record.verdict is Verdict.REFUTED
+    assert [(entry.row, entry.column) for entry in record.entries] == [(2, 2)]
+
+
+def test_a_length_that_the_arm_does_not_have_is_a_slip_where_another_fits(judge: Judge) -> None:
+    cells = r"{}^1T_2 = \begin{bmatrix} c_2 & -s_2 & 0 & %sc_2 \\ s_2 & c_2 & 0 & a_2s_2 \\ 0&0&1&0 \\ 0&0&0&1 \end{bmatrix}"
+    record = judge(cells % "a_4", arm=ARM)
+    assert record.verdict is Verdict.REFUTED
+    assert "the arm has no a_4; with a_2 the equation holds" in record.message
+    assert judge(cells % "b_4", arm=ARM).verdict is Verdict.UNCHECKED
+
+
+# -- the Jacobian and its parts ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("display", "slip"),
+    [
+        (r"J_1 = \begin{bmatrix} z_0 \times (o_3 - o_0) \\ z_0 \end{bmatrix}", ("o_3", "o_2")),
+        (r"J_2 = \begin{bmatrix} z_1 \times (p_3 - p_1) \\ z_1 \end{bmatrix}", ("p_1", "p_2")),
+        (r"J = \begin{bmatrix} z_0 \times (o_3 - o_0) & z_1 \times (o_3 - o_1) & z_2 \times (o_3 - o_2) \\ z_0 & z_1 & z_2 \end{bmatrix}", ("- o_1", "+ o_1")),
+        (r"J_{11} = -s_1(a_2c_2+a_3c_{23})", ("-s_1", "s_1")),
+        (r"J_{32} = a_2c_2+a_3c_{23}", ("c_2+", "s_2+")),
+        (r"J_{v1} = \begin{bmatrix} -s_1(a_2c_2+a_3c_{23}) \\ c_1(a_2c_2+a_3c_{23}) \\ 0 \end{bmatrix}", ("c_1(", "s_1(")),
+        (r"J_{\omega_2} = \begin{bmatrix} s_1 \\ -c_1 \\ 0 \end{bmatrix}", ("-c_1", "c_1")),
+        (r"\dot{p}_3 = J_v\,\dot{q}", ("J_v", r"J_\omega")),
+        (r"\begin{bmatrix} \dot p_x \\ \dot p_y \\ \dot p_z \end{bmatrix} = J \begin{bmatrix} \dot\theta_1 \\ \dot\theta_2 \\ \dot\theta_3 \end{bmatrix}", (r"\dot\theta_2 \\ \dot\theta_3", r"\dot\theta_3 \\ \dot\theta_2")),
+        (r"\det J = -a_2a_3s_3(a_2c_2+a_3c_{23})", ("s_3", "c_3")),
+        (r"|J| = -a_2a_3\sin\theta_3\,(a_2c_2+a_3c_{23})", ("-a_2", "a_2")),
+    ],
+)  # fmt: skip
+def test_parts_of_the_jacobian_are_told_by_their_place(judge: Judge, display: str, slip: tuple[str, str]) -> None:
+    bound = {f"p_{axis}": {"origin": 3, "component": axis} for axis in "xyz"}
+    assert judge(display, arm=ARM, quantities=bound).verdict is Verdict.PROVED
+    assert judge(display.replace(*slip), arm=ARM, quantities=bound).verdict is Verdict.REFUTED
+
+
+def test_the_determinant_is_of_the_rows_that_are_printed(judge: Judge) -> None:
+    printed = r"J = \begin{bmatrix} -a_1s_1-a_2s_{12} & -a_2s_{12} \\ a_1c_1+a_2c_{12} & a_2c_{12} \end{bmatrix}"
+    assert judge(printed, r"\det(J) = a_1a_2s_2", arm=PLANAR).verdict is Verdict.PROVED
+    assert judge(printed, r"\det(J) = a_1a_2c_2", arm=PLANAR).verdict is Verdict.REFUTED
+    inverse = r"J^{-1} = \frac{1}{a_1a_2s_2}\begin{bmatrix} a_2c_{12} & a_2s_{12} \\ -a_1c_1-a_2c_{12} & %sa_1s_1-a_2s_{12} \end{bmatrix}"
+    assert judge(printed, inverse % "-", arm=PLANAR).verdict is Verdict.PROVED
+    assert judge(printed, inverse % "", arm=PLANAR).verdict is Verdict.REFUTED
+
+
+def test_a_jacobian_of_the_front_matter_keeps_its_rows(judge: Judge) -> None:
+    record = judge(r"\det(J) = a_1a_2s_2", arm=PLANAR, quantities={"J": {"jacobian": 2}})
+    assert record.verdict is Verdict.REFUTED
+    assert "6×2" in record.message
+
+
+# -- frames and angles that a document adds ----------------------------------------------------------------------------
+
+
+def test_a_tool_frame_of_the_document_is_composed_with_the_arms(judge: Judge) -> None:
+    tool = r"{}^3_4T = \begin{bmatrix} 1&0&0&L_4 \\ 0&1&0&0 \\ 0&0&1&0 \\ 0&0&0&1 \end{bmatrix}"
+    whole = r"{}^0_4T = \begin{bmatrix} c_1c_{23} & -c_1s_{23} & s_1 & c_1(a_2c_2+(a_3+L_4)c_{23}) \\ s_1c_{23} & -s_1s_{23} & -c_1 & s_1(a_2c_2+(a_3%sL_4)c_{23}) \\ s_{23} & c_{23} & 0 & d_1+a_2s_2+(a_3+L_4)s_{23} \\ 0&0&0&1 \end{bmatrix}"
+    assert judge(tool, arm=ARM).verdict is Verdict.DEFINED
+    assert judge(tool, whole % "+", arm=ARM).verdict is Verdict.PROVED
+    record = judge(tool, whole % "-", arm=ARM)
+    assert record.verdict is Verdict.REFUTED
+    assert [(entry.row, entry.column) for entry in record.entries] == [(2, 4)]
+
+
+def test_an_angle_with_two_digits_is_their_sum_or_the_documents_own(judge: Judge) -> None:
+    assert judge(r"\theta_{23} = \theta_2 + \theta_3", arm=ARM).verdict is Verdict.PROVED
+    assert judge(r"\theta_2 = \theta_{23} - \theta_3", arm=ARM).verdict is Verdict.PROVED
+    assert judge(r"\theta_2 = \theta_{23} + \theta_3", arm=ARM).verdict is Verdict.REFUTED
+    assert judge(r"\theta_{12} = \pi - \theta_1", arm=ARM).verdict is Verdict.DEFINED  # the second solution for θ_1
+
+
+# -- numbers -----------------------------------------------------------------------------------------------------------
+
+NUMERIC = r"{}^0T_3 = \begin{bmatrix} 0.5 & -0.866 & 0 & %s \\ 0 & 0 & -1 & 0 \\ 0.866 & 0.5 & 0 & 1.573 \\ 0&0&0&1 \end{bmatrix}"
+GIVEN = (r"\theta_1 = 0, \theta_2 = 30^\circ, \theta_3 = 30^\circ", r"d_1 = 0.64, a_2 = 1, a_3 = 0.5")
+
+
+def test_a_numeric_pose_is_checked_at_the_configuration_given_before(judge: Judge) -> None:
+    assert judge(*GIVEN, NUMERIC % "1.116", arm=ARM).verdict is Verdict.CONFIRMED
+    record = judge(*GIVEN, NUMERIC % "1.161", arm=ARM)
+    assert record.verdict is Verdict.REFUTED
+    assert [(entry.row, entry.column) for entry in record.entries] == [(1, 4)]
+
+
+def test_a_numeric_pose_at_no_known_configuration_is_left_open(judge: Judge) -> None:
+    record = judge(NUMERIC % "1.116", arm=ARM)
+    assert record.verdict is Verdict.UNCHECKED
+    assert "no display before states" in record.message
+
+
+@pytest.mark.parametrize("name", [r"{}^0T_3(0, 90^\circ, 0)", r"\left. {}^0T_3 \right|_{\theta_1 = 0, \theta_2 = \pi/2, \theta_3 = 0}"])
+def test_a_pose_may_be_taken_at_a_configuration(judge: Judge, name: str) -> None:
+    cells = r"%s = \begin{bmatrix} 0&-1&0&0 \\ 0&0&-1&0 \\ 1&0&0& d_1 + a_2 %s a_3 \\ 0&0&0&1 \end{bmatrix}"
+    assert judge(cells % (name, "+"), arm=ARM).verdict is Verdict.PROVED
+    assert judge(cells % (name, "-"), arm=ARM).verdict is Verdict.REFUTED
+
+
+def test_a_constant_where_the_arm_moves_is_wrong(judge: Judge) -> None:
+    assert judge(r"z_1 = \begin{bmatrix} 0 \\ -1 \\ 0 \end{bmatrix}", arm=ARM).verdict is Verdict.REFUTED
+    assert judge(r"z_1 = \begin{bmatrix} s_1 \\ -c_1 \\ 0 \end{bmatrix}", arm=ARM).verdict is Verdict.PROVED
+
+
+# -- elementary matrices -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "name", [r"R_z(\theta)", r"R_{z,\theta}", r"\mathbf{R}_z(\theta)", r"\text{Rot}(z,\theta)", r"\operatorname{Rot}_z(\theta)", r"Rot_{z,\theta}", r"Rot(z, \theta)"]
+)  # fmt: skip
+def test_elementary_rotations_are_claims_on_any_arm(judge: Judge, name: str) -> None:
+    cells = r"%s = \begin{bmatrix} \cos\theta & %s\sin\theta & 0 \\ \sin\theta & \cos\theta & 0 \\ 0&0&1 \end{bmatrix}"
+    assert judge(cells % (name, "-"), arm=ARM).verdict is Verdict.PROVED
+    assert judge(cells % (name, ""), arm=ARM).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    "product",
+    [
+        r"Rot_{z,\theta_i}\,Trans_{z,d_i}\,Trans_{x,a_i}\,Rot_{x,\alpha_i}", r"R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)",
+        r"\mathrm{Rot}(z,\theta_i)\,\mathrm{Trans}(z,d_i)\,\mathrm{Trans}(x,a_i)\,\mathrm{Rot}(x,\alpha_i)",
+        r"\text{Rot}_{z_{i-1},\theta_i} \cdot \text{Trans}_{z_{i-1},d_i} \cdot \text{Trans}_{x_i,a_i} \cdot \text{Rot}_{x_i,\alpha_i}",
+        r"\operatorname{Rot}(z, \theta_i) \operatorname{Trans}(0,0,d_i) \operatorname{Trans}(a_i,0,0) \operatorname{Rot}(x,\alpha_i)",
+    ],
+)  # fmt: skip
+def test_the_general_link_matrix_is_a_product_of_elementary_ones(judge: Judge, product: str) -> None:
+    cells = r"\begin{bmatrix} c\theta_i & -s\theta_ic\alpha_i & s\theta_is\alpha_i & a_ic\theta_i \\ s\theta_i & c\theta_ic\alpha_i & %sc\theta_is\alpha_i & a_is\theta_i \\ 0 & s\alpha_i & c\alpha_i & d_i \\ 0&0&0&1 \end{bmatrix}"
+    assert judge(rf"A_i = {product} = {cells % '-'}", arm=ARM).verdict is Verdict.PROVED
+    assert judge(rf"A_i = {product} = {cells % ''}", arm=ARM).verdict is Verdict.REFUTED

@@ -1,0 +1,101 @@
+"""The reader says where and at which token it gives up; nothing is executed, nothing hangs."""
+
+import time
+from collections.abc import Callable
+
+import pytest
+
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.latex.reader import Reader, key_as_latex
+from verification.verdict import Record, Verdict
+
+Judge = Callable[..., Record]
+
+
+def read(latex: str) -> list[n.Statement]:
+    return Reader().read(latex)
+
+
+@pytest.mark.parametrize(
+    ("latex", "offset", "message"),
+    [
+        (r"a + = b", 4, "unexpected '='; expected"),
+        (r"(a + b", 6, "the display ends too early; expected"),
+        (r"a + b)", 5, r"unexpected '\)'"),
+        (r"\begin{bmatrix} 1 & 2", 21, "the display ends too early"),
+        (r"x = \begin{bmatrix} 1 \end{pmatrix}", 22, r"'\\begin\{bmatrix\}' is closed by '\\end\{pmatrix\}'"),
+        (r"x = \begin{tikzpicture} 1 \end{tikzpicture}", 4, "environment 'tikzpicture' is not read; those that are:"),
+        (r"x = \input{/etc/passwd}", 4, r"'\\input' is not a command of kinematic LaTeX"),
+        (r"x = \write18{ls}", 4, r"'\\write' is not a command"),
+        (r"x = {a", 6, "the display ends too early; expected '}'"),
+        (r"x_", 1, "'_' at the end of the display has no script"),
+        (r"x = \cos", 4, r"'\\cos' has no argument"),
+        (r"x = \sqrt[3]{a}", 4, "only square roots are read"),
+        (r"x = a^{99}", 5, "the exponent 99 is larger than 24"),
+        (r"x = \frac{}{2}", 9, "an argument is empty"),
+        (r"x == y", 3, "two relations in a row at '='"),
+        (r"\begin{bmatrix} a & \\ 1 & 2 \end{bmatrix}", 0, "a cell of a matrix is empty: write 0 where a zero is meant"),
+    ],
+)
+def test_an_error_names_the_place_and_the_token(latex: str, offset: int, message: str) -> None:
+    with pytest.raises(ReadError, match=message) as caught:
+        read(latex)
+    assert abs(caught.value.offset - offset) <= 1
+
+
+def test_a_place_is_told_by_line_and_column(judge: Judge) -> None:
+    record = judge("\\begin{aligned}\nx &= 1 \\\\\ny &= \\foo\n\\end{aligned}")
+    assert record.verdict is Verdict.UNREADABLE
+    assert record.message.startswith("line 4, column 6 of the display: '\\foo' is not a command")
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        "__import__('os').system('true')", "x = " + "{" * 10_000 + "1" + "}" * 10_000, "x = " + "(" * 5_000, "a+" * 40_000 + "a", "x = " + "9" * 5_000,
+        "\\left(" * 500, "\\frac{1}" * 200, "^" * 1000, "\\begin{bmatrix}" * 100, "x" + "'" * 2000, "{}^0" * 300, "\x00\x01", "x = {^{^{^{^a}}}}T",
+    ],
+)  # fmt: skip
+def test_hostile_displays_end_quickly_and_without_a_traceback(judge: Judge, latex: str) -> None:
+    started = time.perf_counter()
+    assert judge(latex).verdict in (Verdict.UNREADABLE, Verdict.UNCHECKED, Verdict.DEFINED)
+    assert time.perf_counter() - started < 2.0
+
+
+@pytest.mark.parametrize(
+    ("latex", "key"),
+    [
+        (r"{}^0T_1", "{}^0T_1"), (r"{}^{0}_{1}T", "{}^0_1T"), (r"T^0_1", "T_1^0"), (r"J'_P", "J'_P"), (r"J_{\omega}", "J_omega"), (r"P_{0,G}^0", "P_0,G^0"),
+        (r"\dot{q}_1", "dot q_1"), (r"\mathbf{J}_v", "J_v"), (r"\vec{p}_3", "p_3"), (r"p_{x}", "p_x"), (r"{}^0P_{3ORG}", "{}^0P_3ORG"), (r"\bm{R}_{3\times 3}", "R"),
+        (r"\theta_1^*", "theta_1"), (r"\varphi", "phi"), (r"\ell_2", "l_2"), (r"T_{\text{tool}}", "T_tool"), (r"{\bf z}_0", "z_0"), (r"z_{n-1}", "z_n-1"),
+    ],
+)  # fmt: skip
+def test_a_name_has_one_key_in_every_style(latex: str, key: str) -> None:
+    node = Reader().read_expression(latex)
+    assert isinstance(node, n.Name)
+    assert node.key == key
+
+
+@pytest.mark.parametrize(
+    ("key", "latex"),
+    [("theta_12", r"\theta_{12}"), ("T_w^tool", "T_w^{tool}"), ("J'_P", "J'_P"), ("{}^0P_{1,G}", "{}^0P_{1,G}"), ("{}^0P", "{}^0P"), ("p_x", "p_x")],
+)
+def test_a_front_matter_name_is_written_as_latex(key: str, latex: str) -> None:
+    assert key_as_latex(key) == latex
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict", "message"),
+    [
+        (r"c_2 = 2a_1c_2/2a_1", Verdict.PROVED, "all that follows the slash taken as the denominator"),
+        (r"c_2s_2 = 2c_2/2 s_2", Verdict.PROVED, "the slash dividing by the next factor alone"),
+        (r"c_1 = s_1/2a_1", Verdict.REFUTED, "is s_1/2a_1, should be c_1"),
+    ],
+)
+def test_a_slash_before_a_product_has_two_readings_and_the_message_names_the_choice(
+    judge: Judge, latex: str, verdict: Verdict, message: str
+) -> None:
+    record = judge(latex)
+    assert record.verdict is verdict
+    assert message in record.message

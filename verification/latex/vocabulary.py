@@ -1,0 +1,87 @@
+"""The vocabulary of kinematic LaTeX: letters, functions in all their spellings, relations, words, environments, styles."""
+
+from __future__ import annotations
+
+GREEK = (
+    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi rho sigma tau "
+    "upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega ell"
+).split()
+VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon", "ell": "l"}
+
+UNICODE = {
+    "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
+    "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
+    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ",
+    "α": r"\alpha ", "β": r"\beta ", "γ": r"\gamma ", "θ": r"\theta ", "ϑ": r"\theta ", "φ": r"\phi ", "ϕ": r"\phi ",
+    "ψ": r"\psi ", "π": r"\pi ", "ω": r"\omega ", "σ": r"\sigma ", "λ": r"\lambda ", "μ": r"\mu ", "ρ": r"\rho ",
+    "τ": r"\tau ", "δ": r"\delta ", "\u00a0": " ",
+}  # fmt: skip
+
+# how the functions of kinematics are spelt: the spelling → the function
+FUNCTIONS = {
+    "cos": "cos", "sin": "sin", "tan": "tan", "cot": "cot", "sec": "sec", "csc": "csc",
+    "arccos": "acos", "acos": "acos", "arcsin": "asin", "asin": "asin", "arctan": "atan", "atan": "atan",
+    "Arccos": "acos", "Arcsin": "asin", "Arctan": "atan", "Acos": "acos", "Asin": "asin", "Atan": "atan", "ArcTan": "atan",
+    "ArcCos": "acos", "ArcSin": "asin", "ATAN": "atan", "ACOS": "acos", "COS": "cos", "SIN": "sin", "arcos": "acos",
+    "arcsen": "asin", "arctang": "atan", "Cos": "cos", "Sin": "sin", "Tan": "tan",
+    "atan2": "atan2", "Atan2": "atan2", "ATAN2": "atan2", "arctan2": "atan2", "Arctan2": "atan2", "arctg": "atan",
+    "tg": "tan", "sen": "sin",
+    "det": "det", "Det": "det", "DET": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
+    "cof": "com", "tr": "tr", "Tr": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
+    "diag": "diag", "exp": "exp", "ln": "ln", "log": "log", "sgn": "sgn", "sign": "sgn", "sinh": "sinh", "cosh": "cosh",
+    "tanh": "tanh", "min": "min", "max": "max", "lim": "lim",
+}  # fmt: skip
+# bare letters are a product unless they spell one of these
+BARE_WORDS = sorted((set(FUNCTIONS) - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot", "ln", "min", "max", "lim", "exp", "log", "sgn"}), key=len, reverse=True)
+BARE_GREEK = ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma")
+
+RELATIONS = {
+    "=": "=", "equiv": "=", "triangleq": "=", "coloneqq": "=", ":=": "=", "approx": "≈", "simeq": "≈",
+    "leq": "≤", "le": "≤", "leqslant": "≤", "geq": "≥", "ge": "≥", "geqslant": "≥", "<": "<", ">": ">",
+    "neq": "≠", "ne": "≠", "in": "∈", "notin": "∉", "lt": "<", "gt": ">", "subset": "⊂", "propto": "∝",
+}  # fmt: skip
+CONNECTIVES = {
+    "Rightarrow": "⇒", "implies": "⇒", "Longrightarrow": "⇒", "to": "⇒", "rightarrow": "⇒", "longrightarrow": "⇒",
+    "iff": "⇔", "Leftrightarrow": "⇔", "Longleftrightarrow": "⇔", "Leftarrow": "⇐", "therefore": "⇒",
+    "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒",
+}  # fmt: skip
+
+# units behind a number, which the reader leaves out; True where the number is in degrees
+UNITS = {"mm": False, "cm": False, "m": False, "rad": False, "rads": False, "radians": False, "s": False, "rad/s": False,
+         "m/s": False, "meters": False, "deg": True, "degrees": True, "°": True}  # fmt: skip
+
+MATRICES = {"matrix", "bmatrix", "pmatrix", "vmatrix", "Vmatrix", "Bmatrix", "smallmatrix", "array", "bsmallmatrix",
+            "psmallmatrix"}  # fmt: skip
+LAYOUTS = {"aligned", "align", "split", "gather", "gathered", "alignat", "alignedat", "eqnarray", "multline",
+           "cases", "dcases", "rcases", "flalign"}  # fmt: skip
+TRANSPARENT = {"equation", "displaymath", "math", "subequations", "small", "footnotesize", "center"}
+
+STYLES = (
+    "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
+    "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
+    "ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
+)
+SPACES = (
+    r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hfill|noindent|"
+    r"normalsize|small|footnotesize|scriptsize|tiny|large|Large|centering|allowbreak|"
+    r"thinspace|medspace|thickspace|negthinspace|middle|[bB]igg?[lrm]?|toprule|midrule|bottomrule|strut|relax|null"
+)
+
+# single characters and commands → the kind of token
+CHARACTERS = {
+    "+": "PLUS", "-": "MINUS", "/": "SLASH", "(": "LPAR", "[": "LPAR", ")": "RPAR", "]": "RPAR", "{": "LBRACE",
+    "}": "RBRACE", "&": "AMP", ",": "COMMA", ";": "SEP", ":": "SEP", "=": "REL", "<": "REL", ">": "REL", "'": "PRIME",
+    ".": "DOT", "*": "STAR",
+}  # fmt: skip
+COMMANDS = {
+    "pm": "PM", "mp": "PM", "cdot": "CDOT", "times": "TIMES", "wedge": "TIMES", "ast": "CDOT", "star": "CDOT",
+    "bullet": "CDOT", "circ": "CDOT", "div": "SLASH", "frac": "FRAC", "dfrac": "FRAC", "tfrac": "FRAC", "cfrac": "FRAC",
+    "sqrt": "SQRT", "partial": "PARTIAL", "dots": "DOTS", "ldots": "DOTS", "cdots": "DOTS", "vdots": "DOTS",
+    "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "dotsm": "DOTS", "prod": "DOTS", "sum": "DOTS", "int": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
+    "overset": "OVERSET", "underset": "OVERSET", "stackrel": "OVERSET",
+    "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "colon": "SEP",
+    "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",
+    "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "lVert": "OPEN_BAR", "rVert": "CLOSE_BAR", "because": "TEXT", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
+    "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
+}  # fmt: skip
+PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}

@@ -1,0 +1,78 @@
+"""Angles of a table: in radians or degrees, and from a cosine and sine back to an expression."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from fractions import Fraction
+
+from verification.matrix import Matrix
+from verification.trig import Ring, Scalar
+
+Angle = tuple[Scalar, Scalar]  # the cosine and the sine
+
+
+def rational_part(value: Scalar) -> Fraction:
+    """Return the constant term of a value: 90 in θ_2 − 90."""
+    if not value.denominator.is_one():
+        return Fraction(0)
+    return next((coefficient for powers, coefficient in value.ring.terms(value.numerator) if not powers), Fraction(0))
+
+
+def in_radians(value: Scalar) -> Scalar:
+    """Return a value whose constant term is in degrees with that term in radians."""
+    degrees, ring = rational_part(value), value.ring
+    return value - degrees + ring.rational(degrees / 180) * ring.generator(("pi", ""))
+
+
+def to_radians(value: Scalar, unit: str) -> tuple[Scalar, str]:
+    """Return an angle in radians, and a note where its constant is taken to be in degrees without the header saying so."""
+    constant = rational_part(value)
+    if unit == "deg":
+        return in_radians(value), ""
+    if not constant or unit == "rad" or constant % 15 or abs(constant) > 360:
+        return value, ""
+    return in_radians(value), f"the angle {constant} is read in degrees"
+
+
+def within_a_turn(angle: Scalar, more: Fraction) -> Scalar:
+    """Return an angle and `more` half turns, its multiple of π brought into (−1, 1]."""
+    terms = angle.ring.terms(angle.numerator) if angle.denominator.is_one() else ()
+    printed = next((coefficient for powers, coefficient in terms if powers == {("pi", ""): 1}), Fraction(0))
+    wanted = 1 - (1 - printed - more) % 2
+    return angle + angle.ring.generator(("pi", "")) * angle.ring.rational(wanted - printed)
+
+
+def constant_angle(ring: Ring, name: str) -> Scalar:
+    """Return a constant angle of the trace, "2*pi/5" or "0.3" (rad)."""
+    times, is_pi, parts = re.fullmatch(r"([\d.e+-]*)\*?(pi)?/?(\d*)", name).groups()  # type: ignore[union-attr]
+    size = ring.rational(Fraction(times or 1) / int(parts or 1))
+    return size * ring.generator(("pi", "")) if is_pi else size
+
+
+def angle_as_scalar(ring: Ring, angle: Angle, bases: Iterable[Scalar]) -> Scalar | None:
+    """Return an angle of known cosine and sine as ±base + k·π/12 (k·π/2 where that will do), or None."""
+    pi = ring.generator(("pi", ""))
+    signed = [ring.zero, *(sign * base for base in bases for sign in (1, -1))]
+    for step in (Fraction(1, 2), Fraction(1, 12)):
+        turns = [step * k for k in sorted(range(int(-1 / step) + 1, int(1 / step) + 1), key=abs)]
+        for base in signed:
+            cosine, sine = ring.cos_sin(base)
+            # what is left of the angle must be a constant: cos(angle − base), sin(angle − base)
+            left = (angle[0] * cosine + angle[1] * sine, angle[1] * cosine - angle[0] * sine)
+            if step == Fraction(1, 2) and left[0].as_fraction() is None:
+                continue
+            for turn in turns:
+                made = ring.cos_sin(pi * ring.rational(turn))
+                if (left[0] - made[0]).is_zero() and (left[1] - made[1]).is_zero():
+                    return base + pi * ring.rational(turn)
+    return None
+
+
+def roll_pitch_yaw(roll: Angle, pitch: Angle, yaw: Angle) -> Matrix:
+    """Return Rz(yaw) Ry(pitch) Rx(roll), 3×3, of angles about fixed axes, as a URDF has them."""
+    (cr, sr), (cp, sp), (cy, sy) = roll, pitch, yaw
+    zero, one = cr.ring.zero, cr.ring.one
+    Rz = Matrix(((cy, -sy, zero), (sy, cy, zero), (zero, zero, one)))
+    Ry = Matrix(((cp, zero, sp), (zero, one, zero), (-sp, zero, cp)))
+    return Rz @ Ry @ Matrix(((one, zero, zero), (zero, cr, -sr), (zero, sr, cr)))

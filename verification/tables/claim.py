@@ -1,0 +1,72 @@
+"""What a DH table claims of an arm: its rows, each with the frames that it is about, and what became of each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from models.arm import Arm
+from verification.algebras import ExactAlgebra
+from verification.matrix import Matrix
+from verification.names import Names
+from verification.quantities import Quantity
+from verification.tables.cells import Cell
+from verification.tables.columns import Columns
+from verification.tables.frames import Frames
+from verification.tables.row import PARAMETERS, RightRow
+from verification.trig import Scalar
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of the body: its number from 1, its frames (None: the arm has none for it), its cells by column."""
+
+    number: int
+    frames: Frames | None
+    cells: Mapping[int, Cell]
+
+
+@dataclass
+class RowVerdict:
+    """What became of a row. `values` are the printed ones, `right` what the frames call for (None: no DH frames)."""
+
+    row: Row
+    right: RightRow | None = None
+    values: dict[str, Scalar] = field(default_factory=dict)
+    wrong: list[str] = field(default_factory=list)
+    problems: dict[str, str] = field(default_factory=dict)  # parameter → why it has no value
+    unbound: dict[str, str] = field(default_factory=dict)  # parameter → the one name that the cell consists of
+
+    @property
+    def holds(self) -> bool:
+        """Whether the row is the one that the frames call for."""
+        if self.row.frames is None:
+            return self.is_identity
+        return self.right is not None and not self.wrong and not self.problems
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether nothing but zeros stands in the row."""
+        return len(self.values) == len(PARAMETERS) and all(value.is_zero() for value in self.values.values())
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A table's claim about an arm. `lengths`: values for the arm's lengths, where the table gives them in numbers."""
+
+    names: Names
+    arm: Arm
+    algebra: ExactAlgebra
+    columns: Columns
+    rows: tuple[Row, ...]
+    lengths: Mapping[str, Scalar] = field(default_factory=dict)
+
+    def pose(self, frame: str, reference: str) -> Matrix:
+        """Return the arm's pose {}^{reference}T_{frame}."""
+        pose: Matrix = self.algebra.quantity(Quantity("pose", frame, reference))
+        return self.algebra.substitute(pose, self.lengths) if self.lengths else pose
+
+    def joint_symbol(self, row: Row) -> str | None:
+        """Return the variable of a row's joint."""
+        joint = row.frames.joint if row.frames is not None else None
+        return self.arm.joints[joint - 1].symbol if joint is not None else None

@@ -1,0 +1,129 @@
+"""The wrong entries of a DH table, each with the correct one and what is wrong with it in words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from verification.errors import EvaluationError
+from verification.latex.reader import key_as_latex
+from verification.tables.cells import read_kind
+from verification.tables.claim import Row, RowVerdict
+from verification.tables.columns import plain
+from verification.tables.faults import Fault, letter
+from verification.tables.notation import Notation
+from verification.tables.reading import TableReading
+from verification.tables.row import ANGLES, SCALES
+from verification.tables.words import change_of_angle, change_of_length, letter_of, symbols_of
+from verification.trig import Scalar
+from verification.verdict import WrongEntry
+
+_DEGREE_SIGN = re.compile(r"\^\s*\{?\s*\\circ\s*\}?|°|\\degree")
+_PLAIN_DEGREES = re.compile(r"(?<![\d.{_])(?:15|30|45|60|75|90|120|135|150|180|270)(?![\d.}])")
+
+
+class WrongEntries:
+    """Finds the wrong entries of a table under the reading that fits it best."""
+
+    def __init__(self, found: TableReading, texts: tuple[tuple[str, ...], ...]) -> None:
+        self.found, self.texts = found, texts
+        self.columns = found.claim.columns
+        self.notation = Notation(found.claim.names, (cell for row in found.rows for cell in row.cells.values()))
+
+    def of_rows(self) -> Iterator[Fault]:
+        """Yield what is wrong row by row."""
+        for verdict in self.found.verdicts:
+            number, frames = verdict.row.number, verdict.row.frames
+            if frames is not None and verdict.right is None:
+                pair = f"frames {frames.reference} and {frames.frame} of the arm"
+                yield Fault(f"row {number}: {pair} are not {self.found.convention} DH frames")
+            for parameter in verdict.wrong:
+                yield self.wrong_entry(verdict, parameter, self.found.right_value(verdict, parameter))
+
+    def of_kinds(self) -> Iterator[Fault]:
+        """Yield wrong kinds of joints (σ_i, R or P) and variables, where the table has columns for them."""
+        kind, variable = self.columns.first("sigma"), self.columns.first("q")
+        for row in self.found.rows:
+            if row.frames is not None and row.frames.joint is not None:
+                if kind is not None:
+                    yield from self._wrong_kind(row, row.frames.joint, kind)
+                if variable is not None and variable != self.found.reading.theta:
+                    yield from self._wrong_variable(row, row.frames.joint, variable)
+
+    def wrong_entry(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> Fault:
+        """Return a wrong entry with its correct value and what is wrong with it."""
+        column = self.found.reading.columns[parameter]
+        cell, number = verdict.row.cells[column], verdict.row.number
+        correct = self._correct(right, parameter, column)
+        change = self._change(verdict, parameter, right)
+        said = f"row {number}: {letter(self.found, parameter)} is {cell.text or 'empty'}, should be {correct}"
+        entry = WrongEntry(1, number, column + 1, cell.text, correct, change)
+        return Fault(said + (f": {change}" if change else ""), (entry,))
+
+    def _correct(self, right: Scalar | None, parameter: str, column: int) -> str:
+        if right is None:
+            return "another angle"
+        if parameter in ANGLES:
+            return self.notation.value(right, self._degree_sign(column))
+        scale = SCALES.get(self.columns.headers[column].unit, 1)
+        return self.notation.value(right / scale if right.as_fraction() is not None else right)
+
+    def _degree_sign(self, column: int) -> str | None:
+        """The sign after a number of degrees in a column of angles; None where its angles are in radians."""
+        texts = " ".join(row.cells[column].text for row in self.found.rows)
+        if sign := _DEGREE_SIGN.search(texts):
+            return sign.group().strip()
+        unit = self.columns.headers[column].unit
+        if "\\pi" in texts or "π" in texts or unit == "rad":
+            return None
+        return "" if unit == "deg" or _PLAIN_DEGREES.search(texts) else None
+
+    # -- in words ----------------------------------------------------------------------------------------------------
+
+    def _change(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> str:
+        printed = verdict.values.get(parameter)
+        if printed is None:
+            return self._change_of_name(verdict, parameter, right)
+        if swapped := self._swapped_with(verdict, parameter, printed):
+            return f"{letter(self.found, parameter)} and {letter(self.found, swapped)} are swapped"
+        try:
+            change = change_of_angle if parameter in ANGLES else change_of_length
+            return change(printed, right) if right is not None else ""
+        except EvaluationError:
+            return ""
+
+    def _change_of_name(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> str:
+        name = verdict.unbound[parameter]
+        same = right is not None and any(letter_of(symbol) == letter_of(name) for symbol in symbols_of(right))
+        return f"the index: the arm has no {key_as_latex(name)}" if same else verdict.problems[parameter]
+
+    def _swapped_with(self, verdict: RowVerdict, parameter: str, printed: Scalar) -> str | None:
+        """The other entry of the row, where two stand in each other's place."""
+        right, values = verdict.right, verdict.values
+        for other in verdict.wrong:
+            if right is None or other == parameter or other not in values:
+                continue
+            if right.agrees(other, printed) and right.agrees(parameter, values[other]):
+                return other
+        return None
+
+    # -- other columns -----------------------------------------------------------------------------------------------
+
+    def _wrong_kind(self, row: Row, joint: int, column: int) -> Iterator[Fault]:
+        text, kind = self.texts[row.number - 1][column], self.found.arm.joints[joint - 1].kind
+        printed, said = plain(text), read_kind(text)
+        if said and said != kind:
+            number, initial = str(int(kind == "prismatic")), kind[0].upper()
+            correct = number if printed in "01" else initial if len(printed) == 1 else kind
+            entry = WrongEntry(1, row.number, column + 1, text, correct, f"the joint is {kind}")
+            yield Fault(f"row {row.number}: the joint is {kind}, not {said}", (entry,))
+
+    def _wrong_variable(self, row: Row, joint: int, column: int) -> Iterator[Fault]:
+        cell, arm = row.cells.get(column), self.found.arm
+        if cell is None or cell.name is None:
+            return
+        symbol, own = self.found.claim.names.known_symbol(cell.name.key), arm.joints[joint - 1].symbol
+        if symbol != own and symbol in {other.symbol for other in arm.joints}:
+            correct = self.notation.symbol(own)
+            entry = WrongEntry(1, row.number, column + 1, cell.text, correct, "the variable of another joint")
+            yield Fault(f"row {row.number}: the variable is {cell.text}, should be {correct}", (entry,))
