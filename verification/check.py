@@ -120,6 +120,7 @@ class DocumentChecker:
         if not display.closed:
             return replace(record, message="the display opened by $$ never ends")
         self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+        self.names.section = display.section
         try:
             if (table := check_array_table(self.checker, display)) is not None:
                 return table

@@ -103,7 +103,12 @@ def _never_zero(checker: ChainChecker, denominator: Any) -> bool:
         return False
     arm = checker.names.arm
     lengths = set(arm.lengths) if arm is not None else set()
-    return all(kind == "sqrt" or (kind == "symbol" and (name in lengths or arm is None)) for kind, name in terms[0][0])
+    return all(kind == "sqrt" or (kind == "symbol" and (name in lengths or (arm is None and _reads_as_length(name)))) for kind, name in terms[0][0])
+
+
+def _reads_as_length(name: str) -> bool:
+    """Whether a letter of a document with no arm is a link's length: l, l_1, a_2, d_i."""
+    return name[:1] in ("l", "L") or name[:2] in ("a_", "d_")
 
 
 def counterexample(checker: ChainChecker, f: Scalar, g: Scalar) -> dict[str, float] | None:

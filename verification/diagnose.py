@@ -286,7 +286,7 @@ class Diagnostician:
         for member in (outcome.true, outcome.printed):
             for below in n.walk(member.node):
                 symbol = self.names.known_symbol(below.key) if isinstance(below, n.Name) else None
-                if symbol is None and isinstance(below, n.Name) and self._is_free_symbol(below):
+                if symbol is None and isinstance(below, n.Name) and not depends and self._is_free_symbol(below):
                     symbol = below.key
                 if symbol is not None:
                     values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))

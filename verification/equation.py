@@ -29,7 +29,7 @@ from verification.jacobian_parts import jacobian_name, jacobian_rows, part_of_ja
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.names import Names, call_key
-from verification.numbers import FEW, coarsest_decimals, compare_numbers, depends_on_joints, is_numeric
+from verification.numbers import FEW, coarsest_decimals, compare_numbers, depends_on_joints, finest_decimals, is_numeric
 from verification.quantities import Quantity
 from verification.trig import AngleFraction, Scalar
 from verification.verdict import Verdict
@@ -83,6 +83,8 @@ class ChainChecker:
     def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
         """Return one outcome an equation, numbered from `first_equation`."""
         branches = has_branches(chain)
+        if define:
+            self._renew_letter(chain)
         self._choose_square_rows(chain)
         new = self._new_name(chain)
         self._fresh = self._new_letters(chain)
@@ -153,6 +155,20 @@ class ChainChecker:
                     return outcomes
                 fitting = fitting or outcomes
         return fitting
+
+    def _renew_letter(self, chain: n.Chain) -> None:
+        """A scalar letter that an earlier section defined may be defined anew: K, A, β mean something else there."""
+        key = bare_key(chain.members[0])
+        definition = self.names.definitions.get(key) if key is not None and self.names.arm is not None else None
+        if definition is None or len(chain.members) < 2 or definition.by_place or definition.section == self.names.section:
+            return
+        if any(isinstance(below, n.Name) and below.key == key for below in n.walk(chain.members[1])):
+            return
+        before, now = self.member(chain.members[0]), self.member(chain.members[1])
+        if not (before.known and now.known and isinstance(before.value, Scalar) and isinstance(now.value, Scalar)):
+            return
+        if self._compare(before, now, 0, has_branches(chain)).verdict is Verdict.REFUTED:
+            del self.names.definitions[str(key)]
 
     def _adopts_letters(self, members: list[Member]) -> bool:
         """The letters of the transform to a frame that the document adds (a tool of length L_3) become free symbols."""
@@ -331,8 +347,10 @@ class ChainChecker:
 
     def _leaves_rounding(self, outcome: Outcome, decimals: int) -> bool:
         """Whether a wrong entry may be wrong by rounding: 0.334 for 0.333 is not, the decimals printed hold 0.333 exactly."""
+        assert outcome.true is not None and outcome.printed is not None
         if outcome.pair is None:
             return True
+        decimals = max(decimals, finest_decimals((outcome.true.node, outcome.printed.node)))
         true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
         for difference in (true[r][c] - printed[r][c] for r, c in outcome.wrong):
             roots = any(kind == "sqrt" for powers, _ in difference.ring.terms(difference.numerator) for kind, _ in powers)
@@ -655,7 +673,7 @@ class ChainChecker:
             else:
                 first[key] = block.of(value)
                 if define:
-                    self.names.define(key, _getter(self, true.node, block), line)
+                    self.names.define(key, _getter(self, true.node, block), line, by_place=True)
         if wrong:
             pair = Pair(value, value) if len(blocks) == len(value.rows) * len(value.rows[0]) else None
             return Outcome(Verdict.REFUTED, "" if pair else "a block differs", equation, true, member, pair, wrong)

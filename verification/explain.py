@@ -83,7 +83,9 @@ def _candidates(checker: ChainChecker, outcome: Outcome) -> Iterator[tuple[str, 
     pair = outcome.pair
     assert pair is not None and outcome.true is not None
     true = pair.true
-    quantity = checker.quantity_of(outcome.true.node)
+    node = outcome.true.node
+    general = isinstance(node, n.Name) and node.base == "link"
+    quantity = Quantity("link", node.sub) if general else checker.quantity_of(node)  # type: ignore[attr-defined]
     if quantity is not None and quantity.kind in ("pose", "rotation"):
         yield _inverse(checker, quantity, outcome.true.node)
     if true.shape[0] == true.shape[1] > 1:
@@ -100,7 +102,12 @@ def _candidates(checker: ChainChecker, outcome: Outcome) -> Iterator[tuple[str, 
         yield from _jacobians(checker, quantity, pair.true_rows)
     elif quantity.kind == "link":
         other = "classic" if quantity.frame == "modified" else "modified"
-        yield f"this is the {other} link matrix, the {quantity.frame} one is meant", link_matrix(checker.exact, other)
+        exact = checker.exact
+        here, there = ("i-1", "i") if quantity.frame == "modified" else ("i", "i-1")
+        renamed = {f"{letter}_{there}": exact.symbol(f"{letter}_{here}") for letter in ("a", "alpha")}
+        words = f"this is the {other} link matrix, the {quantity.frame} one is meant"
+        for matrix in (link_matrix(exact, other), exact.substitute(link_matrix(exact, other), renamed)):
+            yield words, matrix
     elif quantity.kind in ("origin", "axis"):
         yield from _vectors(checker, quantity)
 

@@ -25,6 +25,8 @@ class Definition:
 
     evaluate: Callable[[Any], Value]
     line: int = 0
+    section: str = ""
+    by_place: bool = False  # the entry or block of a matrix, not an equation of its own
 
 
 @dataclass
@@ -42,6 +44,7 @@ class Names:
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)  # a frame the document adds: (on which of the arm's, name)
     configuration: dict[str, float] = field(default_factory=dict)  # joint variables and lengths that displays gave a value
     adopted: set[str] = field(default_factory=set)  # letters that only a frame the document adds brings in: a tool's length
+    section: str = ""  # the heading under which the display stands that is being checked
     rounded: dict[str, int] = field(default_factory=dict)  # names made of rounded numbers: to how many decimals
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
 
@@ -134,9 +137,9 @@ class Names:
         """Whether a letter that could be free has not been used or defined: one side of an equation may define it."""
         return self.is_free(name) and name.key not in self.used and name.key not in self.definitions
 
-    def define(self, key: str, evaluate: Callable[[Algebra], Value], line: int = 0) -> None:
+    def define(self, key: str, evaluate: Callable[[Algebra], Value], line: int = 0, *, by_place: bool = False) -> None:
         """Give a name its meaning, unless it has one."""
-        self.definitions.setdefault(key, Definition(evaluate, line))
+        self.definitions.setdefault(key, Definition(evaluate, line, self.section, by_place))
 
 
 def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:

@@ -81,6 +81,11 @@ def coarsest_decimals(nodes: Iterable[n.Node], rounded: Mapping[str, int]) -> in
     return min((count for count in places if count >= 3), default=None)
 
 
+def finest_decimals(nodes: Iterable[n.Node]) -> int:
+    """Return the most decimals of the numbers in these trees, 0 without."""
+    return max((_places(b) for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and "." in b.text), default=0)
+
+
 def _places(number: n.Number) -> int:
     return -int(Decimal(number.text.replace("{,}", ".")).as_tuple().exponent)
 

@@ -35,11 +35,11 @@ def passes(result: DocumentResult, strict: bool) -> bool:
 
 
 def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
-    """Return the displays and the DH tables of a document as they stand in it, each with what it is ("" for a display).
+    """Return the displays and the tables of a document as they stand in it, each with what it is ("" for a display).
 
     Only a notebook's lines count within their cells: elsewhere `cell` is None.
     """
-    records = [(record, "") for record in result.equations] + [(record, "DH table") for record in result.tables]
+    records = [(record, "") for record in result.equations] + [(record, "table") for record in result.tables]
     if not result.path.endswith(".ipynb"):
         records = [(replace(record, cell=None), kind) for record, kind in records]
     return sorted(records, key=lambda item: (-1 if item[0].cell is None else item[0].cell, item[0].line))
@@ -52,7 +52,7 @@ def describe_total(results: Sequence[DocumentResult | Failure], *, strict: bool 
     tables = [record for document in documents for record in document.tables]
     lines = []
     if documents:
-        of_tables = f"; {_tally(tables, 'DH table')}" if tables else ""
+        of_tables = f"; {_tally(tables, 'table')}" if tables else ""
         lines.append(f"{_count(len(documents), 'document')}, {_tally(records, 'display')}{of_tables}")
     errors = [record.max_error for record in (*records, *tables) if record.max_error is not None and record.samples]
     if errors:
@@ -85,7 +85,7 @@ def describe_entry(entry: WrongEntry, record: Record) -> str:
 
 def _describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
     passed = passes(result, strict)
-    tables = f"; {_tally(result.tables, 'DH table')}" if result.tables else ""
+    tables = f"; {_tally(result.tables, 'table')}" if result.tables else ""
     arm = f" ({result.arm})" if result.arm else ""
     yield (
         ("passes " if passed else "FAILS  ", GOOD if passed else BAD),

@@ -5,10 +5,9 @@ from typing import Any
 
 import pytest
 
-from verification.verdict import DocumentResult, Record, Verdict
+from verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
-Check = Callable[..., DocumentResult]
 
 ARM: dict[str, Any] = {
     "dh": "classic",

@@ -1,14 +1,16 @@
 """What names mean by where they stand: blocks of unknowns, columns of a Jacobian, frames a document adds, numbers."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from verification.verdict import DocumentResult, Record, Verdict
+from verification.check import check_document
+from verification.document import Display, Document
+from verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
-Check = Callable[..., DocumentResult]
 
 ARM: dict[str, Any] = {
     "dh": "classic",
@@ -194,3 +196,26 @@ def test_the_general_link_matrix_is_a_product_of_elementary_ones(judge: Judge, p
     cells = r"\begin{bmatrix} c\theta_i & -s\theta_ic\alpha_i & s\theta_is\alpha_i & a_ic\theta_i \\ s\theta_i & c\theta_ic\alpha_i & %sc\theta_is\alpha_i & a_is\theta_i \\ 0 & s\alpha_i & c\alpha_i & d_i \\ 0&0&0&1 \end{bmatrix}"
     assert judge(rf"A_i = {product} = {cells % '-'}", arm=ARM).verdict is Verdict.PROVED
     assert judge(rf"A_i = {product} = {cells % ''}", arm=ARM).verdict is Verdict.REFUTED
+
+
+# -- letters that are defined anew -------------------------------------------------------------------------------------
+
+
+def write_sections(*displays: str) -> Document:
+    """Return a document in which each display stands under a heading of its own."""
+    found = [Display(line, latex, section=f"section {line}") for line, latex in enumerate(displays, 1)]
+    return Document(Path("page.md"), {"arm": ARM}, tuple(found), ())
+
+
+def test_a_letter_may_mean_something_else_in_another_section() -> None:
+    anew = check_document(write_sections(r"K = a_2c_2", r"K = a_3c_3", r"2K = 2a_3c_3"))
+    assert [record.verdict for record in anew.equations] == [Verdict.DEFINED, Verdict.DEFINED, Verdict.PROVED]
+
+
+def test_a_letter_keeps_its_meaning_within_a_section(judge: Judge) -> None:
+    assert judge(r"K = a_2c_2", r"K = a_3c_3", arm=ARM).verdict is Verdict.REFUTED
+
+
+def test_an_entry_of_a_pose_keeps_its_meaning_in_every_section() -> None:
+    result = check_document(write_sections(r"{}^0T_3 = \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}", rf"p = {POINT % '-'}"))
+    assert result.equations[-1].verdict is Verdict.REFUTED
