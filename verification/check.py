@@ -300,7 +300,8 @@ class DocumentChecker:
             pairs = [n.Chain(pair, ("=",), span=chain.span) for pair in zip(left.items, right.items, strict=True)]
             return all(self._is_configuration(pair) for pair in pairs)
         if isinstance(left, n.Call) and left.function == "det" and isinstance(right, n.Number) and right.value == 0:
-            return not self._vanishes(left)
+            at_values = any(isinstance(below, n.At) for below in n.walk(left))  # det J|_{θ_3 = 0} = 0 is a claim
+            return not at_values and not self._vanishes(left)
         if self.arm is None or not isinstance(left, n.Name):
             return False
         symbol = self.names.known_symbol(left.key)

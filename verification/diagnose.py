@@ -380,12 +380,12 @@ class Diagnostician:
             factors: list[Value] = []
             used: list[int] = []
             for factor in (left, right):
-                error = printed.get(repr(factor))
-                if error is None:
+                wrong = printed.get(repr(factor))
+                if wrong is None:
                     factors.append(self.checker.exact.quantity(factor))
                     continue
-                used.append(error.line)
-                factors.append(evaluator.evaluate(error.node))
+                used.append(wrong.line)
+                factors.append(evaluator.evaluate(wrong.node))
             if not used or not all(isinstance(f, Matrix) for f in factors):
                 continue
             product = factors[0] @ factors[1]

@@ -118,15 +118,21 @@ class ChainChecker:
                 outcomes.append(self._define(true, member, equation, line, define))
         if any(_is_mismatch(outcome) or _is_overloaded(outcome) for outcome in outcomes):
             outcomes = self._with_fewer_rows(chain, first_equation, line, define) or outcomes
-            outcomes = [self._other_meaning(outcome) for outcome in outcomes]
+            outcomes = [self._other_meaning(outcome, line, define) for outcome in outcomes]
         outcomes.extend(self._labels(chain, first_equation, line, define))
         return outcomes
 
-    def _other_meaning(self, outcome: Outcome) -> Outcome:
-        """x-dot = J q-dot where x is a component elsewhere: the letter stands for the whole vector here."""
+    def _other_meaning(self, outcome: Outcome, line: int, define: bool) -> Outcome:
+        """A letter that stands for something of another size here: x-dot = J q-dot for a component x, a height z_1."""
         if not _is_mismatch(outcome) or outcome.true is None or outcome.printed is None:
             return outcome
         sides = (outcome.true, outcome.printed)
+        implied, other = outcome.true, outcome.printed
+        vector = isinstance(implied.node, n.Name) and implied.node.base in "zZ" and implied.node.sub != "0"
+        number = isinstance(other.value, Scalar) and other.value.as_fraction() is None  # a height, not the constant 1
+        if define and vector and number and isinstance(implied.value, Matrix) and (key := bare_key(implied.node)) not in self.names.quantities:
+            self.names.define(str(key), _getter(self, other.node), line)
+            return replace(outcome, verdict=Verdict.DEFINED, message=f"{key} is a number here, not the arm's vector")
         rate = next((side.node for side in sides if isinstance(side.node, n.Name) and side.node.dots), None)
         matrices = [side for side in sides if isinstance(side.value, Matrix)]
         if rate is None or len(matrices) != 1 or any(isinstance(b, n.Matrix) for side in sides for b in n.walk(side.node)):
@@ -782,7 +788,12 @@ def _distance(a: Any, b: Any) -> Any:
     difference = a - b
     ring = difference.ring
     if ring.has_arcs(a) or ring.has_arcs(b):
-        return 1 - ring.cos_sin(difference)[0]
+        try:
+            return 1 - ring.cos_sin(difference)[0]
+        except TooComplex:
+            raise
+        except EvaluationError:  # no angle: a product with an arc function, a sum of one and a length
+            return difference
     return difference
 
 

@@ -165,10 +165,9 @@ class Evaluator:
 
     def _multiply(self, a: Value, operator: str, b: Value) -> Value:
         a, b = _stacked(a), _stacked(b)
-        if isinstance(a, Identity):
-            return b
-        if isinstance(b, Identity):
-            return a
+        if isinstance(a, Identity) or isinstance(b, Identity):
+            other = b if isinstance(a, Identity) else a
+            return other if isinstance(other, Matrix | Identity) else _no_size()
         if isinstance(a, Matrix) and isinstance(b, Matrix):
             if operator == "×" and 1 in a.shape and 1 in b.shape and max(a.shape) == 3 and max(b.shape) == 3:
                 return a.cross(b)

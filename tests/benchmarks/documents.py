@@ -131,4 +131,4 @@ def time_synthetic(displays: int) -> float:
 
 def cores() -> int:
     """Return the number of cores that may be used."""
-    return len(os.sched_getaffinity(0))
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -78,7 +78,8 @@ def measure(claims: Claims) -> Times:
     confirming = DocumentChecker(claims.document, arm, {}, confirm=True)
     clock.lap()
     _prove(confirming, [*statements[0], *statements[1]])
-    return Times(load, read, trace, *proofs, samples=max(0.0, clock.lap() - proofs[0] - proofs[1]))
+    pose, jacobian, determinant = proofs
+    return Times(load, read, trace, pose, jacobian, determinant, samples=max(0.0, clock.lap() - pose - jacobian))
 
 
 def _prove(checker: DocumentChecker, claims: list[tuple[Display, list[n.Statement]]]) -> None:

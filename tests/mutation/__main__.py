@@ -27,14 +27,16 @@ def main() -> int:
     """Print the counts by kind and every failure; return the exit code."""
     parser = argparse.ArgumentParser(prog="python -m tests.mutation", description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--seed", type=int, default=2019, help="another seed changes other cells")
-    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="processes")
+    parser.add_argument("--jobs", type=int, default=cores(), help="processes")
     parser.add_argument("documents", nargs="*", type=Path, help="documents; by default all handouts")
     options = parser.parse_args()
     paths = sorted(options.documents or handouts(), key=lambda path: -path.stat().st_size)  # the largest first
     started = time.perf_counter()
     with ProcessPoolExecutor(options.jobs) as pool:
         parts = list(pool.map(partial(_examine, seed=options.seed), [path.resolve() for path in paths]))
-    trials, answers, diagnoses = ([item for part in parts for item in part[k]] for k in range(3))
+    trials = [trial for part in parts for trial in part[0]]
+    answers = [answer for part in parts for answer in part[1]]
+    diagnoses = [found for part in parts for found in part[2]]
     enough = bool(options.documents) or (len(trials) >= FEWEST_MUTANTS and len(answers) >= FEWEST_REWRITES)
     passed = [report_mutants(trials), report_rewrites(answers), enough]
     report_diagnoses(diagnoses)
@@ -42,6 +44,11 @@ def main() -> int:
     if not enough:
         print(f"too few: at least {FEWEST_MUTANTS} mutants and {FEWEST_REWRITES} rewrites are wanted")
     return 0 if all(passed) else 1
+
+
+def cores() -> int:
+    """Return the number of cores that may be used."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _examine(path: Path, seed: int) -> Results:

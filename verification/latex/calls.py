@@ -72,7 +72,7 @@ class CallReader(NameReader):
     def trig_letter(self, item: Item, following: Item | None) -> tuple[n.Node, int] | None:
         """c_1, C_{12}, s_{\\theta_1}, C\\theta_1, S(\\theta_1+\\theta_2): unless the document binds that name."""
         function = TRIG_LETTERS.get(item.base)
-        if function is None or item.pre or any(kind == "PRIME" or kind == "DOT" for kind, _, _ in item.scripts):
+        if function is None or item.pre or any(kind in ("PRIME", "DOT", "AT") for kind, _, _ in item.scripts):
             return None
         subs = [script for script in item.scripts if script[0] == "SUB"]
         sups = [script for script in item.scripts if script[0] == "SUP"]

@@ -37,6 +37,9 @@ class NameReader(ScriptReader):
                 primes += len(text)
             elif kind == "DOT":
                 dots += 1
+            elif kind == "AT":
+                above.append((kind, text, span))
+                continue
             elif kind == "SUB" and _SIZE.fullmatch(canonical) and item.base not in _SIZED:
                 pass  # R_{3×3}: how large it is
             elif kind == "SUB":

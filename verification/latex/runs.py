@@ -79,18 +79,11 @@ class RunReader(CallReader):
         return n.Labelled(item.node, label, size, span=(item.start, item.end))
 
     def _evaluated(self, item: Item) -> n.Node:
-        values: list[tuple[n.Node, n.Node]] = []
-        for kind, text, span in item.scripts:
-            if kind != "SUB":
-                continue
-            offset = self.text.find(text, span[0])
-            for part in re.finditer(r"((?:(?!,|\\[,;]|\\quad|\\\\|=).)+)=((?:(?!,|\\[,;]|\\quad|\\\\).)+)", text, re.DOTALL):
-                sides = (self.parse(part.group(k), offset + part.start(k)) for k in (1, 2))
-                values.append((next(sides), next(sides)))
+        values = tuple(pair for kind, text, span in item.scripts if kind == "SUB" for pair in self.configuration(text, span))
         assert item.node is not None
         if not values:
             return n.Call("abs", (item.node,), "|", "bars", span=(item.start, item.end))
-        return n.At(item.node, tuple(values), span=(item.start, item.end))
+        return n.At(item.node, values, span=(item.start, item.end))
 
     def _letter_factor(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
         item = items[index]

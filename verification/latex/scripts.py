@@ -28,6 +28,11 @@ class ScriptReader:
         if isinstance(node, n.Dots):  # \\prod_{i=1}^{n}: which terms are meant is left to the reader
             return node
         for kind, text, span in scripts:
+            if kind == "AT":
+                if not (values := self.configuration(text, span)):
+                    raise ReadError(f"'{text}' does not say at which values", span[0])
+                node = n.At(node, values, span=(start, span[1]))
+                continue
             if kind == "PRIME":
                 raise ReadError("a prime on an expression", span[0])
             canonical = canonical_script(text)
@@ -41,8 +46,19 @@ class ScriptReader:
                 raise ReadError(f"subscript '{canonical}' on an expression", span[0])
             if canonical in ("T", "top", "t") and (row := _spaced_row(node)) is not None:
                 node = row
-            node = self._raise_to(node, text, canonical, (start, span[1]), span)
+            whole = (start, max(span[1], node.span[1]))  # \\sin^2(x): the power stands before the argument
+            node = self._raise_to(node, text, canonical, whole, span)
         return node
+
+    def configuration(self, text: str, span: tuple[int, int]) -> tuple[tuple[n.Node, n.Node], ...]:
+        """Return the names and values of a configuration: θ_2 = 0, a_2 = a_1."""
+        values: list[tuple[n.Node, n.Node]] = []
+        offset = self.text.find(text, span[0])
+        for part in re.split(r",|\\[,;]|\\quad|\\\\", text):
+            if "=" in part:
+                left, right = part.split("=", 1)
+                values.append((self.parse(left, offset), self.parse(right, offset)))
+        return tuple(values)
 
     def _raise_to(self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]) -> n.Node:
         if canonical == "":  # a star

@@ -65,6 +65,7 @@ _FACTOR = re.compile(
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
 _MARKED_RELATION = re.compile(r"\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
 _WIDE_SPACE = re.compile(r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}")
+_REMARK = re.compile(r"\(\s*[ijkn]\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
@@ -343,6 +344,9 @@ class _Scanner:
         return [self.token("REL", "=", start, end)], end
 
     def _bar(self, start: int, end: int) -> tuple[list[Token], int]:
+        if self.previous in _ENDS_OPERAND and not self.bar_open and (script := re.compile(r"\s*_").match(self.text, end)):
+            argument, end = self._script_argument(script.end() - 1, script.end())  # J|_{θ_2 = 0}
+            return [self.token("AT", argument, start, end)], end
         opening = self.previous not in _ENDS_OPERAND if not self.bar_open else False
         if not opening and not self.bar_open:
             return [self.token("TEXT", "|", start, end)], end
@@ -368,6 +372,8 @@ class _Scanner:
         elif kind == "RBRACE":
             self.depth -= 1
         elif kind == "LPAR":
+            if value == "(" and (remark := _REMARK.match(self.text, start)):  # (i = 1, …, n)
+                return [self.token("TEXT", remark.group(), start, remark.end())], remark.end()
             self._deeper(start)
         elif kind == "RPAR":
             self.depth -= 1

@@ -159,7 +159,7 @@ def test_a_numeric_pose_at_no_known_configuration_is_left_open(judge: Judge) -> 
     assert "no display before states" in record.message
 
 
-@pytest.mark.parametrize("name", [r"{}^0T_3(0, 90^\circ, 0)", r"\left. {}^0T_3 \right|_{\theta_1 = 0, \theta_2 = \pi/2, \theta_3 = 0}"])
+@pytest.mark.parametrize("name", [r"{}^0T_3(0, 90^\circ, 0)", r"{}^0T_3|_{\theta_1=0,\,\theta_2=90^\circ,\,\theta_3=0}", r"\left. {}^0T_3 \right|_{\theta_1 = 0, \theta_2 = \pi/2, \theta_3 = 0}"])
 def test_a_pose_may_be_taken_at_a_configuration(judge: Judge, name: str) -> None:
     cells = r"%s = \begin{bmatrix} 0&-1&0&0 \\ 0&0&-1&0 \\ 1&0&0& d_1 + a_2 %s a_3 \\ 0&0&0&1 \end{bmatrix}"
     assert judge(cells % (name, "+"), arm=ARM).verdict is Verdict.PROVED
@@ -219,3 +219,25 @@ def test_a_letter_keeps_its_meaning_within_a_section(judge: Judge) -> None:
 def test_an_entry_of_a_pose_keeps_its_meaning_in_every_section() -> None:
     result = check_document(write_sections(r"{}^0T_3 = \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}", rf"p = {POINT % '-'}"))
     assert result.equations[-1].verdict is Verdict.REFUTED
+
+
+# -- letters that look like the arm's ----------------------------------------------------------------------------------
+
+
+def test_a_height_named_like_an_axis_is_the_documents_own(judge: Judge) -> None:
+    assert judge(r"z_2 = d_1 + a_2\sin\theta_2", arm=ARM).verdict is Verdict.DEFINED
+    assert judge(r"z_2 = d_1 + a_2\sin\theta_2", r"2z_2 = 2d_1 + 2a_2s_2", arm=ARM).verdict is Verdict.PROVED
+    assert judge(r"z_2 = d_1 + a_2\sin\theta_2", arm=ARM, quantities={"z_2": {"axis": 2}}).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(("values", "verdict"), [(r"\theta_3 = 0", Verdict.PROVED), (r"\theta_3 = \pi/2", Verdict.REFUTED)])
+def test_a_determinant_at_a_configuration_is_a_claim(judge: Judge, values: str, verdict: Verdict) -> None:
+    assert judge(rf"\det J_v|_{{{values}}} = 0", arm=ARM).verdict is verdict
+    assert judge(rf"\left. \det J_v \right|_{{{values}}} = 0", arm=ARM).verdict is verdict
+
+
+def test_rounded_numbers_hold_to_the_decimals_printed(judge: Judge) -> None:
+    arm = {"dh": "classic", "rows": [{"a": 1.5, "alpha": 0, "d": 0.054, "theta": "theta_1"}]}
+    bound = {"p": {"origin": 1}}
+    assert judge(r"A = 1.501", r"A = |p|", arm=arm, quantities=bound).verdict is Verdict.CONFIRMED
+    assert judge(r"A = 1.511", r"A = |p|", arm=arm, quantities=bound).verdict is Verdict.REFUTED
