@@ -27,7 +27,7 @@ from verification.latex.statements import PREVIOUS
 from verification.latex.tokens import normalise_unicode, original_offset
 from verification.names import read_names
 from verification.tables import check_array_table, check_table
-from verification.trig import AngleFraction, Ring
+from verification.trig import AngleFraction, Ring, Scalar
 from verification.verdict import DocumentResult, Record, Verdict, worst
 
 SECONDS_TO_DECIDE = 1.3  # a display is bounded by two seconds in all: so long to decide it,
@@ -340,7 +340,8 @@ class DocumentChecker:
 
     def _vanishes(self, node: n.Node) -> bool:
         member = self.checker.member(node)
-        return member.problem is not None or bool(getattr(member.value, "is_zero", bool)())
+        constant = isinstance(member.value, Scalar) and member.value.as_fraction() is not None
+        return member.problem is not None or constant or bool(getattr(member.value, "is_zero", bool)())
 
 
 def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:

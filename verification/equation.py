@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -34,6 +35,7 @@ from verification.quantities import Quantity
 from verification.trig import AngleFraction, Scalar
 from verification.verdict import Verdict
 
+AUXILIARY = r"[A-HK-NQ-SU-Wa-hkmnr-w]|alpha|beta|gamma|delta|lambda|mu|rho"  # letters of a figure, not of the arm
 TOLERANCE = 1e-6  # of the sampled values, scaled by their size; polynomials come out near 1e-15
 SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula and are left out
 
@@ -166,6 +168,9 @@ class ChainChecker:
         """A scalar letter that an earlier section defined may be defined anew: K, A, β mean something else there."""
         key = bare_key(chain.members[0])
         definition = self.names.definitions.get(key) if key is not None and self.names.arm is not None else None
+        name = chain.members[0]
+        if not isinstance(name, n.Name) or not re.fullmatch(AUXILIARY, name.base):
+            return
         if definition is None or len(chain.members) < 2 or definition.by_place or definition.section == self.names.section:
             return
         if any(isinstance(below, n.Name) and below.key == key for below in n.walk(chain.members[1])):
