@@ -152,7 +152,7 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
     try:
         for event in yaml.parse(block, Loader=loader):
             if isinstance(event, yaml.AliasEvent):  # a few of them can stand for millions of entries
-                line = first_line + event.start_mark.line
+                line = first_line + (event.start_mark.line if event.start_mark else 0)
                 raise DocumentError(f"{path}:{line}: the front matter may not repeat a part by '*{event.anchor}'; write it out")
         front = yaml.load(block, Loader=loader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:
