@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from verification.algebras import Value
+from verification.algebra import Value
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 

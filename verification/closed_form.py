@@ -10,8 +10,9 @@ from collections import defaultdict
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from models.entry import Generator
 from verification.latex.writer import Notation, join_factors, number
-from verification.trig import Generator, Scalar
+from verification.scalar import Scalar
 
 Angle = tuple[tuple[str, Fraction], ...]  # sorted (symbol, coefficient)
 Trig = tuple[tuple[str, Angle, int], ...]  # sorted (function, angle, power): a monomial of sines and cosines

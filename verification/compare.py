@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from verification.algebras import Algebra, Value
+from verification.algebra import Algebra, Value
 from verification.errors import EvaluationError, ShapeError
-from verification.evaluate import Identity, as_scalar, identity, is_zero
 from verification.matrix import Matrix, column
-from verification.trig import Scalar
+from verification.scalar import Scalar
+from verification.values import Identity, as_scalar, identity, is_zero
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,9 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
             if all(is_zero(true.rows[i][3]) for i in range(3)):
                 yield Pair(true.block(range(3), range(3)), printed, ROTATION)
             elif _is_planar(true):
-                yield Pair(true.block([0, 1, 3], [0, 1, 3]), printed, "the planar transform, without its z row and column")
+                yield Pair(
+                    true.block([0, 1, 3], [0, 1, 3]), printed, "the planar transform, without its z row and column"
+                )
     if (m, k, r, c) == (3, 3, 2, 2) and _is_constant(true.rows[2][2], 1) and _is_planar_rotation(true):
         yield Pair(true.block([0, 1], [0, 1]), printed, "the planar rotation, without its z row and column")
     if (m, k, r, c) == (3, 3, 4, 4) and _is_constant(printed.rows[3][3], 1):

@@ -10,12 +10,15 @@ from typing import Any
 import numpy as np
 
 from verification.compare import align
-from verification.equation import ChainChecker, Outcome, has_branches
+from verification.equation import ChainChecker
 from verification.errors import EvaluationError, NoValue
-from verification.evaluate import Evaluator, as_scalar, is_zero
+from verification.evaluate import Evaluator
 from verification.latex import nodes as n
 from verification.matrix import Matrix
-from verification.trig import Scalar
+from verification.outcome import Outcome
+from verification.scalar import Scalar
+from verification.trees import has_branches
+from verification.values import as_scalar, is_zero
 from verification.verdict import Verdict
 
 HIGHEST_POWER = 4
@@ -42,7 +45,11 @@ def vanishing(checker: ChainChecker, statements: Iterable[n.Chain]) -> Scalar:
 def _factors(checker: ChainChecker, chain: n.Chain) -> list[Scalar]:
     """The factors of a condition; one with ± holds on either branch."""
     branches = (1, -1) if has_branches(chain) else (1,)
-    return [factor for branch in branches for factor in _factors_of(checker, chain, Evaluator(checker.names, checker.exact, branch))]
+    return [
+        factor
+        for branch in branches
+        for factor in _factors_of(checker, chain, Evaluator(checker.names, checker.exact, branch))
+    ]
 
 
 def _factors_of(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> list[Scalar]:
@@ -50,7 +57,9 @@ def _factors_of(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> 
         raise Undecided("a condition is an equation")
     if chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence):
         left = chain.members[0]
-        return [_factor(checker, left, evaluator.scalar(left), evaluator.scalar(item)) for item in chain.members[1].items]
+        return [
+            _factor(checker, left, evaluator.scalar(left), evaluator.scalar(item)) for item in chain.members[1].items
+        ]
     if set(chain.relations) != {"="}:
         raise Undecided(f"'{' '.join(chain.relations)}' is not an equation")
     *first, last = chain.members
@@ -103,7 +112,10 @@ def _never_zero(checker: ChainChecker, denominator: Any) -> bool:
         return False
     arm = checker.names.arm
     lengths = set(arm.lengths) if arm is not None else set()
-    return all(kind == "sqrt" or (kind == "symbol" and (name in lengths or (arm is None and _reads_as_length(name)))) for kind, name in terms[0][0])
+    return all(
+        kind == "sqrt" or (kind == "symbol" and (name in lengths or (arm is None and _reads_as_length(name))))
+        for kind, name in terms[0][0]
+    )
 
 
 def _reads_as_length(name: str) -> bool:
@@ -127,20 +139,29 @@ def counterexample(checker: ChainChecker, f: Scalar, g: Scalar) -> dict[str, flo
         }
         if ring.substitute(f, values).is_zero() and not ring.substitute(g, values).is_zero():
             scale = {joint.symbol: np.pi if joint.kind == "revolute" else 1.0 for joint in symbols}
-            return {joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in zip(symbols, choice, strict=True)}
+            return {
+                joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in zip(symbols, choice, strict=True)
+            }
     return None
 
 
 def _mentions(ring: Any, value: Scalar, symbol: str) -> bool:
     return any(
-        name == symbol for part in (value.numerator, value.denominator) for powers, _ in ring.terms(part) for _, name in powers
+        name == symbol
+        for part in (value.numerator, value.denominator)
+        for powers, _ in ring.terms(part)
+        for _, name in powers
     )
 
 
 def is_condition(chain: n.Chain) -> bool:
     """Whether an equation before an arrow reads as a condition (det J = 0) and not as a step of a derivation."""
     return any(relation == "∈" for relation in chain.relations) or any(
-        all(isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group) or (isinstance(b, n.Name) and b.key in ("pi", "k")) for b in n.walk(m))
+        all(
+            isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
+            or (isinstance(b, n.Name) and b.key in ("pi", "k"))
+            for b in n.walk(m)
+        )
         for m in chain.members
     )
 
@@ -153,7 +174,11 @@ def _entries_of(checker: ChainChecker, chains: list[n.Chain]) -> list[Scalar] | 
     if not (isinstance(left.value, Matrix) or isinstance(right.value, Matrix)) or not (left.known and right.known):
         return None
     pair = next(align(left.value, right.value, checker.exact))
-    return [a - b for row, other in zip(pair.true.rows, pair.printed.rows, strict=True) for a, b in zip(row, other, strict=True)]
+    return [
+        a - b
+        for row, other in zip(pair.true.rows, pair.printed.rows, strict=True)
+        for a, b in zip(row, other, strict=True)
+    ]
 
 
 def check_implication(
@@ -176,7 +201,11 @@ def check_implication(
             if implies(checker, premise, conclusion):
                 continue
             found = counterexample(checker, premise, conclusion)
-            side = "the left side holds and the right does not" if premise is f else "the right side holds and the left does not"
+            side = (
+                "the left side holds and the right does not"
+                if premise is f
+                else "the right side holds and the left does not"
+            )
             if found is None:
                 outcome.verdict, outcome.message = Verdict.UNCHECKED, f"not decided whether {side} somewhere"
                 return outcome, {}
@@ -222,7 +251,9 @@ def check_relation(checker: ChainChecker, chain: n.Chain, equation: int) -> Outc
 def _identical(a: Any, b: Any) -> bool:
     a, b = as_scalar(a), as_scalar(b)
     if isinstance(a, Matrix) and isinstance(b, Matrix):
-        return a.shape == b.shape and all(is_zero(x - y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True))
+        return a.shape == b.shape and all(
+            is_zero(x - y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True)
+        )
     if isinstance(a, Scalar) and isinstance(b, Scalar):
         return (a - b).is_zero()
     if isinstance(a, Matrix) and isinstance(b, Scalar):

@@ -90,11 +90,15 @@ def find_documents(paths: list[Path]) -> list[Path]:
             inside = [
                 child
                 for child in sorted(path.rglob("*"))
-                if child.suffix in SUFFIXES and child.is_file() and not any(p.startswith(".") for p in child.relative_to(path).parts)
+                if child.suffix in SUFFIXES
+                and child.is_file()
+                and not any(p.startswith(".") for p in child.relative_to(path).parts)
             ]
             documents = [child for child in inside if _is_document(child)]
             if not documents:
-                raise DocumentError(f"{path}: no document in this folder; a document is a {', '.join(SUFFIXES)} file with $$ displays")
+                raise DocumentError(
+                    f"{path}: no document in this folder; a document is a {', '.join(SUFFIXES)} file with $$ displays"
+                )
             found.extend(documents)
         elif not path.exists():
             raise DocumentError(f"{path}: no such file or folder")
@@ -129,7 +133,9 @@ def _read_text(path: Path) -> str:
 # -- front matter ------------------------------------------------------------------------------------------------------
 
 
-def _split_front_matter(path: Path, text: str, first: int = 1) -> tuple[dict[str, Any] | None, dict[str, int], str, int]:
+def _split_front_matter(
+    path: Path, text: str, first: int = 1
+) -> tuple[dict[str, Any] | None, dict[str, int], str, int]:
     """Return front matter (None where there is none), its keys' lines, the body and the body's first line.
 
     `first` is the line of the file on which the text begins.
@@ -153,7 +159,9 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
         for event in yaml.parse(block, Loader=loader):
             if isinstance(event, yaml.AliasEvent):  # a few of them can stand for millions of entries
                 line = first_line + (event.start_mark.line if event.start_mark else 0)
-                raise DocumentError(f"{path}:{line}: the front matter may not repeat a part by '*{event.anchor}'; write it out")
+                raise DocumentError(
+                    f"{path}:{line}: the front matter may not repeat a part by '*{event.anchor}'; write it out"
+                )
         front = yaml.load(block, Loader=loader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -171,12 +179,16 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
         if found := re.match(r"([A-Za-z_]+)\s*:", text):
             key, line = found.group(1), first_line + number
             if key in lines:
-                raise DocumentError(f"{path}:{line}: the front-matter key '{key}' stands twice, first in line {lines[key]}")
+                raise DocumentError(
+                    f"{path}:{line}: the front-matter key '{key}' stands twice, first in line {lines[key]}"
+                )
             lines[key] = line
     for key in front:
         if key not in FRONT_MATTER_KEYS and key not in FOREIGN_KEYS:
             where = f"{path}:{lines.get(str(key), first_line)}"
-            raise DocumentError(f"{where}: unknown front-matter key '{key}'; the keys are {', '.join(FRONT_MATTER_KEYS)}")
+            raise DocumentError(
+                f"{where}: unknown front-matter key '{key}'; the keys are {', '.join(FRONT_MATTER_KEYS)}"
+            )
     if "arm" in front and front["arm"] is None:
         where = f"{path}:{lines.get('arm', first_line)}"
         raise DocumentError(f"{where}: 'arm' is empty; name an arm, a model file or a DH table, or leave the key out")
@@ -191,7 +203,11 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
 
 @lru_cache(maxsize=1)
 def _markdown() -> MarkdownIt:
-    return MarkdownIt("commonmark", {"maxNesting": 100}).enable("table").use(dollarmath_plugin, allow_labels=True, double_inline=True)
+    return (
+        MarkdownIt("commonmark", {"maxNesting": 100})
+        .enable("table")
+        .use(dollarmath_plugin, allow_labels=True, double_inline=True)
+    )
 
 
 def _read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list[Display], list[Table]]:
@@ -212,7 +228,9 @@ def _read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list
             displays.extend(_block_displays(token.content, line, any(quotes), cell, section))
         elif token.type == "html_block" and "$$" in _HTML_COMMENT.sub("", token.content):
             line = first + (token.map[0] if token.map else 0) + token.content[: token.content.index("$$")].count("\n")
-            displays.append(Display(line, token.content[token.content.index("$$") + 2 :], any(quotes), cell, section, closed=False))
+            displays.append(
+                Display(line, token.content[token.content.index("$$") + 2 :], any(quotes), cell, section, closed=False)
+            )
         elif token.type == "inline":
             displays.extend(_inline_displays(token, first, any(quotes), cell, section))
         elif token.type == "table_open":
@@ -223,7 +241,11 @@ def _read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list
 def _is_erratum(tokens: list[Token], start: int) -> bool:
     """Whether the first words of a blockquote are **Erratum**."""
     first = next((t for t in tokens[start + 1 :] if t.type in ("inline", "blockquote_close", "math_block")), None)
-    return first is not None and first.type == "inline" and bool(re.match(r"[*_\s]*errat(?:um|a)\b", first.content, re.IGNORECASE))
+    return (
+        first is not None
+        and first.type == "inline"
+        and bool(re.match(r"[*_\s]*errat(?:um|a)\b", first.content, re.IGNORECASE))
+    )
 
 
 def _block_displays(content: str, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
@@ -243,7 +265,9 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
             cursor = at + len(child.content) + 4
             yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
         elif child.type == "text" and "$$" in child.content and (at := token.content.find("$$", cursor)) >= 0:
-            yield Display(base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False)
+            yield Display(
+                base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False
+            )
             return
 
 
@@ -268,7 +292,9 @@ def _read_notebook(path: Path, text: str) -> Document:
     try:
         notebook = json.loads(text)
         cells = notebook["cells"]
-        sources = [(c["cell_type"], c["source"] if isinstance(c["source"], str) else "".join(c["source"])) for c in cells]
+        sources = [
+            (c["cell_type"], c["source"] if isinstance(c["source"], str) else "".join(c["source"])) for c in cells
+        ]
     except json.JSONDecodeError as error:
         raise DocumentError(f"{path}:{error.lineno}: not a notebook: {error.msg} (a notebook is JSON)") from None
     except (KeyError, TypeError, ValueError, RecursionError):

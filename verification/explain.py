@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from models.errors import ArmproofError
-from verification.algebras import link_matrix
+from verification.algebra import link_matrix
 from verification.compare import exactly_equal
-from verification.equation import ChainChecker, Outcome
+from verification.equation import ChainChecker
 from verification.latex import nodes as n
 from verification.matrix import Matrix, column
+from verification.outcome import Outcome
 from verification.quantities import Quantity, numbered_frames
-from verification.trig import Scalar
+from verification.scalar import Scalar
 
 
 def explain_whole(checker: ChainChecker, outcome: Outcome) -> str | None:
@@ -64,11 +65,18 @@ def _is_rigid(pose: Matrix) -> bool:
     """Whether the printed matrix is a pose at all: a slip in one cell spoils the rotation and is no wrong link."""
     rotation = pose.block(range(3), range(3))
     product = rotation @ rotation.transpose
-    return all((cell - (1 if r == c else 0)).is_zero() for r, row in enumerate(product.rows) for c, cell in enumerate(row))
+    return all(
+        (cell - (1 if r == c else 0)).is_zero() for r, row in enumerate(product.rows) for c, cell in enumerate(row)
+    )
 
 
 def _symbols_of(value: Scalar) -> set[str]:
-    return {name for part in (value.numerator, value.denominator) for powers, _ in value.ring.terms(part) for _, name in powers}
+    return {
+        name
+        for part in (value.numerator, value.denominator)
+        for powers, _ in value.ring.terms(part)
+        for _, name in powers
+    }
 
 
 def _equal(a: Matrix, b: Matrix) -> bool:
@@ -133,7 +141,10 @@ def _poses(checker: ChainChecker, quantity: Quantity) -> Iterator[tuple[str, Mat
     assert arm is not None
     for frame in arm.frames:
         if frame != quantity.frame:
-            yield f"this is the pose of frame {frame}, not {quantity.frame}", exact.quantity(Quantity(quantity.kind, frame, quantity.reference))
+            yield (
+                f"this is the pose of frame {frame}, not {quantity.frame}",
+                exact.quantity(Quantity(quantity.kind, frame, quantity.reference)),
+            )
         if frame != quantity.reference:
             words = f"this is the pose in frame {frame}, not {quantity.reference}"
             yield words, exact.quantity(Quantity(quantity.kind, quantity.frame, frame))
@@ -177,7 +188,10 @@ def _other_convention(checker: ChainChecker, quantity: Quantity) -> Iterator[tup
             (s_theta, c_theta * c_alpha, -c_theta * s_alpha, a * s_theta),
             (zero, s_alpha, c_alpha, d),
         )
-        yield "this is the classic link matrix, the arm's frames are those of the modified convention", Matrix((*rows, pose.rows[3]))
+        yield (
+            "this is the classic link matrix, the arm's frames are those of the modified convention",
+            Matrix((*rows, pose.rows[3])),
+        )
     if rotation.rows[2][0].is_zero():
         c_theta, s_theta = rotation.rows[0][0], rotation.rows[1][0]
         s_alpha, c_alpha = rotation.rows[2][1], rotation.rows[2][2]
@@ -188,11 +202,16 @@ def _other_convention(checker: ChainChecker, quantity: Quantity) -> Iterator[tup
             (s_theta * c_alpha, c_theta * c_alpha, -s_alpha, -d * s_alpha),
             (s_theta * s_alpha, c_theta * s_alpha, c_alpha, d * c_alpha),
         )
-        yield "this is the modified link matrix, the arm's frames are those of the classic convention", Matrix((*rows, pose.rows[3]))
+        yield (
+            "this is the modified link matrix, the arm's frames are those of the classic convention",
+            Matrix((*rows, pose.rows[3])),
+        )
     _ = z, x
 
 
-def _jacobians(checker: ChainChecker, quantity: Quantity, reading: tuple[int, ...] | None) -> Iterator[tuple[str, Matrix]]:
+def _jacobians(
+    checker: ChainChecker, quantity: Quantity, reading: tuple[int, ...] | None
+) -> Iterator[tuple[str, Matrix]]:
     exact = checker.exact
     arm = checker.names.arm
     assert arm is not None
@@ -209,12 +228,16 @@ def _jacobians(checker: ChainChecker, quantity: Quantity, reading: tuple[int, ..
     yield "the Jacobian is transposed", chosen(whole).transpose
     for frame in arm.frames:
         if frame != quantity.reference:
-            yield f"it is expressed in frame {frame}, not {quantity.reference}", chosen(exact.quantity(Quantity("jacobian", quantity.frame, frame)))
+            yield (
+                f"it is expressed in frame {frame}, not {quantity.reference}",
+                chosen(exact.quantity(Quantity("jacobian", quantity.frame, frame))),
+            )
     for frame in arm.frames:
         if frame != quantity.frame:
             point = exact.quantity(Quantity("jacobian", frame, quantity.reference))
-            yield f"its linear part is that of the origin of frame {frame}, not {quantity.frame}", chosen(
-                Matrix((*point.rows[:3], *whole.rows[3:]))
+            yield (
+                f"its linear part is that of the origin of frame {frame}, not {quantity.frame}",
+                chosen(Matrix((*point.rows[:3], *whole.rows[3:]))),
             )
             yield f"this is the Jacobian of frame {frame}, not {quantity.frame}", chosen(point)
     yield from _other_axes(checker, quantity, whole, rows, columns)
@@ -237,7 +260,10 @@ def _other_axes(
     assert arm is not None
     frames = numbered_frames(arm)
     end = exact.quantity(Quantity("origin", quantity.frame, frames[0]))
-    for shift, words in ((0, "z_{i-1} stands where z_i is the joint's axis (modified DH)"), (1, "z_i stands where z_{i-1} is the joint's axis (classic DH)")):
+    for shift, words in (
+        (0, "z_{i-1} stands where z_i is the joint's axis (modified DH)"),
+        (1, "z_i stands where z_{i-1} is the joint's axis (classic DH)"),
+    ):
         built = []
         for k, joint in enumerate(arm.joints):
             if k + shift >= len(frames):
@@ -262,10 +288,19 @@ def _vectors(checker: ChainChecker, quantity: Quantity) -> Iterator[tuple[str, M
         return
     for frame in arm.frames:
         if frame != quantity.frame:
-            yield f"this is that of frame {frame}, not {quantity.frame}", exact.quantity(Quantity(quantity.kind, frame, quantity.reference, along=quantity.along))
+            yield (
+                f"this is that of frame {frame}, not {quantity.frame}",
+                exact.quantity(Quantity(quantity.kind, frame, quantity.reference, along=quantity.along)),
+            )
         if frame != quantity.reference:
-            yield f"it is expressed in frame {frame}, not {quantity.reference}", exact.quantity(Quantity(quantity.kind, quantity.frame, frame, along=quantity.along))
+            yield (
+                f"it is expressed in frame {frame}, not {quantity.reference}",
+                exact.quantity(Quantity(quantity.kind, quantity.frame, frame, along=quantity.along)),
+            )
     if quantity.kind == "axis":
         for other in "xyz":
             if other != quantity.along:
-                yield f"this is the {other} axis", exact.quantity(Quantity("axis", quantity.frame, quantity.reference, along=other))
+                yield (
+                    f"this is the {other} axis",
+                    exact.quantity(Quantity("axis", quantity.frame, quantity.reference, along=other)),
+                )

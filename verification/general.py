@@ -6,12 +6,14 @@ from dataclasses import replace
 from typing import Any
 
 from verification.compare import align, different_entries, exactly_equal
-from verification.equation import ChainChecker, Outcome, bare
+from verification.equation import ChainChecker
 from verification.errors import EvaluationError
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.names import Names
+from verification.outcome import Outcome
 from verification.quantities import Quantity
+from verification.trees import bare
 from verification.verdict import Verdict
 
 PAIRS = {("i-1", "i"): False, ("i", "i-1"): True}
@@ -48,10 +50,11 @@ class GeneralStatements:
     def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
         """Return the outcomes if the chain is about the general link matrix, else None."""
         heads = [self._link_pair(member) for member in chain.members]
-        if not any(heads) or any(m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)):
+        if not any(heads) or any(
+            m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)
+        ):
             return None
         self._general.confirm = self.checker.confirm
-        self._general.sampled = self.checker.sampled
         named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
         # letters of both conventions: the one that is nearer is meant
         readings = [(convention, self._members(chain, heads, convention)) for convention in self._conventions(chain)]
@@ -65,12 +68,15 @@ class GeneralStatements:
         outcomes = self._general.check(replace(chain, members=members), equation, line, define)
         return [self._noted(outcome, convention) for outcome in outcomes] or None
 
-    def _members(self, chain: n.Chain, heads: list[tuple[bool, bool] | None], convention: str) -> tuple[n.Node, tuple[n.Node, ...]]:
+    def _members(
+        self, chain: n.Chain, heads: list[tuple[bool, bool] | None], convention: str
+    ) -> tuple[n.Node, tuple[n.Node, ...]]:
         """Return the link matrix of a convention, and the chain with it (or its inverse) in the place of its name."""
         link: n.Node = n.Name("link", sub=convention, span=chain.members[0].span)
         self._general.names.quantities = {**self._general.names.quantities, link.key: Quantity("link", convention)}  # type: ignore[attr-defined]
         members = tuple(
-            member if head is None else n.Postfix(link, "-1") if head[1] else link for head, member in zip(heads, chain.members, strict=True)
+            member if head is None else n.Postfix(link, "-1") if head[1] else link
+            for head, member in zip(heads, chain.members, strict=True)
         )
         return next(m for m, head in zip(members, heads, strict=True) if head is not None), members
 
@@ -120,7 +126,9 @@ class GeneralStatements:
 
     def _differences(self, reference: Matrix, printed: Matrix) -> int:
         try:
-            return min(len(different_entries(pair, exactly_equal)) for pair in align(reference, printed, self._general.exact))
+            return min(
+                len(different_entries(pair, exactly_equal)) for pair in align(reference, printed, self._general.exact)
+            )
         except EvaluationError:
             return MIXED + 1
 
@@ -148,7 +156,9 @@ class GeneralStatements:
         for quantity in self.checker.names.quantities.values():
             if quantity.kind == "link":
                 return (quantity.frame,)
-        subs = {(below.base, below.sub) for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)}
+        subs = {
+            (below.base, below.sub) for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)
+        }
         modified = any(base in ("a", "alpha") and sub == "i-1" for base, sub in subs)
         classic = any(base in ("a", "alpha") and sub == "i" for base, sub in subs)
         return (("classic",) if classic else ()) + (("modified",) if modified else ())
@@ -156,6 +166,6 @@ class GeneralStatements:
 
 def replace_arm(checker: ChainChecker) -> Any:
     """Return an exact algebra over the same ring in which no arm binds any symbol."""
-    from verification.algebras import ExactAlgebra
+    from verification.exact_algebra import ExactAlgebra
 
     return ExactAlgebra(checker.exact.ring, None)

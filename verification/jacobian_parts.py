@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from verification.algebras import Value
+from verification.algebra import Value
 from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.names import Names

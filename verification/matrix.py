@@ -45,7 +45,9 @@ class Matrix:
     def __add__(self, other: Matrix) -> Matrix:
         if self.shape != other.shape:
             raise ShapeError(f"a sum of a {self.size} and a {other.size} matrix")
-        return Matrix(tuple(tuple(a + b for a, b in zip(r, s, strict=True)) for r, s in zip(self.rows, other.rows, strict=True)))
+        return Matrix(
+            tuple(tuple(a + b for a, b in zip(r, s, strict=True)) for r, s in zip(self.rows, other.rows, strict=True))
+        )
 
     def __neg__(self) -> Matrix:
         return self.map(lambda cell: -cell)
@@ -144,8 +146,7 @@ def exact_rank(matrix: Matrix) -> int:
                 for r in range(size)
                 if r not in rows
                 for c in range(width)
-                if c not in columns
-                and not matrix.block((*rows, r), (*columns, c)).determinant().is_zero()
+                if c not in columns and not matrix.block((*rows, r), (*columns, c)).determinant().is_zero()
             ),
             None,
         )

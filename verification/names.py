@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from models.arm import Arm
-from verification.algebras import Algebra, Value
+from verification.algebra import Algebra, Value
 from verification.errors import DocumentError, ReadError
 from verification.latex import nodes as n
 from verification.latex.reader import Reader, key_as_latex
@@ -40,10 +40,18 @@ class Names:
     definitions: dict[str, Definition] = field(default_factory=dict)
     reader: Reader = field(default_factory=Reader)
     used: set[str] = field(default_factory=set)  # free letters that displays have used so far
-    inferred: dict[str, Quantity] = field(default_factory=dict)  # names whose meaning the other side of an equation told
-    beyond: dict[str, tuple[str, str]] = field(default_factory=dict)  # a frame the document adds: (on which of the arm's, name)
-    configuration: dict[str, float] = field(default_factory=dict)  # joint variables and lengths that displays gave a value
-    adopted: set[str] = field(default_factory=set)  # letters that only a frame the document adds brings in: a tool's length
+    inferred: dict[str, Quantity] = field(
+        default_factory=dict
+    )  # names whose meaning the other side of an equation told
+    beyond: dict[str, tuple[str, str]] = field(
+        default_factory=dict
+    )  # a frame the document adds: (on which of the arm's, name)
+    configuration: dict[str, float] = field(
+        default_factory=dict
+    )  # joint variables and lengths that displays gave a value
+    adopted: set[str] = field(
+        default_factory=set
+    )  # letters that only a frame the document adds brings in: a tool's length
     section: str = ""  # the heading under which the display stands that is being checked
     rounded: dict[str, int] = field(default_factory=dict)  # names made of rounded numbers: to how many decimals
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
@@ -87,7 +95,13 @@ class Names:
 
     def angle_sum(self, name: n.Name) -> n.JointAngles | None:
         """Return θ_2 + θ_3 for a θ_{23} that nothing else gives a meaning, or None."""
-        if name.base not in ("theta", "q") or not re.fullmatch(r"[1-9]{2,}", name.sub) or name.sup or name.pre_sup or name.primes:
+        if (
+            name.base not in ("theta", "q")
+            or not re.fullmatch(r"[1-9]{2,}", name.sub)
+            or name.sup
+            or name.pre_sup
+            or name.primes
+        ):
             return None
         digits = [int(digit) for digit in name.sub]
         rising = all(a < b for a, b in pairwise(digits))
@@ -107,8 +121,14 @@ class Names:
 
     def adds_frame(self, name: n.Name) -> bool:
         """Whether a transform leads from a frame of the arm to one that is not the arm's."""
-        pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None and name.base in ("T", "A", "H") else None
-        return pair is not None and self.arm is not None and pair[0] in self.arm.frames and pair[1] not in self.arm.frames
+        pair = (
+            transform_pair(name, self.arm, self.transforms)
+            if self.arm is not None and name.base in ("T", "A", "H")
+            else None
+        )
+        return (
+            pair is not None and self.arm is not None and pair[0] in self.arm.frames and pair[1] not in self.arm.frames
+        )
 
     def add_frame(self, name: n.Name) -> None:
         """Remember that a defined transform leads from a frame of the arm to one that is not the arm's."""
@@ -157,16 +177,35 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
         for key in [*symbols_spec, *quantities_spec]
         for word in re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key))
         if not _is_greek(word)
-    ) - {"dot", "ddot", "vec", "mathbf", "mathrm", "text", "prime", "hat", "bar", "operatorname", "mathcal", "boldsymbol", "star", "frac"}
+    ) - {
+        "dot",
+        "ddot",
+        "vec",
+        "mathbf",
+        "mathrm",
+        "text",
+        "prime",
+        "hat",
+        "bar",
+        "operatorname",
+        "mathcal",
+        "boldsymbol",
+        "star",
+        "frac",
+    }
     plain = Reader(words=words)
     symbols: dict[str, str] = {}
     for key, value in symbols_spec.items():
         if not isinstance(value, str):
             raise DocumentError(f"symbol '{key}' must be bound to a symbol of the arm, not {value!r}", "symbols")
         if arm is not None and value not in (known := _scalars(arm)):
-            raise DocumentError(f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)}", "symbols")
+            raise DocumentError(
+                f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)}", "symbols"
+            )
         symbols[name_key(plain, str(key))] = value
-    quantities = {name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()}
+    quantities = {
+        name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()
+    }
     bound = frozenset(symbols) | frozenset(quantities)
     # A trig letter bound with any index (s_x) or an applied name (J(q)) is bound as written.
     reader = Reader(lambda key: key in bound, words)

@@ -8,9 +8,9 @@ from decimal import Decimal
 
 import numpy as np
 
-from verification.algebras import SampledAlgebra
 from verification.latex import nodes as n
 from verification.matrix import Matrix
+from verification.sampled_algebra import SampledAlgebra
 
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
 
@@ -83,7 +83,9 @@ def coarsest_decimals(nodes: Iterable[n.Node], rounded: Mapping[str, int]) -> in
 
 def finest_decimals(nodes: Iterable[n.Node]) -> int:
     """Return the most decimals of the numbers in these trees, 0 without."""
-    return max((_places(b) for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and "." in b.text), default=0)
+    return max(
+        (_places(b) for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and "." in b.text), default=0
+    )
 
 
 def _places(number: n.Number) -> int:

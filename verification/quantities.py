@@ -49,16 +49,22 @@ class Quantity:
 def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
     """Return the quantity that a front-matter entry describes; raises DocumentError with the valid choices."""
     if not isinstance(spec, Mapping) or len(kinds := [kind for kind in KINDS if kind in spec]) != 1:
-        raise DocumentError(f"quantity '{key}' must name one of {', '.join(KINDS)}, such as {{origin: 3}}; it is {spec!r}")
+        raise DocumentError(
+            f"quantity '{key}' must name one of {', '.join(KINDS)}, such as {{origin: 3}}; it is {spec!r}"
+        )
     kind = kinds[0]
     unknown = set(map(str, spec)) - OPTIONS[kind] - {kind}
     if unknown:
         valid = ", ".join(sorted(OPTIONS[kind])) or "none"
-        raise DocumentError(f"quantity '{key}': unknown option {', '.join(sorted(unknown))}; valid with '{kind}': {valid}")
+        raise DocumentError(
+            f"quantity '{key}': unknown option {', '.join(sorted(unknown))}; valid with '{kind}': {valid}"
+        )
     if kind == "link":
         if spec["link"] not in ("classic", "modified"):
             raise DocumentError(f"quantity '{key}': link must be classic or modified, not {spec['link']!r}")
-        return Quantity("link", str(spec["link"]), rows=_indices(key, spec, "rows"), columns=_indices(key, spec, "columns"))
+        return Quantity(
+            "link", str(spec["link"]), rows=_indices(key, spec, "rows"), columns=_indices(key, spec, "columns")
+        )
     if arm is None:
         raise DocumentError(f"quantity '{key}' is of an arm, but the front matter names no arm")
     if kind == "vector":
@@ -79,7 +85,9 @@ def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
     rows, columns = _indices(key, spec, "rows"), _indices(key, spec, "columns")
     for option, indices, most in (("rows", rows, _height(kind)), ("columns", columns, _width(kind, arm))):
         if indices and max(indices) > most:
-            raise DocumentError(f"quantity '{key}': a {kind} has {most} {option}, there is no {option[:-1]} {max(indices)}")
+            raise DocumentError(
+                f"quantity '{key}': a {kind} has {most} {option}, there is no {option[:-1]} {max(indices)}"
+            )
     quantity = Quantity(
         kind,
         frame_name(arm, str(frame), key),

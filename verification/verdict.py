@@ -111,7 +111,9 @@ class DocumentResult:
 
     def passed_strictly(self) -> bool:
         """As `passed`, and nothing unchecked."""
-        return self.passed and not any(record.verdict is Verdict.UNCHECKED for record in (*self.equations, *self.tables))
+        return self.passed and not any(
+            record.verdict is Verdict.UNCHECKED for record in (*self.equations, *self.tables)
+        )
 
     def as_json(self) -> dict[str, Any]:
         """Return the document as the report's JSON writes it."""

@@ -84,7 +84,7 @@ def measure(claims: Claims) -> Times:
 
 def _prove(checker: DocumentChecker, claims: list[tuple[Display, list[n.Statement]]]) -> None:
     for display, statements in claims:
-        outcomes, _ = checker.outcomes(statements, display.line)
+        outcomes, _ = checker.statements.check(statements, display.line)
         for outcome in outcomes:
             if outcome.verdict not in (Verdict.PROVED, Verdict.DEFINED):
                 raise SystemExit(f"rx90-001.md:{display.line} is {outcome.verdict.value}: {outcome.message}")

@@ -11,7 +11,7 @@ from tests.mutation.mutants import Mutant, mutants_of
 from tests.mutation.place import Place, proved_places
 from verification.latex import nodes as n
 from verification.matrix import Matrix
-from verification.trig import Scalar
+from verification.scalar import Scalar
 from verification.verdict import Verdict
 
 KINDS = ("sign", "index", "function", "length")

@@ -8,10 +8,11 @@ import numpy as np
 
 from models.errors import ArmproofError
 from tests.mutation.place import Place
-from verification.algebras import SampledAlgebra
-from verification.evaluate import Evaluator, Identity, as_scalar, identity
+from verification.evaluate import Evaluator
 from verification.latex import nodes as n
 from verification.matrix import Matrix
+from verification.sampled_algebra import SampledAlgebra
+from verification.values import Identity, as_scalar, identity
 
 SAMPLES = 24
 TOLERANCE = 1e-9

@@ -10,12 +10,13 @@ from functools import lru_cache
 from pathlib import Path
 
 from models.catalogue import load_arm
+from verification.angle_ring import AngleFraction
 from verification.check import DocumentChecker
 from verification.diagnose import Diagnostician
 from verification.document import Display, Document, read_document
-from verification.equation import Member, Outcome
 from verification.latex import nodes as n
-from verification.trig import AngleFraction
+from verification.members import Member
+from verification.outcome import Outcome
 from verification.verdict import Record, Verdict
 
 SECONDS = 60.0  # for what no display may take as long as
@@ -87,17 +88,14 @@ class Place:
     def outcomes(self, statements: list[n.Statement]) -> list[Outcome]:
         """Return what becomes of each equation of a display that stands here; use it within `altered`."""
         self.checker.ring.deadline = time.monotonic() + SECONDS
-        return self.checker.outcomes(statements, self.display.line)[0]
+        return self.checker.statements.check(statements, self.display.line)[0]
 
     @contextmanager
     def altered(self) -> Iterator[None]:
         """Let displays be checked here; what they define is forgotten afterwards, and the roots that they adjoin."""
         checker, ring = self.checker, self.checker.ring
-        general = checker.general._general
-        memories = [
-            _Memory(part)
-            for part in (checker, checker.names, checker.checker, general, general.names, checker.diagnostician)
-        ]
+        general = checker.statements.general._general
+        memories = [_Memory(part) for part in (checker.names, checker.statements, general.names, checker.diagnostician)]
         roots = len(ring.radicands), len(ring.arcs)
         try:
             yield

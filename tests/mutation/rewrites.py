@@ -15,7 +15,7 @@ from verification.closed_form import write_scalar
 from verification.latex import nodes as n
 from verification.latex.writer import Notation, Writer
 from verification.matrix import Matrix
-from verification.trig import Scalar
+from verification.scalar import Scalar
 from verification.verdict import Verdict
 
 EACH = 10  # of a display

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from tests.mutation.place import Place
 from verification.edits import Letters
-from verification.equation import Outcome
 from verification.latex import nodes as n
 from verification.latex.writer import symbol_as_latex
+from verification.outcome import Outcome
 from verification.verdict import Verdict
 
 _WRITTEN: dict[Path, dict[str, n.Name]] = {}  # how each document writes the symbols of its arm

@@ -11,12 +11,13 @@ from hypothesis import settings
 from models.arm import Arm
 from models.catalogue import arm_names, load_arm
 from models.configurations import sample
-from verification.algebras import ExactAlgebra, SampledAlgebra
 from verification.check import check_document
 from verification.document import Display, Document
 from verification.evaluate import Evaluator
+from verification.exact_algebra import ExactAlgebra
 from verification.names import Names, read_names
-from verification.trig import Ring
+from verification.ring import Ring
+from verification.sampled_algebra import SampledAlgebra
 from verification.verdict import DocumentResult, Record
 
 # The same examples at every run, none of them timed: a law holds or it does not.

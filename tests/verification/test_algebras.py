@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from models.arm import Arm
-from verification.algebras import OutsideAlgebra, SampledAlgebra, elementary, link_matrix
+from verification.algebra import OutsideAlgebra, elementary, link_matrix
 from verification.errors import EvaluationError
-from verification.evaluate import identity
 from verification.quantities import Quantity
+from verification.sampled_algebra import SampledAlgebra
+from verification.values import identity
 
 
 def quantities(arm: Arm) -> list[Quantity]:

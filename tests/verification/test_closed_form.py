@@ -9,13 +9,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from models.catalogue import arm_names, load_arm
-from verification.algebras import ExactAlgebra
 from verification.closed_form import fold, write_scalar
 from verification.compare import exactly_equal
 from verification.evaluate import Evaluator
+from verification.exact_algebra import ExactAlgebra
 from verification.latex.writer import Notation
 from verification.names import Names, read_names
-from verification.trig import Ring, Scalar
+from verification.ring import Ring
+from verification.scalar import Scalar
 
 NOTATIONS = {
     "C_{12}": Notation(style="index", cosine="C"),

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from verification.errors import EvaluationError, NoValue, ShapeError, UnboundName
-from verification.evaluate import Evaluator, Identity, is_zero
+from verification.evaluate import Evaluator
 from verification.latex import nodes as n
 from verification.matrix import Matrix
+from verification.values import Identity, is_zero
 
 SAME = [
     (r"I_3 - R^0_1", r"I - R^0_1"),

@@ -12,12 +12,13 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from models.arm import Arm
-from verification.algebras import ExactAlgebra
 from verification.errors import EvaluationError, ShapeError
-from verification.evaluate import identity
+from verification.exact_algebra import ExactAlgebra
 from verification.matrix import Matrix, column, exact_rank
 from verification.quantities import Quantity
-from verification.trig import Ring, Scalar
+from verification.ring import Ring
+from verification.scalar import Scalar
+from verification.values import identity
 
 RING = Ring()
 C1, S1 = RING.cos_sin(RING.symbol("theta_1"))

@@ -194,7 +194,9 @@ class TreeBuilder(Transformer):
             inner = items[0]
             if closed.value == "|":
                 return Item("evaluated", inner, *span)
-            return node_item(inner if isinstance(inner, n.Layout | n.Cases | n.Matrix) else n.Group(inner, "{}", span=span))
+            return node_item(
+                inner if isinstance(inner, n.Layout | n.Cases | n.Matrix) else n.Group(inner, "{}", span=span)
+            )
         return node_item(n.Sequence(tuple(items), "{}", span=span))
 
     def braced_set(self, children: list) -> Item:
@@ -237,7 +239,6 @@ class TreeBuilder(Transformer):
             return node_item(partial_derivative(above, below, span))
         total = total_derivative(above, below, span)
         return node_item(total or n.Quotient(above, below, "frac", span=span))
-
 
     def root(self, children: list) -> Item:
         token, argument = children[0], children[-1]

@@ -32,7 +32,9 @@ class CallReader(NameReader):
             return None
         _, text, span = subs[0]
         amount = self._elementary_amount(text, span)
-        if amount is None or not any(isinstance(below, n.Name) and below.base in ANGLE_LETTERS for below in n.walk(amount)):
+        if amount is None or not any(
+            isinstance(below, n.Name) and below.base in ANGLE_LETTERS for below in n.walk(amount)
+        ):
             return None
         axis = n.Name(canonical_script(text)[0].lower(), span=span)
         call = n.Call("Rot3", (axis, amount), self.text[item.start : span[1]], "script", span=(item.start, span[1]))
@@ -46,22 +48,43 @@ class CallReader(NameReader):
         if not isinstance(node, n.Name):
             return None
         group = following.node
-        arguments = group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
-        if arguments and node.base[:1].isupper() and node.base not in TRIG_LETTERS and all(map(_is_constant, arguments)):
+        arguments = (
+            group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
+        )
+        if (
+            arguments
+            and node.base[:1].isupper()
+            and node.base not in TRIG_LETTERS
+            and all(map(_is_constant, arguments))
+        ):
             # {}^0T_3(0, 90^\\circ, 0), J(0, 0): the arm at a configuration
             span = (node.span[0], following.end)
             head = self.text[node.span[0] : node.span[1]]
-            return self.scripted(n.Call("name", (node, *arguments), head, "name", span=span), following.scripts, node.span[0])
+            return self.scripted(
+                n.Call("name", (node, *arguments), head, "name", span=span), following.scripts, node.span[0]
+            )
         if not all(isinstance(argument, n.Name) for argument in arguments):
             return None
         inside = ",".join(argument.key for argument in arguments)  # type: ignore[attr-defined]
         key = f"{node.key}({inside})"
         plain = all(a.base in ("q", "t", "theta", "d") or a.base in ANGLE_LETTERS for a in arguments)  # type: ignore[attr-defined]
         letter = node.base
-        is_function = (letter in "fgh" and not node.sub) or (letter[:1].isupper() and letter not in "CS") or (len(letter) > 1 and letter not in ANGLE_LETTERS)
-        if self.is_bound(key) or (is_function and (plain or letter[:1].isupper())) or (plain and inside in ("q", "t") and not self.is_bound(node.key)):
+        is_function = (
+            (letter in "fgh" and not node.sub)
+            or (letter[:1].isupper() and letter not in "CS")
+            or (len(letter) > 1 and letter not in ANGLE_LETTERS)
+        )
+        if (
+            self.is_bound(key)
+            or (is_function and (plain or letter[:1].isupper()))
+            or (plain and inside in ("q", "t") and not self.is_bound(node.key))
+        ):
             named = n.Call(
-                "name", (node, *arguments), self.text[node.span[0] : node.span[1]], "name", span=(node.span[0], following.end)
+                "name",
+                (node, *arguments),
+                self.text[node.span[0] : node.span[1]],
+                "name",
+                span=(node.span[0], following.end),
             )
             return self.scripted(named, following.scripts, node.span[0])
         if letter == "S" and not node.sub and not plain:  # S(v), the skew matrix, unless the argument is an angle
@@ -91,16 +114,22 @@ class CallReader(NameReader):
         if following.kind == "letter" and following.base in ANGLE_LETTERS and not following.pre:
             angle = self.name(Item("letter", None, following.start, following.end, following.base, following.scripts))
             if isinstance(angle, n.Name):
-                call = n.Call(function, (angle,), self.text[item.start : item.end], "letter", span=(item.start, following.end))
+                call = n.Call(
+                    function, (angle,), self.text[item.start : item.end], "letter", span=(item.start, following.end)
+                )
                 return self.scripted(call, sups, item.start), 2
         group = following.node
         if following.kind in ("list", "braces", "node") and isinstance(group, n.Group) and self._is_angle(group.inner):
-            call = n.Call(function, (group.inner,), self.text[item.start : item.end], "letter()", span=(item.start, following.end))
+            call = n.Call(
+                function, (group.inner,), self.text[item.start : item.end], "letter()", span=(item.start, following.end)
+            )
             if sups:
                 call = self.scripted(call, sups, item.start)  # type: ignore[assignment]
             return self.scripted(call, following.scripts, item.start), 2
         if following.kind == "node" and isinstance(group, n.Name) and group.base in ANGLE_LETTERS:
-            call = n.Call(function, (group,), self.text[item.start : item.end], "letter", span=(item.start, following.end))
+            call = n.Call(
+                function, (group,), self.text[item.start : item.end], "letter", span=(item.start, following.end)
+            )
             return self.scripted(call, [*sups, *following.scripts], item.start), 2
         return None
 
@@ -111,7 +140,9 @@ class CallReader(NameReader):
             return n.JointAngles(tuple((-1 if sign == "-" else 1, int(digit)) for sign, digit in found), span=span)
         if canonical in ("i", "j", "k", "n", "i-1", "i+1", "n-1"):
             return n.Name("theta", sub=canonical, text=raw, span=span)
-        spaced = re.sub(r"(\\(?:theta|alpha|beta|gamma|phi|psi|varphi))\s*([a-z0-9](?:[-+]1)?)(?![A-Za-z])", r"\1_{\2}", raw)
+        spaced = re.sub(
+            r"(\\(?:theta|alpha|beta|gamma|phi|psi|varphi))\s*([a-z0-9](?:[-+]1)?)(?![A-Za-z])", r"\1_{\2}", raw
+        )
         if not re.search(r"\\(?:var)?(?:theta|alpha|beta|gamma|phi|psi)|^\s*q", spaced):
             return None
         try:
@@ -153,7 +184,9 @@ class CallReader(NameReader):
         head = self.text[item.start : item.end]
         if following.kind == "list" and not following.pre:
             group = following.node
-            arguments = group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
+            arguments = (
+                group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
+            )
             if function == "atan" and len(arguments) == 2:
                 function = "atan2"
             if axis is not None:
@@ -164,7 +197,9 @@ class CallReader(NameReader):
         made = n.Call(function, (operand,), head, "macro", span=(item.start, operand.span[1]))
         return self.scripted(made, powers, item.start), after
 
-    def _scripted_call(self, item: Item, function: str, arguments: tuple[n.Node, ...], subscript: Script, style: str) -> n.Node:
+    def _scripted_call(
+        self, item: Item, function: str, arguments: tuple[n.Node, ...], subscript: Script, style: str
+    ) -> n.Node:
         """A function whose argument stands in its subscript, with its other scripts applied."""
         end = subscript[2][1]
         head = self.text[item.start : subscript[2][0] if style != "script" or len(arguments) == 1 else end]
@@ -173,7 +208,9 @@ class CallReader(NameReader):
 
     def _elementary_amount(self, subscript: str, span: tuple[int, int]) -> n.Node | None:
         """Return the angle or length of Rot_{z,\\theta_i} and Trans_{x,a_i}, or None where only the axis is given."""
-        parts = re.fullmatch(r"\s*[xyzXYZ]\s*(?:_\s*(?:\{[^{}]*\}|\w))?\s*(?:,|;|\\[,;: ])\s*(\S.*)", subscript, re.DOTALL)
+        parts = re.fullmatch(
+            r"\s*[xyzXYZ]\s*(?:_\s*(?:\{[^{}]*\}|\w))?\s*(?:,|;|\\[,;: ])\s*(\S.*)", subscript, re.DOTALL
+        )
         return self.parse(parts.group(1), self.text.find(parts.group(1), span[0])) if parts else None
 
     def _bare_argument(self, items: Seq[Item], index: int, function: str) -> tuple[n.Node, int]:

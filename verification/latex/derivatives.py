@@ -13,7 +13,11 @@ def partial_derivative(above: Differential, below: Differential, span: tuple[int
         raise ReadError("a derivative with respect to nothing", below.span[0])
     variable, order = below.operand, above.order
     if order > 1:
-        if not (isinstance(variable, n.Power) and isinstance(variable.exponent, n.Number) and variable.exponent.value == order):
+        if not (
+            isinstance(variable, n.Power)
+            and isinstance(variable.exponent, n.Number)
+            and variable.exponent.value == order
+        ):
             raise ReadError("a higher derivative is with respect to one variable, such as \\partial t^2", below.span[0])
         variable = variable.base
     if above.operand is None:
@@ -30,6 +34,10 @@ def total_derivative(above: n.Node, below: n.Node, span: tuple[int, int]) -> n.N
     if isinstance(above, n.Name) and above.key == mark:
         return DerivativeOperator(below_run[1], span=span)
     if isinstance(above, n.Product) and isinstance(above.factors[0], n.Name) and above.factors[0].key == mark:
-        operand = above.factors[1] if len(above.factors) == 2 else n.Product(above.factors[1:], above.operators[1:], span=above.span)
+        operand = (
+            above.factors[1]
+            if len(above.factors) == 2
+            else n.Product(above.factors[1:], above.operators[1:], span=above.span)
+        )
         return n.Derivative(operand, below_run[1], span=span)
     return None

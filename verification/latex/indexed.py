@@ -10,7 +10,9 @@ from verification.latex.scripts import ScriptReader
 from verification.latex.tokens import canonical_script
 
 TRANSFORM_LETTERS = frozenset("TAHR")
-VECTOR_LETTERS = frozenset(["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"])
+VECTOR_LETTERS = frozenset(
+    ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
+)
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 

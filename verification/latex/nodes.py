@@ -225,7 +225,15 @@ def children(node: Node) -> Iterator[Node]:
 @cache
 def _branching(kind: Any) -> tuple[str, ...]:
     """The fields of a class that may hold nodes."""
-    plain = ("str", "int", "Fraction", "tuple[int, int]", "tuple[int, int] | None", "tuple[tuple[int, int], ...]", "tuple[str, ...]")
+    plain = (
+        "str",
+        "int",
+        "Fraction",
+        "tuple[int, int]",
+        "tuple[int, int] | None",
+        "tuple[tuple[int, int], ...]",
+        "tuple[str, ...]",
+    )
     return tuple(spec.name for spec in fields(kind) if spec.type not in plain)
 
 

@@ -26,7 +26,9 @@ _READABLE = {
 class Reader:
     """Reads displays; `is_bound` tells the names the front matter binds, `words` the multi-letter ones among them."""
 
-    def __init__(self, is_bound: Callable[[str], bool] = lambda key: False, words: frozenset[str] = frozenset()) -> None:
+    def __init__(
+        self, is_bound: Callable[[str], bool] = lambda key: False, words: frozenset[str] = frozenset()
+    ) -> None:
         self.is_bound = is_bound
         self.words = words
 
@@ -85,6 +87,12 @@ def _grammar() -> Lark:
 
 def key_as_latex(key: str) -> str:
     """Write a front-matter name as LaTeX: `theta_12` → `\\theta_{12}`, `J'_P` as it stands, `T_w^tool` braced."""
-    spelled = re.sub(r"(?<![\\A-Za-z])(theta|alpha|beta|gamma|phi|psi|omega|sigma|delta|lambda|mu|rho|varphi|tau)(?![A-Za-z])", r"\\\1", key)
-    spelled = re.sub(r"(?<=[A-Za-z0-9'])([_^])([A-Za-z0-9]{2,})", r"\1{\2}", spelled)  # pre-scripts are one digit, or braced
+    spelled = re.sub(
+        r"(?<![\\A-Za-z])(theta|alpha|beta|gamma|phi|psi|omega|sigma|delta|lambda|mu|rho|varphi|tau)(?![A-Za-z])",
+        r"\\\1",
+        key,
+    )
+    spelled = re.sub(
+        r"(?<=[A-Za-z0-9'])([_^])([A-Za-z0-9]{2,})", r"\1{\2}", spelled
+    )  # pre-scripts are one digit, or braced
     return spelled

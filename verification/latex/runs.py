@@ -79,7 +79,9 @@ class RunReader(CallReader):
         return n.Labelled(item.node, label, size, span=(item.start, item.end))
 
     def _evaluated(self, item: Item) -> n.Node:
-        values = tuple(pair for kind, text, span in item.scripts if kind == "SUB" for pair in self.configuration(text, span))
+        values = tuple(
+            pair for kind, text, span in item.scripts if kind == "SUB" for pair in self.configuration(text, span)
+        )
         assert item.node is not None
         if not values:
             return n.Call("abs", (item.node,), "|", "bars", span=(item.start, item.end))
@@ -91,13 +93,24 @@ class RunReader(CallReader):
         trig = self.trig_letter(item, following)
         if trig is not None:
             return trig[0], index + trig[1]
-        if item.base in ("R", "T", "D", "Tr", "Ro") and following is not None and following.kind == "list" and not item.pre:
+        if (
+            item.base in ("R", "T", "D", "Tr", "Ro")
+            and following is not None
+            and following.kind == "list"
+            and not item.pre
+        ):
             axis = next((canonical_script(text) for kind, text, _ in item.scripts if kind == "SUB"), "")
-            if re.fullmatch(r"[xyzXYZ](_.*)?|[xyz],.*", axis) and len(item.scripts) == 1 and isinstance(following.node, n.Group):
+            if (
+                re.fullmatch(r"[xyzXYZ](_.*)?|[xyz],.*", axis)
+                and len(item.scripts) == 1
+                and isinstance(following.node, n.Group)
+            ):
                 function = "Rot3" if item.base == "R" else "Trans"
                 axis_name = n.Name(axis[0].lower(), span=item.scripts[0][2])
                 head = self.text[item.start : item.end]
-                call = n.Call(function, (axis_name, following.node.inner), head, "script", span=(item.start, following.end))
+                call = n.Call(
+                    function, (axis_name, following.node.inner), head, "script", span=(item.start, following.end)
+                )
                 return self.scripted(call, following.scripts, item.start), index + 2
         elementary = self.elementary_letter(item)
         if elementary is not None:

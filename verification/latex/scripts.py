@@ -39,7 +39,9 @@ class ScriptReader:
             if kind == "SUB":
                 size = re.fullmatch(r"\(?(\d)x(\d)\)?", canonical)
                 if size and isinstance(node, n.Number) and node.value == 0:  # 0_{3×1}
-                    node = n.Matrix(((node,) * int(size.group(2)),) * int(size.group(1)), "zeros", span=(start, span[1]))
+                    node = n.Matrix(
+                        ((node,) * int(size.group(2)),) * int(size.group(1)), "zeros", span=(start, span[1])
+                    )
                     continue
                 if isinstance(node, n.Matrix | n.Group | n.Sequence | n.Call | n.Number) or canonical.startswith("("):
                     continue  # a size or frame note under a matrix, such as _{3×1} or _{(0)}
@@ -60,7 +62,9 @@ class ScriptReader:
                 values.append((self.parse(left, offset), self.parse(right, offset)))
         return tuple(values)
 
-    def _raise_to(self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]) -> n.Node:
+    def _raise_to(
+        self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]
+    ) -> n.Node:
         if canonical == "":  # a star
             return replace(node, span=whole)
         if canonical in OPERATORS:
@@ -73,7 +77,12 @@ class ScriptReader:
 
 def _spaced_row(node: n.Node) -> n.Sequence | None:
     """[q_1 q_2]^T is a row of entries set off by blanks, for a product has no transpose."""
-    if not isinstance(node, n.Group) or node.brackets != "[]" or not isinstance(node.inner, n.Product) or any(node.inner.operators):
+    if (
+        not isinstance(node, n.Group)
+        or node.brackets != "[]"
+        or not isinstance(node.inner, n.Product)
+        or any(node.inner.operators)
+    ):
         return None
     plain = all(isinstance(factor, n.Name | n.Number | n.Call) for factor in node.inner.factors)
     return n.Sequence(node.inner.factors, "[]", span=node.span) if plain else None

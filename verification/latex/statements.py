@@ -122,15 +122,21 @@ def _continue_sum(found: _Statements, more: n.Sum) -> None:
 def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
     """A matrix, lines of equations, or a brace of cases, by what the cells hold."""
     rows = _without_empty(rows)
-    relations = [any(isinstance(part, Token) and part.type == "REL" for part in cell) for row in rows for cell in row[:1]]
-    anywhere = any(isinstance(part, Token) and part.type in ("REL", "CONN") for row in rows for cell in row for part in cell)
+    relations = [
+        any(isinstance(part, Token) and part.type == "REL" for part in cell) for row in rows for cell in row[:1]
+    ]
+    anywhere = any(
+        isinstance(part, Token) and part.type in ("REL", "CONN") for row in rows for cell in row for part in cell
+    )
     if name in ("cases", "dcases", "rcases") and not any(relations):
         return _cases(rows, span, text)
     if name in LAYOUTS or anywhere:
         if len(rows) == 1 and len(rows[0]) == 1 and len(rows[0][0]) == 1 and isinstance(rows[0][0][0], n.Node):
             return rows[0][0][0]  # an alignment that holds one expression
         return n.Layout(tuple(build_statements(rows)), span=span)
-    return n.Matrix(tuple(tuple(_matrix_cell(cell, span) for cell in row) for row in _checked(rows, span)), name, span=span)
+    return n.Matrix(
+        tuple(tuple(_matrix_cell(cell, span) for cell in row) for row in _checked(rows, span)), name, span=span
+    )
 
 
 def _checked(rows: list[list[Cell]], span: tuple[int, int]) -> list[list[Cell]]:

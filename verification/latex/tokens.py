@@ -64,13 +64,17 @@ _FACTOR = re.compile(
 )
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
 _MARKED_RELATION = re.compile(r"\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
-_WIDE_SPACE = re.compile(r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}")
+_WIDE_SPACE = re.compile(
+    r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
+)
 _REMARK = re.compile(r"\(\s*[ijkn]\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
     ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
 )
+
+
 class _Scanner:
     """One pass over a display: the state that a token's meaning may depend on."""
 
@@ -194,7 +198,10 @@ class _Scanner:
 
     def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
-            return [self.token("NUMBER", value[0], start, start + 1), self.token("NUMBER", value[1], start + 1, start + 2)], start + 2
+            return [
+                self.token("NUMBER", value[0], start, start + 1),
+                self.token("NUMBER", value[1], start + 1, start + 2),
+            ], start + 2
         return [self.token("NUMBER", value, start, end)], end
 
     def on_bracespace(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
@@ -291,13 +298,20 @@ class _Scanner:
             return self._function(content, start, after)
         if content in VARIANTS or content in GREEK:
             return self._letter(VARIANTS.get(content, content), start, after)
-        if name in ("text", "textbf", "textit", "textrm", "textsf", "mbox", "hbox", "emph") and content not in self.words:
+        if (
+            name in ("text", "textbf", "textit", "textrm", "textsf", "mbox", "hbox", "emph")
+            and content not in self.words
+        ):
             if len(content) == 1 and content.isalpha() and content not in "àa":
                 return self._letter(content, start, after)
             if re.fullmatch(r"[a-zA-Z]\d+", content):
                 return [], end
             return [self.token("TEXT", content, start, after)], after
-        if re.fullmatch(r"[A-Za-z]+", content) and (len(content) > 1) and not re.fullmatch(r"(?:boxed|fbox|vec|overline|bar|hat)", name):
+        if (
+            re.fullmatch(r"[A-Za-z]+", content)
+            and (len(content) > 1)
+            and not re.fullmatch(r"(?:boxed|fbox|vec|overline|bar|hat)", name)
+        ):
             return self._letter(content, start, after)
         if re.fullmatch(r"[A-Za-z]", content):
             return self._letter(content, start, after)
@@ -305,7 +319,9 @@ class _Scanner:
 
     def _function(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         if FUNCTIONS[name] in ("atan", "tan") or (name == "a"):
-            two = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))").match(self.text, end)
+            two = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))").match(
+                self.text, end
+            )
             if two and FUNCTIONS[name] == "atan":
                 return [self.token("FUNC", "atan2", start, two.end())], two.end()
         if name == "sqrt":
@@ -344,7 +360,11 @@ class _Scanner:
         return [self.token("REL", "=", start, end)], end
 
     def _bar(self, start: int, end: int) -> tuple[list[Token], int]:
-        if self.previous in _ENDS_OPERAND and not self.bar_open and (script := re.compile(r"\s*_").match(self.text, end)):
+        if (
+            self.previous in _ENDS_OPERAND
+            and not self.bar_open
+            and (script := re.compile(r"\s*_").match(self.text, end))
+        ):
             argument, end = self._script_argument(script.end() - 1, script.end())  # J|_{θ_2 = 0}
             return [self.token("AT", argument, start, end)], end
         opening = self.previous not in _ENDS_OPERAND if not self.bar_open else False

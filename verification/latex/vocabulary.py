@@ -32,7 +32,14 @@ FUNCTIONS = {
     "tanh": "tanh", "min": "min", "max": "max", "lim": "lim",
 }  # fmt: skip
 # bare letters are a product unless they spell one of these
-BARE_WORDS = sorted((set(FUNCTIONS) - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot", "ln", "min", "max", "lim", "exp", "log", "sgn"}), key=len, reverse=True)
+BARE_WORDS = sorted(
+    (
+        set(FUNCTIONS)
+        - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot", "ln", "min", "max", "lim", "exp", "log", "sgn"}
+    ),
+    key=len,
+    reverse=True,
+)
 BARE_GREEK = ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma")
 
 RELATIONS = {

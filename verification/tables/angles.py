@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from verification.matrix import Matrix
-from verification.trig import Ring, Scalar
+from verification.ring import Ring
+from verification.scalar import Scalar
 
 Angle = tuple[Scalar, Scalar]  # the cosine and the sine
 

@@ -6,13 +6,13 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from verification.algebras import Algebra
+from verification.algebra import Algebra
 from verification.errors import EvaluationError, ReadError
 from verification.evaluate import Evaluator
 from verification.latex import nodes as n
 from verification.names import Names
+from verification.scalar import Scalar
 from verification.tables.columns import plain
-from verification.trig import Scalar
 
 _BLANK = re.compile(r"(?:-|–|—|−|−−|--|---|/|\\times|×|\.|\\cdot|\\dots|\\ldots)?")
 _KINDS = {

@@ -6,15 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from models.arm import Arm
-from verification.algebras import ExactAlgebra
+from verification.exact_algebra import ExactAlgebra
 from verification.matrix import Matrix
 from verification.names import Names
 from verification.quantities import Quantity
+from verification.scalar import Scalar
 from verification.tables.cells import Cell
 from verification.tables.columns import Columns
 from verification.tables.frames import Frames
 from verification.tables.row import PARAMETERS, RightRow
-from verification.trig import Scalar
 
 
 @dataclass(frozen=True)

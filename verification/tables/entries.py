@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from verification.errors import EvaluationError
 from verification.latex.reader import key_as_latex
+from verification.scalar import Scalar
 from verification.tables.cells import read_kind
 from verification.tables.claim import Row, RowVerdict
 from verification.tables.columns import plain
@@ -15,7 +16,6 @@ from verification.tables.notation import Notation
 from verification.tables.reading import TableReading
 from verification.tables.row import ANGLES, SCALES
 from verification.tables.words import change_of_angle, change_of_length, letter_of, symbols_of
-from verification.trig import Scalar
 from verification.verdict import WrongEntry
 
 _DEGREE_SIGN = re.compile(r"\^\s*\{?\s*\\circ\s*\}?|°|\\degree")

@@ -9,8 +9,8 @@ from fractions import Fraction
 from verification.latex import nodes as n
 from verification.latex.reader import key_as_latex
 from verification.names import Names
+from verification.scalar import Scalar
 from verification.tables.cells import Cell
-from verification.trig import Scalar
 
 
 class Notation:

@@ -15,6 +15,8 @@ from verification.document import Table
 from verification.equation import ChainChecker
 from verification.errors import EvaluationError
 from verification.latex import nodes as n
+from verification.ring import Ring
+from verification.scalar import Scalar
 from verification.tables.angles import Angle, angle_as_scalar, constant_angle, roll_pitch_yaw, to_radians
 from verification.tables.cells import Cell, UnreadableCell, read_axis, read_cell, read_kind
 from verification.tables.columns import read_header
@@ -22,7 +24,6 @@ from verification.tables.notation import Notation
 from verification.tables.origin_columns import RPY, XYZ, origin_columns, spelt_name
 from verification.tables.row import SCALES, equal
 from verification.tables.words import change_of_angle, change_of_length
-from verification.trig import Ring, Scalar
 from verification.verdict import Record, Verdict, WrongEntry
 
 

@@ -8,16 +8,16 @@ from functools import reduce
 
 import numpy as np
 
-from verification.algebras import SampledAlgebra
 from verification.compare import Pair, entry_errors
-from verification.equation import TOLERANCE
+from verification.confirm import TOLERANCE
 from verification.matrix import Matrix
 from verification.quantities import Quantity
+from verification.sampled_algebra import SampledAlgebra
+from verification.scalar import Scalar
 from verification.tables.claim import RowVerdict
 from verification.tables.reading import TableReading
 from verification.tables.row import PARAMETERS, row_matrix
 from verification.tables.tool import Tool
-from verification.trig import Scalar
 from verification.verdict import Record, Verdict
 
 # rad or m: generic joint variables for a counterexample, the first value and the step; two, lest one equal a length

@@ -8,6 +8,7 @@ from typing import Any
 
 from verification.errors import EvaluationError, UnboundName
 from verification.matrix import Matrix
+from verification.scalar import Scalar
 from verification.tables.angles import angle_as_scalar, constant_angle, to_radians
 from verification.tables.cells import Cell
 from verification.tables.claim import Claim, Row, RowVerdict
@@ -15,7 +16,6 @@ from verification.tables.columns import Reading
 from verification.tables.frames import Frames
 from verification.tables.row import ANGLES, PARAMETERS, SCALES, is_free_of, right_row, row_matrix
 from verification.tables.words import letter_of, symbols_of
-from verification.trig import Scalar
 
 
 class TableReading:

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from verification.algebras import Algebra
+from verification.algebra import Algebra
 from verification.errors import EvaluationError
 from verification.matrix import Matrix
+from verification.scalar import Scalar
 from verification.tables.angles import Angle
-from verification.trig import Scalar
 
 PARAMETERS = ("a", "alpha", "d", "theta")
 ANGLES = ("alpha", "theta")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from verification.latex.reader import key_as_latex
+from verification.scalar import Scalar
 from verification.tables.angles import in_radians, rational_part
-from verification.trig import Scalar
 
 ROUNDED = 5e-3  # rad: 1.57 for π/2
 

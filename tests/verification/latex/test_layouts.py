@@ -11,7 +11,10 @@ Judge = Callable[..., Record]
 
 ARM: dict[str, Any] = {
     "dh": "classic",
-    "rows": [{"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"}, {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"}],
+    "rows": [
+        {"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"},
+        {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"},
+    ],
 }
 BOUND = {"x": {"origin": 2, "component": "x"}, "y": {"origin": 2, "component": "y"}}
 X, Y = r"a_1\cos\theta_1 + a_2\cos(\theta_1+\theta_2)", r"a_1\sin\theta_1 + a_2\sin(\theta_1+\theta_2)"

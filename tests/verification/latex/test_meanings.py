@@ -22,7 +22,10 @@ ARM: dict[str, Any] = {
 }
 PLANAR: dict[str, Any] = {
     "dh": "classic",
-    "rows": [{"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"}, {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"}],
+    "rows": [
+        {"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"},
+        {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"},
+    ],
 }
 POINT = r"\begin{bmatrix} c_1(a_2c_2+a_3c_{23}) \\ s_1(a_2c_2+a_3c_{23}) \\ d_1%sa_2s_2+a_3s_{23} \end{bmatrix}"
 
@@ -67,7 +70,10 @@ def test_a_wrong_entry_is_refuted_beside_one_that_is_not_bound(judge: Judge) -> 
 
 
 def test_an_angle_that_the_arm_does_not_have_is_a_slip(judge: Judge) -> None:
-    record = judge(r"{}^1T_2 = \begin{bmatrix} c_2 & -s_2 & 0 & a_2c_2 \\ s_2 & c_5 & 0 & a_2s_2 \\ 0&0&1&0 \\ 0&0&0&1 \end{bmatrix}", arm=ARM)
+    record = judge(
+        r"{}^1T_2 = \begin{bmatrix} c_2 & -s_2 & 0 & a_2c_2 \\ s_2 & c_5 & 0 & a_2s_2 \\ 0&0&1&0 \\ 0&0&0&1 \end{bmatrix}",
+        arm=ARM,
+    )
     assert record.verdict is Verdict.REFUTED
     assert [(entry.row, entry.column) for entry in record.entries] == [(2, 2)]
 
@@ -159,7 +165,14 @@ def test_a_numeric_pose_at_no_known_configuration_is_left_open(judge: Judge) -> 
     assert "no display before states" in record.message
 
 
-@pytest.mark.parametrize("name", [r"{}^0T_3(0, 90^\circ, 0)", r"{}^0T_3|_{\theta_1=0,\,\theta_2=90^\circ,\,\theta_3=0}", r"\left. {}^0T_3 \right|_{\theta_1 = 0, \theta_2 = \pi/2, \theta_3 = 0}"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        r"{}^0T_3(0, 90^\circ, 0)",
+        r"{}^0T_3|_{\theta_1=0,\,\theta_2=90^\circ,\,\theta_3=0}",
+        r"\left. {}^0T_3 \right|_{\theta_1 = 0, \theta_2 = \pi/2, \theta_3 = 0}",
+    ],
+)
 def test_a_pose_may_be_taken_at_a_configuration(judge: Judge, name: str) -> None:
     cells = r"%s = \begin{bmatrix} 0&-1&0&0 \\ 0&0&-1&0 \\ 1&0&0& d_1 + a_2 %s a_3 \\ 0&0&0&1 \end{bmatrix}"
     assert judge(cells % (name, "+"), arm=ARM).verdict is Verdict.PROVED
@@ -217,7 +230,9 @@ def test_a_letter_keeps_its_meaning_within_a_section(judge: Judge) -> None:
 
 
 def test_an_entry_of_a_pose_keeps_its_meaning_in_every_section() -> None:
-    result = check_document(write_sections(r"{}^0T_3 = \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}", rf"p = {POINT % '-'}"))
+    result = check_document(
+        write_sections(r"{}^0T_3 = \begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}", rf"p = {POINT % '-'}")
+    )
     assert result.equations[-1].verdict is Verdict.REFUTED
 
 
@@ -230,7 +245,9 @@ def test_a_height_named_like_an_axis_is_the_documents_own(judge: Judge) -> None:
     assert judge(r"z_2 = d_1 + a_2\sin\theta_2", arm=ARM, quantities={"z_2": {"axis": 2}}).verdict is Verdict.REFUTED
 
 
-@pytest.mark.parametrize(("values", "verdict"), [(r"\theta_3 = 0", Verdict.PROVED), (r"\theta_3 = \pi/2", Verdict.REFUTED)])
+@pytest.mark.parametrize(
+    ("values", "verdict"), [(r"\theta_3 = 0", Verdict.PROVED), (r"\theta_3 = \pi/2", Verdict.REFUTED)]
+)
 def test_a_determinant_at_a_configuration_is_a_claim(judge: Judge, values: str, verdict: Verdict) -> None:
     assert judge(rf"\det J_v|_{{{values}}} = 0", arm=ARM).verdict is verdict
     assert judge(rf"\left. \det J_v \right|_{{{values}}} = 0", arm=ARM).verdict is verdict

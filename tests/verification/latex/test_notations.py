@@ -76,7 +76,10 @@ def test_every_environment_holds_a_matrix(judge: Judge, environment: str) -> Non
     assert_told_apart(judge, f"{{}}^0T_1 = {right}", f"{{}}^0T_1 = {wrong}")
 
 
-@pytest.mark.parametrize("row", [r" \\ ", r"\\[1ex]", r"\\[4pt] ", r" \\\\ ", "\n\\\\\n", r"\\", r" \\ \hline ", r" \\ \\ ", r" \\*", r" \cr "])
+@pytest.mark.parametrize(
+    "row",
+    [r" \\ ", r"\\[1ex]", r"\\[4pt] ", r" \\\\ ", "\n\\\\\n", r"\\", r" \\ \hline ", r" \\ \\ ", r" \\*", r" \cr "],
+)
 @pytest.mark.parametrize("cell", [" & ", "&", " && ", " &\n "])
 def test_rows_and_cells_may_be_set_off_in_any_way(judge: Judge, row: str, cell: str) -> None:
     names = {"cosine": r"\cos\theta_1", "sine": r"\sin\theta_1"}
@@ -117,7 +120,9 @@ def test_sums_of_angles_are_read_in_every_spelling(judge: Judge, angle: str) -> 
     assert [(entry.row, entry.column) for entry in wrong.entries] == [(1, 1)]
 
 
-@pytest.mark.parametrize("degrees", [r"90^\circ", r"90^{\circ}", "90°", r"90^o", r"90\degree", r"\frac{\pi}{2}", r"\pi/2", r"90\text{ deg}"])
+@pytest.mark.parametrize(
+    "degrees", [r"90^\circ", r"90^{\circ}", "90°", r"90^o", r"90\degree", r"\frac{\pi}{2}", r"\pi/2", r"90\text{ deg}"]
+)
 def test_constant_angles_are_in_degrees_or_radians(judge: Judge, degrees: str) -> None:
     lines = r"A_1 = \begin{bmatrix} c_1 & -\cos(%s)s_1 & \sin(%s)s_1 & 0 \\ s_1 & \cos(%s)c_1 & -\sin(%s)c_1 & 0 \\ 0 & %s\sin(%s) & \cos(%s) & d_1 \\ 0&0&0&1 \end{bmatrix}"
     angles = (degrees,) * 4

@@ -35,7 +35,11 @@ def read(latex: str) -> list[n.Statement]:
         (r"x = a^{99}", 5, "the exponent 99 is larger than 24"),
         (r"x = \frac{}{2}", 9, "an argument is empty"),
         (r"x == y", 3, "two relations in a row at '='"),
-        (r"\begin{bmatrix} a & \\ 1 & 2 \end{bmatrix}", 0, "a cell of a matrix is empty: write 0 where a zero is meant"),
+        (
+            r"\begin{bmatrix} a & \\ 1 & 2 \end{bmatrix}",
+            0,
+            "a cell of a matrix is empty: write 0 where a zero is meant",
+        ),
     ],
 )
 def test_an_error_names_the_place_and_the_token(latex: str, offset: int, message: str) -> None:
@@ -79,7 +83,14 @@ def test_a_name_has_one_key_in_every_style(latex: str, key: str) -> None:
 
 @pytest.mark.parametrize(
     ("key", "latex"),
-    [("theta_12", r"\theta_{12}"), ("T_w^tool", "T_w^{tool}"), ("J'_P", "J'_P"), ("{}^0P_{1,G}", "{}^0P_{1,G}"), ("{}^0P", "{}^0P"), ("p_x", "p_x")],
+    [
+        ("theta_12", r"\theta_{12}"),
+        ("T_w^tool", "T_w^{tool}"),
+        ("J'_P", "J'_P"),
+        ("{}^0P_{1,G}", "{}^0P_{1,G}"),
+        ("{}^0P", "{}^0P"),
+        ("p_x", "p_x"),
+    ],
 )
 def test_a_front_matter_name_is_written_as_latex(key: str, latex: str) -> None:
     assert key_as_latex(key) == latex

@@ -12,8 +12,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from models.exact import angle_value
+from verification.angle_ring import AngleFraction
 from verification.errors import EvaluationError, TooComplex
-from verification.trig import AngleFraction, Ring, Scalar
+from verification.ring import Ring
+from verification.scalar import Scalar
 
 Tree = tuple[Any, ...]
 GENERATOR = np.random.default_rng(3)
