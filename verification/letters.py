@@ -20,8 +20,9 @@ def new_name(names: Names, chain: n.Chain) -> str | None:
     """In a document of general statements, the first letter that stands alone and is new is being defined."""
     if len(chain.members) < 2:
         return None
-    for member in chain.members:
-        member = bare(member)
+    for place, member in enumerate(map(bare, chain.members)):
+        if isinstance(member, n.Name) and place and member.dots:
+            continue  # a rate on the right side is that of a variable, not a new name
         if isinstance(member, n.Name) and names.is_new(member) and member.key not in keys_beside(chain, member):
             return member.key
     return None

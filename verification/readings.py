@@ -84,7 +84,7 @@ class Readings:
             and vector
             and number
             and isinstance(implied.value, Matrix)
-            and (key := bare_key(implied.node)) not in self.names.quantities
+            and (key := bare_key(implied.node)) not in (*self.names.quantities, *self.names.definitions)
         ):
             self.names.define(str(key), self.members.meaning(other.node), line)
             return replace(outcome, verdict=Verdict.DEFINED, message=f"{key} is a number here, not the arm's vector")
