@@ -48,6 +48,7 @@ def time_derivative(evaluator: Evaluator, node: n.Name) -> Value:
     if symbol is not None and _is_variable(evaluator, symbol):
         return evaluator.algebra.symbol(rate_symbol(symbol, node.dots))
     if evaluator.names.is_free(plain) and plain.key not in evaluator.names.definitions:
+        evaluator.names.used.add(node.key)
         return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))
     if node.key in evaluator.names.definitions:
         return evaluator.names.definitions[node.key].evaluate(evaluator.algebra)

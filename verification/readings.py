@@ -92,6 +92,7 @@ class Readings:
         matrices = [side for side in sides if isinstance(side.value, Matrix)]
         if (
             rate is None
+            or self.names.is_free(replace(rate, dots=0))  # a free scalar's rate is a scalar
             or len(matrices) != 1
             or any(isinstance(b, n.Matrix) for side in sides for b in n.walk(side.node))
         ):

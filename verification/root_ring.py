@@ -9,7 +9,7 @@ from fractions import Fraction
 from flint import fmpq_mpoly
 
 from verification.angle_ring import AngleRing
-from verification.errors import EvaluationError
+from verification.errors import EvaluationError, NoValue
 from verification.scalar import Scalar
 
 
@@ -35,7 +35,7 @@ class RootRing(AngleRing):
             return self.sqrt(radicand) / self.scalar(value.denominator)
         content, factors = value.numerator.factor()
         if int(content.p) < 0 and not factors:
-            raise EvaluationError("the square root of a negative number")
+            raise NoValue("the square root of a negative number")
         inside = self._context.constant(1 if int(content.p) > 0 else -1)
         outside = self._root_of_rational(Fraction(abs(int(content.p)), int(content.q)))
         for factor, power in factors:
