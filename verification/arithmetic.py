@@ -120,8 +120,7 @@ def power_value(evaluator: Evaluator, node: n.Power) -> Value:
 
 def _integer(node: n.Node) -> int | None:
     sign = 1
-    while isinstance(node, n.Group):
-        node = node.inner
+    node = n.ungrouped(node)
     if isinstance(node, n.Sum) and len(node.terms) == 1:
         sign = -1 if node.terms[0][0] == "-" else 1
         node = node.terms[0][1]

@@ -8,6 +8,7 @@ from verification.latex import nodes as n
 from verification.matrix import Matrix
 from verification.outcome import Outcome
 from verification.scalar import Scalar
+from verification.trees import bare
 
 
 def find_cell(node: n.Node, row: int, column: int, value: Value = None) -> n.Node | None:
@@ -15,8 +16,7 @@ def find_cell(node: n.Node, row: int, column: int, value: Value = None) -> n.Nod
 
     `value` is the member's: a matrix of blocks that are names or products has fewer cells than its value has entries.
     """
-    while isinstance(node, n.Group | n.Labelled):
-        node = node.inner
+    node = bare(node)
     if isinstance(node, n.Postfix) and node.operator == "T":
         return find_cell(node.base, column, row, value.transpose if isinstance(value, Matrix) else None)
     if isinstance(node, n.Sequence):

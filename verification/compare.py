@@ -167,6 +167,15 @@ def exactly_equal(a: Scalar, b: Scalar) -> bool:
     return (cosine - 1).is_zero() and sine.is_zero()
 
 
+def equal_matrices(a: Matrix, b: Matrix) -> bool:
+    """Decide whether two matrices of one size are equal, entry by entry."""
+    return a.shape == b.shape and all(
+        isinstance(y, Scalar) and exactly_equal(x, y)
+        for row, other in zip(a.rows, b.rows, strict=True)
+        for x, y in zip(row, other, strict=True)
+    )
+
+
 def different_entries(pair: Pair, equal: Callable[[Any, Any], bool]) -> list[tuple[int, int]]:
     """Return the places (from 0) of the entries that differ."""
     return [

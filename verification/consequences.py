@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from verification.algebra import Value
-from verification.compare import exactly_equal
+from verification.compare import equal_matrices
 from verification.equation import ChainChecker
 from verification.evaluate import Evaluator
 from verification.latex import nodes as n
@@ -49,9 +49,7 @@ def printed_error(checker: ChainChecker, line: int, outcome: Outcome, entries: l
 
 def _subject(checker: ChainChecker, outcome: Outcome) -> str:
     assert outcome.true is not None
-    node = outcome.true.node
-    while isinstance(node, n.Group):
-        node = node.inner
+    node = n.ungrouped(outcome.true.node)
     quantity = checker.quantity_of(node)
     if quantity is not None:
         return repr(quantity)
@@ -74,11 +72,7 @@ def _follows(checker: ChainChecker, errors: Sequence[PrintedError], outcome: Out
         if not all(isinstance(value, Matrix) for value in values):
             continue
         product = values[0] @ values[1]
-        if product.shape == pair.printed.shape and all(
-            exactly_equal(a, b)
-            for row, other in zip(product.rows, pair.printed.rows, strict=True)
-            for a, b in zip(row, other, strict=True)
-        ):
+        if equal_matrices(product, pair.printed):
             return min(error.line for error in wrong if error is not None)
     return None
 

@@ -78,9 +78,7 @@ class Definitions:
 
     def _define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
-        node = member.node
-        while isinstance(node, n.Group):
-            node = node.inner
+        node = n.ungrouped(member.node)
         transposed = isinstance(node, n.Postfix) and node.operator == "T"
         if isinstance(node, n.Postfix) and transposed:
             node = node.base

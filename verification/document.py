@@ -59,7 +59,6 @@ class Document:
     front: dict[str, Any]
     displays: tuple[Display, ...]
     tables: tuple[Table, ...]
-    has_front: bool = True
     lines: dict[str, int] = field(default_factory=dict)
 
     def at(self, key: str) -> str:
@@ -76,7 +75,7 @@ def read_document(path: Path) -> Document:
         return _read_percent(path, text)
     front, lines, body, first = _split_front_matter(path, text)
     displays, tables = _read_markdown(body, first)
-    return Document(path, front or {}, tuple(displays), tuple(tables), front is not None, lines)
+    return Document(path, front or {}, tuple(displays), tuple(tables), lines)
 
 
 def find_documents(paths: list[Path]) -> list[Path]:
@@ -313,7 +312,7 @@ def _read_notebook(path: Path, text: str) -> Document:
             more, more_tables = _read_markdown(source, first, number)
             displays += more
             tables += more_tables
-    return Document(path, front or {}, tuple(displays), tuple(tables), front is not None, lines)
+    return Document(path, front or {}, tuple(displays), tuple(tables), lines)
 
 
 def _read_percent(path: Path, text: str) -> Document:
@@ -334,4 +333,4 @@ def _read_percent(path: Path, text: str) -> Document:
         more, more_tables = _read_markdown(body, first, number)
         displays += more
         tables += more_tables
-    return Document(path, front or {}, tuple(displays), tuple(tables), front is not None, lines)
+    return Document(path, front or {}, tuple(displays), tuple(tables), lines)

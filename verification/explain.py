@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from models.errors import ArmproofError
 from verification.algebra import link_matrix
-from verification.compare import exactly_equal
+from verification.compare import equal_matrices
 from verification.equation import ChainChecker
 from verification.latex import nodes as n
 from verification.matrix import Matrix, column
@@ -24,7 +24,7 @@ def explain_whole(checker: ChainChecker, outcome: Outcome) -> str | None:
         if all(isinstance(cell, Scalar) and cell.is_zero() for row in pair.printed.rows for cell in row):
             return None  # zeros are everything's special case
         for words, candidate in _candidates(checker, outcome):
-            if candidate.shape == pair.printed.shape and _equal(candidate, pair.printed):
+            if equal_matrices(candidate, pair.printed):
                 return words
         return _first_departure(checker, outcome)
     except ArmproofError:
@@ -77,14 +77,6 @@ def _symbols_of(value: Scalar) -> set[str]:
         for powers, _ in value.ring.terms(part)
         for _, name in powers
     }
-
-
-def _equal(a: Matrix, b: Matrix) -> bool:
-    return all(
-        isinstance(y, Scalar) and exactly_equal(x, y)
-        for row, other in zip(a.rows, b.rows, strict=True)
-        for x, y in zip(row, other, strict=True)
-    )
 
 
 def _candidates(checker: ChainChecker, outcome: Outcome) -> Iterator[tuple[str, Matrix]]:
@@ -276,7 +268,7 @@ def _other_axes(
                 arm_vector = column([a - b for a, b in zip(end.vector(), origin.vector(), strict=True)])
                 built.append((*axis.cross(arm_vector).vector(), *axis.vector()))
         candidate = Matrix(tuple(zip(*built, strict=True)))
-        if quantity.reference == frames[0] and not _equal(candidate, whole):
+        if quantity.reference == frames[0] and not equal_matrices(candidate, whole):
             yield words, candidate.block(rows, columns)
 
 

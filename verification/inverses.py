@@ -68,8 +68,7 @@ def _pseudo_inverse(evaluator: Evaluator, matrix: Matrix) -> Matrix:
 
 def printed_rows(evaluator: Evaluator, node: n.Node, value: Value) -> Value:
     """The determinant and the inverse of a Jacobian are of the square part that the document prints."""
-    while isinstance(node, n.Group):
-        node = node.inner
+    node = n.ungrouped(node)
     if isinstance(node, n.Call) and node.function == "name":
         node = node.arguments[0]
     rows = (

@@ -68,8 +68,7 @@ def _whole(names: Names, reference: str) -> Quantity | None:
 
 def jacobian_name(node: n.Node, names: Names) -> n.Name | None:
     """Return the name of a whole Jacobian that notation implies (the front matter lists no rows for it), or None."""
-    while isinstance(node, n.Group):
-        node = node.inner
+    node = n.ungrouped(node)
     if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
         node = node.arguments[0]
     if not isinstance(node, n.Name) or node.base != "J" or node.key in names.quantities:

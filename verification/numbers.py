@@ -26,8 +26,7 @@ class NumericComparison:
 
 def is_numeric(node: n.Node) -> bool:
     """Whether a tree is a square matrix of numbers, or one with decimals: a pose or a point at a configuration."""
-    while isinstance(node, n.Group):
-        node = node.inner
+    node = n.ungrouped(node)
     if not isinstance(node, n.Matrix):
         return False
     square = len(node.rows) >= 3 and all(len(row) == len(node.rows) for row in node.rows)

@@ -106,7 +106,3 @@ class RootRing(AngleRing):
         if radius.is_zero():
             raise EvaluationError("atan2(0, 0) has no value")
         return self.arc(x / radius, y / radius)
-
-    def is_extended(self) -> bool:
-        """Whether square roots of expressions or arc functions have been adjoined."""
-        return bool(self.radicands) or bool(self.arcs)

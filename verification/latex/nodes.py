@@ -254,6 +254,13 @@ def walk(node: Node) -> Iterator[Node]:
         stack.extend(reversed(list(children(top))))
 
 
+def ungrouped(node: Node) -> Node:
+    """Return a tree without the brackets around it."""
+    while isinstance(node, Group):
+        node = node.inner
+    return node
+
+
 def substitute(node: Node, old: Node, new: Node) -> Node:
     """Return the tree with the very node `old` (by identity) replaced."""
     if node is old:
