@@ -14,6 +14,7 @@ from models.offset import Offset
 if TYPE_CHECKING:
     import numpy as np
 
+    from models.bulk import BulkKinematics
     from models.dh import DHTable
     from models.numeric import NumericKinematics
     from models.trace import Trace
@@ -128,6 +129,13 @@ class Arm:
         from models.trace import Trace
 
         return Trace(self)
+
+    @cached_property
+    def bulk(self) -> BulkKinematics:
+        """The kinematics at very many configurations, compiled on demand."""
+        from models.bulk import BulkKinematics
+
+        return BulkKinematics(self)
 
     def numeric(self, q: np.ndarray) -> NumericKinematics:
         """Return the kinematics of the plant of doubles at N configurations, (N, n) in the order of `joints`."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from models.arm import Arm
-from models.errors import ModelError
 from models.jacobian import calc_jacobian
+from models.joint_values import read_joint_values
 
 
 class NumericKinematics:
@@ -19,12 +19,9 @@ class NumericKinematics:
             q: (N, n) array of joint variables, base to tool (rad, m).
 
         Raises:
-            ModelError: q has another shape.
+            ModelError: q cannot be read (see `read_joint_values`).
         """
-        q = np.array(q, dtype=float)
-        n = len(arm.joints)
-        if q.ndim != 2 or q.shape[1] != n:
-            raise ModelError(f"configurations of arm '{arm.name}' have the shape (N, {n}), not {q.shape}")
+        q = read_joint_values(arm, q).copy()
         self._arm = arm
         self._positions = np.zeros((len(q), arm.plant.num_positions()))
         self._positions[:, arm.position_indices] = q

@@ -14,10 +14,12 @@ from typing import Any
 import numpy as np
 
 from models.arm import Arm
-from models.entry import Entry, Rows, evaluate, generators, root_value
+from models.constants import constant_value
+from models.entry import Entry, Generator, Rows, evaluate, generators
 from models.errors import ModelError
 from models.exact import angle_value
 from models.jacobian import calc_jacobian
+from models.joint_values import read_joint_values
 from models.symbolic import SymbolicPlant
 
 AXES = {"x": 0, "y": 1, "z": 2}
@@ -33,6 +35,10 @@ class Trace:
     @cached_property
     def _symbolic(self) -> SymbolicPlant:
         return SymbolicPlant(self._arm)
+
+    def depth(self, frame: str) -> int:
+        """Return the number of moving joints between the base and a frame; −1 below the base."""
+        return self._symbolic.depth(frame)
 
     def pose(self, frame: str, reference: str | None = None) -> Rows:
         """Return the pose of a frame in a reference frame, the homogeneous transform {}^{reference}T_{frame}.
@@ -132,20 +138,22 @@ class Trace:
 
         Returns:
             (N, rows, columns) array.
+
+        Raises:
+            ModelError: q cannot be read (see `read_joint_values`).
         """
-        q = np.asarray(q, dtype=float)
+        q = read_joint_values(self._arm, q)
         column = {joint.symbol: q[:, joint.index - 1] for joint in self._arm.joints}
+        constants = {**self._arm.lengths, **self._arm.angles}
 
         @cache
-        def value(generator: tuple[str, str]) -> Any:
+        def value(generator: Generator) -> Any:
             kind, name = generator
-            if kind == "sqrt":
-                return root_value(name)
+            if name not in column:
+                return constant_value(generator, constants)
             if kind == "symbol":
-                return column[name] if name in column else self._arm.lengths[name]
-            angle = column[name] if name in column else self._arm.angles.get(name)
-            angle = angle_value(name) if angle is None else angle
-            return np.cos(angle) if kind == "cos" else np.sin(angle)
+                return column[name]
+            return np.cos(column[name]) if kind == "cos" else np.sin(column[name])
 
         values = np.empty((len(q), len(entries), len(entries[0])))
         for i, row in enumerate(entries):
@@ -153,7 +161,7 @@ class Trace:
                 values[:, i, j] = evaluate(entry, value)
         return values
 
-    def generators(self, entries: Sequence[Sequence[Entry]]) -> set[tuple[str, str]]:
+    def generators(self, entries: Sequence[Sequence[Entry]]) -> set[Generator]:
         """Return the cosines, sines, symbols and roots that occur in a matrix of entries."""
         return generators(entry for row in entries for entry in row)
 

@@ -1,0 +1,75 @@
+"""Checks of what a user gives for a motion: numbers, vectors, times."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from models.arm import Arm
+from models.errors import ModelError
+from models.joint_values import read_joint_values
+
+SHORTEST = 1e-9  # s; Drake ends the process on breaks that are nearer to each other than its rounding
+
+
+def read_vector(value: object, name: str, size: int | None = None) -> np.ndarray:
+    """Return a value as a read-only vector of finite numbers; a single number is a vector of one.
+
+    Args:
+        size: how many numbers; any number of them if not given.
+
+    Raises:
+        ModelError: not numbers, not finite, or another shape.
+    """
+    try:
+        vector = np.atleast_1d(np.array(value, dtype=float))
+    except (TypeError, ValueError):
+        raise ModelError(f"{name}: {value!r:.60} is no vector of numbers") from None
+    if vector.ndim != 1 or (vector.size != size if size is not None else not vector.size):
+        expected = "(n,)" if size is None else f"({size},)"
+        raise ModelError(f"{name}: a vector of the shape {expected} is needed, not {vector.shape}")
+    if not np.isfinite(vector).all():
+        raise ModelError(f"{name}: every number is finite; number {int(np.argmin(np.isfinite(vector))) + 1} is not")
+    vector.flags.writeable = False
+    return vector
+
+
+def read_points(arm: Arm, points: object) -> np.ndarray:
+    """Return the configurations that a motion goes through, (K, n) with K ≥ 2.
+
+    Raises:
+        ModelError: no K configurations of finite numbers, or fewer than two.
+    """
+    configurations = read_joint_values(arm, points)
+    if len(configurations) < 2:
+        raise ModelError(f"a motion goes through at least 2 configurations; {len(configurations)} given")
+    return configurations
+
+
+def read_duration(value: object, name: str = "duration") -> float:
+    """Return a duration in seconds.
+
+    Raises:
+        ModelError: not one finite number, or not above 0.
+    """
+    duration = float(read_vector(value, name, 1)[0])
+    if not SHORTEST <= duration <= 1 / SHORTEST:
+        raise ModelError(
+            f"{name}: a motion takes a positive time between {SHORTEST:g} and {1 / SHORTEST:g} s, not {duration:g}"
+        )
+    return duration
+
+
+def read_times(value: Sequence[float] | np.ndarray, count: int) -> np.ndarray:
+    """Return increasing times in seconds, one a point.
+
+    Raises:
+        ModelError: not finite numbers, another count, or not increasing.
+    """
+    times = read_vector(value, "times", count)
+    steps = np.diff(times)
+    if (steps < SHORTEST).any():
+        k = int(np.argmax(steps < SHORTEST))
+        raise ModelError(f"times: each is after the one before; {times[k + 1]:g} s follows {times[k]:g} s")
+    return times

@@ -1,0 +1,127 @@
+"""Motion in joint space: from one configuration to another, through via points, and along a path."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from models.arm import Arm
+from models.errors import ModelError
+from models.joint_values import read_configuration
+from models.motion.inputs import read_duration, read_points, read_times
+from models.motion.limits import read_rate_limits, require_within_limits
+from models.motion.quintic import quintic, shortest_duration
+from models.motion.samples import interval
+from models.motion.spline import cubic_spline
+
+
+def point_to_point(arm: Arm, q_0: Any, q_f: Any, duration: float | None = None, *, acceleration: Any = None) -> Any:
+    """Return the quintic motion from rest at one configuration to rest at another; all joints start and stop together.
+
+    Args:
+        q_0, q_f: (n,), base to tool (rad, m), within the joint limits.
+        duration: s; if not given, the shortest that respects the velocity limits of the model file, and the
+            acceleration limits given or of the model file if there are any.
+        acceleration: highest accelerations, one number or (n,) (rad/s², m/s²).
+
+    Returns:
+        A pydrake PiecewisePolynomial on [0, duration] with values of the shape (n, 1).
+
+    Raises:
+        ModelError: configurations of another shape, not finite or outside the joint limits; a duration that is not
+            positive; without a duration, a motion that goes nowhere, or a joint that nothing limits.
+    """
+    first, last = read_configuration(arm, q_0), read_configuration(arm, q_f)
+    if duration is None:
+        limits = read_rate_limits(arm, acceleration=acceleration)
+        duration = shortest_duration(first, last, limits.velocity, limits.acceleration)
+        if duration == 0:
+            raise ModelError("q_0 and q_f are the same configuration; to stay there, give a duration")
+    trajectory = quintic(first, last, duration)
+    require_within_limits(arm, trajectory)
+    return trajectory
+
+
+def via_points(arm: Arm, times: Any, points: Any, *, stop: bool = False) -> Any:
+    """Return a motion from rest to rest that is at given configurations at given times.
+
+    Between them it is the cubic spline with continuous velocity and acceleration; with `stop`, a quintic from rest to rest
+    between each two.
+
+    Args:
+        times: (K,), increasing (s).
+        points: (K, n), base to tool (rad, m), K of at least 2.
+        stop: stand still at every point.
+
+    Returns:
+        A pydrake PiecewisePolynomial on [times[0], times[-1]] with values of the shape (n, 1).
+
+    Raises:
+        ModelError: shapes that do not fit, numbers that are not finite, times that do not increase, or joint limits
+            that the motion passes, at the points or between them.
+    """
+    configurations = read_points(arm, points)
+    instants = read_times(times, len(configurations))
+    trajectory = _quintics(instants, configurations) if stop else cubic_spline(instants, configurations, at_rest=True)
+    require_within_limits(arm, trajectory)
+    return trajectory
+
+
+def joint_path(arm: Arm, points: Any) -> Any:
+    """Return a path q(s), s from 0 to 1, through given configurations, with no time in it.
+
+    s is proportional to the length of the chords in joint space; with two points the path is a straight line, with more a
+    cubic spline. To give it time: follow_path, time_optimal.
+
+    Args:
+        points: (K, n), base to tool (rad, m), K of at least 2.
+
+    Returns:
+        A pydrake PiecewisePolynomial on [0, 1] with values of the shape (n, 1).
+
+    Raises:
+        ModelError: another shape, numbers that are not finite, two points in succession that are the same, or joint
+            limits that the path passes.
+    """
+    from pydrake.trajectories import PiecewisePolynomial
+
+    configurations = read_points(arm, points)
+    chords = np.linalg.norm(np.diff(configurations, axis=0), axis=1)
+    if (chords <= 1e-9 * max(chords.max(), 1e-9)).any():
+        k = int(np.argmin(chords)) + 1
+        raise ModelError(f"points {k} and {k + 1} of the path are the same configuration; a path moves on")
+    s = np.concatenate([[0.0], np.cumsum(chords[:-1]) / chords.sum(), [1.0]])
+    if len(configurations) == 2:
+        path = PiecewisePolynomial.FirstOrderHold(s, configurations.T)
+    else:
+        path = cubic_spline(s, configurations, at_rest=False)
+    require_within_limits(arm, path)
+    return path
+
+
+def follow_path(path: Any, duration: float) -> Any:
+    """Return the motion along a path from rest to rest, its parameter a quintic in time.
+
+    Args:
+        path: a pydrake Trajectory q(s) with values of the shape (n, 1).
+        duration: s.
+
+    Returns:
+        A pydrake PathParameterizedTrajectory on [0, duration].
+
+    Raises:
+        ModelError: not a trajectory of a vector, or a duration that is not positive.
+    """
+    from pydrake.trajectories import PathParameterizedTrajectory
+
+    start, end = interval(path)
+    return PathParameterizedTrajectory(path, quintic(start, end, read_duration(duration)))
+
+
+def _quintics(times: np.ndarray, points: np.ndarray) -> Any:
+    trajectory = quintic(points[0], points[1], times[1] - times[0], start_time=times[0])
+    for k in range(1, len(times) - 1):
+        start = trajectory.end_time()  # not times[k], which rounding may put a little beside it
+        trajectory.ConcatenateInTime(quintic(points[k], points[k + 1], times[k + 1] - start, start_time=start))
+    return trajectory

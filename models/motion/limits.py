@@ -1,0 +1,106 @@
+"""The limits that a motion has to respect: those of the joints in the model file, and what a user gives for those missing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from models.arm import Arm
+from models.errors import ModelError
+from models.motion.extremes import extremes
+
+LEAST, GREATEST = (
+    1e-6,
+    1e9,
+)  # of a limit, unless it is infinite; Drake ends the process on times that rounding makes equal
+_ROUNDING = 1e-9  # rad, m: a polynomial that ends at a limit may pass it by so much
+_UNITS = {"revolute": "rad", "prismatic": "m"}
+
+
+@dataclass(frozen=True)
+class RateLimits:
+    """The highest rates of n joints, in both directions; infinite where there is none.
+
+    Attributes:
+        velocity: rad/s, m/s.
+        acceleration: rad/s², m/s².
+        effort: torque or force of the drive, N m, N.
+    """
+
+    velocity: np.ndarray
+    acceleration: np.ndarray
+    effort: np.ndarray
+
+
+def read_rate_limits(arm: Arm, *, velocity: Any = None, acceleration: Any = None, effort: Any = None) -> RateLimits:
+    """Return the highest rates of an arm's joints: those given, otherwise those of its model file.
+
+    A URDF states them as <limit velocity="…" effort="…" drake:acceleration="…"/>; it reaches the drive by a <transmission>.
+    Where the limits of the two directions differ, the nearer to 0 counts for both.
+
+    Args:
+        velocity, acceleration, effort: one positive number for all joints, or (n,); infinite for none.
+
+    Raises:
+        ModelError: another shape, or a limit that is not positive.
+    """
+    joints = arm.drake_joints
+    found = {
+        "velocity": [_nearer(j.velocity_lower_limits(), j.velocity_upper_limits()) for j in joints],
+        "acceleration": [_nearer(j.acceleration_lower_limits(), j.acceleration_upper_limits()) for j in joints],
+        "effort": _efforts(arm),
+    }
+    given = {"velocity": velocity, "acceleration": acceleration, "effort": effort}
+    return RateLimits(**{name: read_limits(given[name], name, values) for name, values in found.items()})
+
+
+def read_limits(value: Any, name: str, default: Any) -> np.ndarray:
+    """Return one limit a joint, read-only: the value, or where it is None the default.
+
+    Raises:
+        ModelError: another shape than one number or one for each joint, or a limit that is not positive.
+    """
+    size = len(default)
+    try:
+        limits = np.atleast_1d(np.array(default if value is None else value, dtype=float))
+    except (TypeError, ValueError):
+        raise ModelError(f"{name}: {value!r:.60} is no vector of limits") from None
+    within = (limits >= LEAST) & ((limits <= GREATEST) | np.isinf(limits))
+    if limits.shape not in ((1,), (size,)) or not within.all():
+        what = f"not {value}" if value is not None else f"the model file has {limits.tolist()}"
+        raise ModelError(
+            f"{name}: one positive limit, or one for each of the {size} joints, from {LEAST:g} to {GREATEST:g}, "
+            f"is needed; {what}"
+        )
+    limits = np.array(np.broadcast_to(limits, size))
+    limits.flags.writeable = False
+    return limits
+
+
+def require_within_limits(arm: Arm, trajectory: Any) -> None:
+    """Check that a piecewise polynomial keeps every joint within its limits, at all times and not only at its points.
+
+    Raises:
+        ModelError: a joint leaves its limits; which, and how far.
+    """
+    for joint, least, most in zip(arm.joints, *extremes(trajectory), strict=True):
+        if least < joint.lower - _ROUNDING or most > joint.upper + _ROUNDING:
+            reached = least if least < joint.lower - _ROUNDING else most
+            raise ModelError(
+                f"{joint.symbol} of arm '{arm.name}' goes to {reached:.4g} {_UNITS[joint.kind]} in this motion; "
+                f"its limits are [{joint.lower:g}, {joint.upper:g}]"
+            )
+
+
+def _nearer(lower: np.ndarray, upper: np.ndarray) -> float:
+    return float(min(-lower[0], upper[0]))
+
+
+def _efforts(arm: Arm) -> list[float]:
+    """Return the effort limit of the drive of each joint, infinite for a joint without a drive."""
+    plant = arm.plant
+    drives = (plant.get_joint_actuator(index) for index in plant.GetJointActuatorIndices())
+    efforts = {drive.joint().index(): float(drive.effort_limit()) for drive in drives}
+    return [efforts.get(joint.index(), np.inf) for joint in arm.drake_joints]

@@ -1,0 +1,78 @@
+"""A motion as arrays: positions, velocities and accelerations of a Drake trajectory at given times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from models.errors import ModelError
+from models.motion.inputs import SHORTEST, read_vector
+
+
+@dataclass(frozen=True)
+class MotionSamples:
+    """A motion of n joints at N times; the arrays are read-only.
+
+    Attributes:
+        times: (N,), s.
+        q, v, w: positions, velocities and accelerations, (N, n) each, rad and m.
+    """
+
+    times: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    w: np.ndarray
+
+
+def sample_motion(trajectory: Any, times: np.ndarray) -> MotionSamples:
+    """Evaluate a trajectory and its first two derivatives.
+
+    Before its start and after its end a motion is held at that end: the position is the end's, the rates are 0.
+
+    Args:
+        trajectory: a pydrake Trajectory with values of the shape (n, 1).
+        times: (N,), s, in any order.
+
+    Raises:
+        ModelError: not a trajectory of a vector, one without two derivatives, or times that are not finite.
+    """
+    instants = read_vector(times, "times")
+    start, end = interval(trajectory)
+    inside = (start - SHORTEST <= instants) & (instants <= end + SHORTEST)
+    held = np.clip(instants, start, end)
+    try:
+        q = np.array([trajectory.value(t)[:, 0] for t in held])
+        v, w = (np.array([trajectory.EvalDerivative(t, order)[:, 0] for t in held]) for order in (1, 2))
+    except (RuntimeError, ValueError) as error:
+        raise ModelError(f"the trajectory has no velocity or acceleration: {error}") from None
+    v[~inside] = w[~inside] = 0.0
+    for array in (q, v, w):
+        array.flags.writeable = False
+    return MotionSamples(instants, q, v, w)
+
+
+def interval(trajectory: Any, size: int | None = None) -> tuple[float, float]:
+    """Return the start and end time of a trajectory of a vector.
+
+    Args:
+        size: how many values it has at a time; any number if not given.
+
+    Raises:
+        ModelError: no trajectory, one of values of another shape, or one without a start and a later end.
+    """
+    from pydrake.trajectories import Trajectory
+
+    if not isinstance(trajectory, Trajectory):
+        raise ModelError(f"a motion is a trajectory of pydrake.trajectories, not a {type(trajectory).__name__}")
+    try:
+        shape = (trajectory.rows(), trajectory.cols())
+        start, end = float(trajectory.start_time()), float(trajectory.end_time())
+    except RuntimeError as error:
+        raise ModelError(f"the trajectory is empty: {error}") from None
+    if shape[1] != 1 or shape[0] == 0 or size not in (None, shape[0]):
+        raise ModelError(f"a motion has values of the shape ({'n' if size is None else size}, 1), not {shape}")
+    if not (np.isfinite([start, end]).all() and end - start >= SHORTEST):
+        raise ModelError(f"a motion has a start and a later end, not [{start:g}, {end:g}]")
+    return start, end

@@ -1,0 +1,159 @@
+"""The fastest motion along a path within the limits of the joints, by Drake's Toppra."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from numbers import Integral
+from typing import Any
+
+import numpy as np
+
+from models.arm import Arm
+from models.errors import ModelError
+from models.motion.computed_torque import InverseDynamics
+from models.motion.limits import RateLimits, read_rate_limits
+from models.motion.samples import interval, sample_motion
+
+_CHECKED = 1001  # instants at which the result is held against the limits
+_MOST_SOLUTIONS = 6
+_ROUNDING = 1e-9
+_MARGIN = 0.002  # a limit that was passed is tightened by so much more, doubled each time, to end the repetition
+_SHORTEST = 1e-4  # of a path; Drake ends the process on times that rounding makes equal
+_STANDING = 1e-9  # part of the largest |dq/ds| below which a path stands still
+
+
+@dataclass(frozen=True)
+class TimeOptimalMotion:
+    """A path with the fastest time law that the limits allow, from rest to rest.
+
+    Attributes:
+        trajectory: q(t), a pydrake PathParameterizedTrajectory from 0 to the duration, with values of the shape (n, 1).
+        duration: s.
+        limits: those respected.
+        velocity_use, acceleration_use, effort_use: (n,), the largest rate of each joint as a part of its limit, at most
+            1, measured at 1001 instants; 0 for a joint without this limit.
+    """
+
+    trajectory: Any
+    duration: float
+    limits: RateLimits
+    velocity_use: np.ndarray
+    acceleration_use: np.ndarray
+    effort_use: np.ndarray
+
+
+def time_optimal(
+    arm: Arm,
+    path: Any,
+    *,
+    velocity: Any = None,
+    acceleration: Any = None,
+    effort: Any = None,
+    grid_points: int = 400,
+) -> TimeOptimalMotion:
+    """Return the fastest motion along a path, from rest to rest, that respects velocity, acceleration and effort limits.
+
+    The efforts are those of inverse dynamics with gravity. Toppra leaves out the damping of the joints, and holds the limits
+    at the grid points only; so the motion is measured, and what passes a limit is set aside from it and solved for again.
+
+    Source: H. Pham and Q.-C. Pham, 2018.
+
+    Args:
+        path: a pydrake Trajectory q(s) with values of the shape (n, 1) and a derivative that is nowhere 0, as joint_path
+            and straight_line make it. A motion that starts at rest is none: it stands still in s.
+        velocity, acceleration, effort: highest rates, one number or (n,), infinite for none; those of the model file if
+            not given.
+        grid_points: of s, at which the limits hold, at least 10.
+
+    Raises:
+        ModelError: a path that is none or stands still, joint limits passed at an end of it, limits of another shape or
+            not positive, neither accelerations nor efforts limited, efforts too small to hold the arm, or no solution.
+    """
+    start, end = interval(path, len(arm.joints))
+    if end - start < _SHORTEST or max(abs(start), abs(end)) > 1 / _SHORTEST:
+        raise ModelError(f"a path has s between {-1 / _SHORTEST:g} and {1 / _SHORTEST:g}, over at least {_SHORTEST:g}")
+    if not isinstance(grid_points, Integral) or not 10 <= grid_points <= 100_000:
+        raise ModelError(f"grid_points: from 10 to 100000 points on the path, not {grid_points}")
+    limits = read_rate_limits(arm, velocity=velocity, acceleration=acceleration, effort=effort)
+    _require_bounds(arm, limits)
+    grid = np.linspace(start, end, grid_points)
+    _require_motion(arm, path, grid)
+    tightened = limits
+    for attempt in range(_MOST_SOLUTIONS):
+        motion = _measure(arm, path, _solve(arm, path, grid, tightened), limits)
+        uses = {"velocity": motion.velocity_use, "acceleration": motion.acceleration_use, "effort": motion.effort_use}
+        if max(use.max() for use in uses.values()) <= 1 + _ROUNDING:
+            return motion
+        margin = 1 + _MARGIN * 2**attempt
+        passed = {name: np.where(use > 1 + _ROUNDING, margin * use, 1) for name, use in uses.items()}
+        tightened = RateLimits(**{name: getattr(tightened, name) / passed[name] for name in uses})
+    worst = max(uses, key=lambda name: float(uses[name].max()))
+    raise ModelError(
+        f"the motion along this path passes the {worst} limit of arm '{arm.name}' by a factor of {uses[worst].max():.3g}; "
+        f"take more than {grid_points} grid points, or a smoother path"
+    )
+
+
+def _require_bounds(arm: Arm, limits: RateLimits) -> None:
+    unbounded = np.isinf(limits.acceleration) & np.isinf(limits.effort)
+    if unbounded.any():
+        joint = arm.joints[int(np.argmax(unbounded))]
+        raise ModelError(
+            f"{joint.symbol} of arm '{arm.name}' has neither an acceleration nor an effort limit in its model file; "
+            "give acceleration= or effort="
+        )
+
+
+def _require_motion(arm: Arm, path: Any, grid: np.ndarray) -> None:
+    """Check that the path moves on at every point of the grid and keeps within the joint limits there."""
+    motion = sample_motion(path, grid)
+    speed = np.linalg.norm(motion.v, axis=1)
+    if not all(np.isfinite(values).all() for values in (motion.q, motion.v, motion.w)):
+        raise ModelError("the path has values that are not finite")
+    if not (speed > _STANDING * speed.max()).all():
+        at = grid[int(np.argmin(speed))]
+        raise ModelError(f"the path stands still at s = {at:.4g}; a path has dq/ds other than 0 (see joint_path)")
+    for joint, values in zip(arm.joints, motion.q.T, strict=True):
+        beyond = (values < joint.lower - 1e-9) | (values > joint.upper + 1e-9)
+        if beyond.any():
+            k = int(np.argmax(beyond))
+            raise ModelError(
+                f"{joint.symbol} of arm '{arm.name}' is {values[k]:.4g} at s = {grid[k]:.4g}; "
+                f"its limits are [{joint.lower:g}, {joint.upper:g}]"
+            )
+
+
+def _solve(arm: Arm, path: Any, grid: Any, limits: RateLimits) -> Any:
+    """Return s(t), a pydrake PiecewisePolynomial."""
+    from pydrake.multibody.optimization import Toppra
+
+    problem: Any = Toppra(path, arm.plant, grid)
+    if np.isfinite(limits.velocity).any():
+        problem.AddJointVelocityLimit(-limits.velocity, limits.velocity)
+    if np.isfinite(limits.acceleration).any():
+        problem.AddJointAccelerationLimit(-limits.acceleration, limits.acceleration)
+    if np.isfinite(limits.effort).any():
+        problem.AddJointTorqueLimit(-limits.effort, limits.effort)
+    time_law = problem.SolvePathParameterization()
+    if time_law is None:
+        raise ModelError(f"no motion of arm '{arm.name}' along this path respects the limits")
+    return time_law
+
+
+def _measure(arm: Arm, path: Any, time_law: Any, limits: RateLimits) -> TimeOptimalMotion:
+    from pydrake.trajectories import PathParameterizedTrajectory
+
+    start = float(time_law.start_time())
+    time_law.shiftRight(-start)
+    trajectory = PathParameterizedTrajectory(path, time_law)
+    duration = float(time_law.end_time())
+    motion = sample_motion(trajectory, np.linspace(0.0, duration, _CHECKED))
+    dynamics = InverseDynamics(arm)
+    efforts = np.array([dynamics.torques(*row) for row in zip(motion.q, motion.v, motion.w, strict=True)])
+    uses = [
+        np.asarray(np.abs(rates).max(axis=0) / limit)
+        for rates, limit in ((motion.v, limits.velocity), (motion.w, limits.acceleration), (efforts, limits.effort))
+    ]
+    for use in uses:
+        use.flags.writeable = False
+    return TimeOptimalMotion(trajectory, duration, limits, *uses)

@@ -1,0 +1,1 @@
+"""Formulas out of functions: what a Python function computes, with symbols for its arguments."""

@@ -1,0 +1,189 @@
+"""A guarded call ends, keeps what it meets, and leaves everything as it was."""
+
+from __future__ import annotations
+
+import random
+import signal
+import sys
+import threading
+import time
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from models.guarded_call import Call, Guard
+
+HERE = __file__
+
+
+def returns() -> int:
+    return 3
+
+
+def loops() -> None:
+    while True:
+        pass
+
+
+def swallows() -> None:
+    while True:
+        try:  # noqa: SIM105
+            len("abc")
+        except:  # noqa: E722
+            pass
+
+
+def sleeps() -> None:
+    time.sleep(30)
+
+
+def sleeps_and_swallows() -> None:
+    while True:
+        try:  # noqa: SIM105
+            time.sleep(30)
+        except:  # noqa: E722
+            pass
+
+
+def answers_late() -> int:
+    try:
+        while True:
+            pass
+    except BaseException:
+        return 3
+
+
+def endless() -> Any:
+    k = 0
+    while True:
+        yield k
+        k += 1
+
+
+def recurses() -> None:
+    recurses()
+
+
+def divides() -> float:
+    return 1 / int("0")  # the line that is reported
+
+
+def leaves() -> None:
+    sys.exit(1)
+
+
+def asks() -> str:
+    return input("a value? ")
+
+
+def call(function: Callable[[], Any], seconds: float = 0.3) -> Call:
+    with Guard(seconds) as guard:
+        return guard.call(function)
+
+
+def in_a_thread(function: Callable[[], Any]) -> Call:
+    found: list[Call] = []
+    thread = threading.Thread(target=lambda: found.append(call(function)))
+    thread.start()
+    thread.join(10)
+    return found[0]
+
+
+@pytest.mark.parametrize("run", [call, in_a_thread])
+@pytest.mark.parametrize("function", [loops, swallows, sleeps, sleeps_and_swallows, answers_late, endless])
+def test_what_never_ends_is_stopped(run: Callable[..., Call], function: Callable[[], Any]) -> None:
+    started = time.monotonic()
+    found = run(function)
+    assert found.error is not None and found.error.is_timeout
+    assert time.monotonic() - started < 2.0
+
+
+@pytest.mark.parametrize("run", [call, in_a_thread])
+def test_what_ends_in_time_is_returned(run: Callable[..., Call]) -> None:
+    assert run(returns) == Call(3)
+    assert run(lambda: (k * k for k in range(3))) == Call([0, 1, 4])
+
+
+def test_the_calls_of_a_guard_share_its_time() -> None:
+    with Guard(0.2) as guard:
+        assert guard.call(loops).error is not None
+        late = guard.call(returns)
+    assert late.error is not None and late.error.is_timeout
+
+
+@pytest.mark.parametrize(
+    ("function", "type_", "source"),
+    [
+        (divides, "ZeroDivisionError", "return 1 / int"),
+        (recurses, "RecursionError", "recurses()"),
+        (leaves, "SystemExit", "sys.exit(1)"),
+        (asks, "EOFError", "return input"),
+        (lambda: np.linalg.inv(np.zeros((2, 2))), "LinAlgError", "np.linalg.inv"),
+    ],
+)
+def test_what_is_raised_is_told_with_the_line_of_the_user(function: Any, type_: str, source: str) -> None:
+    error = call(function).error
+    assert error is not None
+    assert error.type == type_ and error.file == HERE and source in error.source and error.line > 0
+
+
+def test_an_interrupt_passes_through() -> None:
+    def interrupted() -> None:
+        raise KeyboardInterrupt
+
+    before = sys.stdout
+    with pytest.raises(KeyboardInterrupt):
+        call(interrupted)
+    assert sys.stdout is before
+
+
+def test_what_is_printed_is_kept_up_to_a_bound(capsys: pytest.CaptureFixture[str]) -> None:
+    def prints() -> None:
+        print("theta", 1)
+        print("an error", file=sys.stderr)
+        print("x" * 50_000)
+
+    with Guard(1.0) as guard:
+        guard.call(prints)
+    assert guard.printed.startswith("theta 1\nan error\n") and len(guard.printed) == 10_000
+    assert capsys.readouterr() == ("", "")
+
+
+def disturbs() -> None:
+    np.random.seed(1)  # noqa: NPY002
+    np.random.rand()  # noqa: NPY002
+    random.seed(1)
+    np.seterr(all="raise")
+    np.set_printoptions(precision=1)
+    sys.setrecursionlimit(5000)
+    warnings.simplefilter("error")
+    warnings.warn("of the user", stacklevel=1)
+
+
+def test_the_state_of_the_program_is_what_it_was() -> None:
+    def state() -> list[Any]:
+        numpy_state = np.random.get_state()[1].tolist()  # noqa: NPY002
+        return [numpy_state, random.getstate(), np.geterr(), np.get_printoptions(), sys.getrecursionlimit(),
+                list(warnings.filters), sys.stdout, sys.stdin, sys.gettrace(), signal.getsignal(signal.SIGALRM)]  # fmt: skip
+
+    before = state()
+    call(disturbs)
+    call(swallows)
+    assert state() == before
+
+
+def test_an_alarm_that_was_set_still_rings() -> None:
+    rung: list[int] = []
+    handler = signal.signal(signal.SIGALRM, lambda *_: rung.append(1))
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.4)
+        call(loops, seconds=0.1)
+        assert not rung
+        time.sleep(0.6)
+        assert rung == [1]
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, handler)
