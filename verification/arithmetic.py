@@ -11,7 +11,7 @@ from verification.errors import EvaluationError, ShapeError
 from verification.inverses import divide_by, inverse
 from verification.latex import nodes as n
 from verification.matrix import Matrix
-from verification.values import Identity, as_scalar, identity, is_zero, no_size, sized, stacked
+from verification.values import Identity, as_scalar, identity, is_zero, no_size, stacked
 
 if TYPE_CHECKING:
     from verification.evaluate import Evaluator
@@ -23,16 +23,18 @@ def sum_value(evaluator: Evaluator, node: n.Sum) -> Value:
     for sign, term in node.terms:
         value = stacked(as_scalar(evaluator.evaluate(term)))
         if sign == "-" or (sign == "±" and evaluator.branch < 0) or (sign == "∓" and evaluator.branch > 0):
-            value = -value if not isinstance(value, Identity) else no_size()
+            value = Identity(-value.scale) if isinstance(value, Identity) else -value
         total = value if total is None else _add(evaluator, total, value)
     return total
 
 
 def _add(evaluator: Evaluator, a: Value, b: Value) -> Value:
     if isinstance(a, Identity) and isinstance(b, Matrix):
-        a = identity(evaluator.algebra, b.shape[0])
+        a = identity(evaluator.algebra, b.shape[0], a.scale)
     if isinstance(b, Identity) and isinstance(a, Matrix):
-        b = identity(evaluator.algebra, a.shape[0])
+        b = identity(evaluator.algebra, a.shape[0], b.scale)
+    if isinstance(a, Identity) and isinstance(b, Identity):
+        return Identity(a.scale + b.scale)
     if isinstance(a, Identity) or isinstance(b, Identity):
         no_size()
     if isinstance(a, Matrix) != isinstance(b, Matrix):
@@ -61,9 +63,12 @@ def _in_four_rows(node: n.Node) -> n.Node:
 def multiply(a: Value, operator: str, b: Value) -> Value:
     """Return the product of two values: of matrices, scaled, × of vectors, ⋅ of columns."""
     a, b = stacked(a), stacked(b)
-    if isinstance(a, Identity) or isinstance(b, Identity):
-        other = b if isinstance(a, Identity) else a
-        return other if isinstance(other, Matrix | Identity) else no_size()
+    if isinstance(a, Identity) and isinstance(b, Identity):
+        return Identity(a.scale * b.scale)
+    if isinstance(a, Identity):
+        return b.map(lambda cell: a.scale * cell) if isinstance(b, Matrix) else Identity(a.scale * b)
+    if isinstance(b, Identity):
+        return a.map(lambda cell: cell * b.scale) if isinstance(a, Matrix) else Identity(a * b.scale)
     if isinstance(a, Matrix) and isinstance(b, Matrix):
         if operator == "×" and 1 in a.shape and 1 in b.shape and max(a.shape) == 3 and max(b.shape) == 3:
             return a.cross(b)
@@ -79,9 +84,11 @@ def multiply(a: Value, operator: str, b: Value) -> Value:
 
 def quotient_value(evaluator: Evaluator, node: n.Quotient) -> Value:
     """Return a quotient by a scalar."""
-    above = sized(evaluator.evaluate(node.numerator))
+    above = stacked(evaluator.evaluate(node.numerator))
     below = evaluator.scalar(node.denominator)
     divide_by(evaluator.algebra, below)
+    if isinstance(above, Identity):
+        return Identity(above.scale / below)
     if isinstance(above, Matrix):
         return above.map(lambda cell: cell / below)
     return above / below
@@ -97,7 +104,8 @@ def power_value(evaluator: Evaluator, node: n.Power) -> Value:
     base = stacked(as_scalar(evaluator.evaluate(node.base)))
     exponent = _integer(node.exponent)
     if isinstance(base, Identity) and exponent is not None:
-        return base
+        scale = base.scale if exponent >= 0 else evaluator.algebra.rational(Fraction(1)) / base.scale
+        return Identity(scale ** abs(exponent))
     if exponent is None:
         if _is_half(node.exponent) and not isinstance(base, Matrix | Identity):
             return evaluator.algebra.sqrt(base)

@@ -60,7 +60,7 @@ def _fit(evaluator: Evaluator, cell: Any, height: int, width: int) -> Matrix:
     if isinstance(cell, Matrix):
         return cell
     if isinstance(cell, Identity):
-        return identity(evaluator.algebra, height)
+        return identity(evaluator.algebra, height, cell.scale)
     if (height, width) == (1, 1) or is_zero(cell):
         return Matrix(tuple((cell,) * width for _ in range(height)))
     raise ShapeError(f"a scalar stands where a {height}×{width} block is expected")

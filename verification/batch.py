@@ -7,9 +7,10 @@ import re
 import signal
 import sys
 import traceback
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,9 +19,14 @@ from models.errors import ArmproofError
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
 
+    from verification.document import Document
     from verification.verdict import DocumentResult
 
+    After = Callable[[Document, DocumentResult], None]
+    Check = Callable[[Path], "DocumentResult | Failure"]
+
 MOST_WORKERS = 4  # each holds Drake, some 120 MB
+AHEAD = 16  # documents a process that are shared out before their results are taken
 _PLACE = re.compile(r":(\d+): ")
 
 
@@ -43,8 +49,17 @@ class Failure:
         return _PLACE.sub("", self.message.removeprefix(self.path), count=1).removeprefix(": ")
 
 
-def check_all(paths: Sequence[Path], workers: int | None = None) -> list[DocumentResult | Failure]:
-    """Return the result of each document, or why it could not be checked.
+def check_all(
+    paths: Sequence[Path], workers: int | None = None, *, after: After | None = None, correct: bool = False
+) -> list[DocumentResult | Failure]:
+    """Return the result of each document, or why it could not be checked: what `check_each` yields."""
+    return list(check_each(paths, workers, after=after, correct=correct))
+
+
+def check_each(
+    paths: Sequence[Path], workers: int | None = None, *, after: After | None = None, correct: bool = False
+) -> Iterator[DocumentResult | Failure]:
+    """Yield the result of each document in the order given, or why it could not be checked; none is kept.
 
     The documents are shared out to processes, which begin before Drake is imported. A document that ends its process
     (Drake aborts on some model files) fails alone.
@@ -53,45 +68,70 @@ def check_all(paths: Sequence[Path], workers: int | None = None) -> list[Documen
         paths: the documents.
         workers: the number of processes; 1 checks in this one. By default one a core, at most 4, and 1 where there is
             nothing to share or Drake is imported already.
+        after: called with each document and its result, in the process that checked it; it must be picklable.
+        correct: whether to seek what mends each refuted display.
     """
     if workers is None:
         workers = 1 if "pydrake" in sys.modules else min(_cores(), MOST_WORKERS)
+    check = partial(check_one, after=after, correct=correct)
     if min(workers, len(paths)) <= 1:
-        return [check_one(path) for path in paths]
-    results = _check_in_processes(paths, min(workers, len(paths)))
-    for path in paths:
-        if path not in results:  # its process ended, or that of a document before it
-            results.update(_check_in_processes([path], 1))
-    ended = "the process that checked it ended; Drake may have aborted on its arm"
-    return [results.get(path) or Failure(str(path), f"{path}: {ended}") for path in paths]
+        yield from map(check, paths)
+        return
+    begin = 0
+    while begin < len(paths):  # again where a process ended
+        for result in _check_in_processes(paths[begin:], min(workers, len(paths) - begin), check):
+            begin += 1
+            yield result
 
 
-def check_one(path: Path) -> DocumentResult | Failure:
+def check_one(path: Path, after: After | None = None, correct: bool = False) -> DocumentResult | Failure:
     """Return the result of a document, or why it could not be checked; no exception leaves this function."""
     try:
-        from verification.check import verify
+        from verification import check
+        from verification.document import read_document
 
-        return verify(path)
+        if after is None:
+            return check.verify(path, correct=correct)
+        document = read_document(path)
+        result = check.check_document(document, correct=correct)
+        after(document, result)
+        return result
     except ArmproofError as error:
         return Failure(str(path), _with_file(path, str(error)))
     except Exception as error:
         return Failure(str(path), f"{path}: {_internal_error(error)}")
 
 
-def _check_in_processes(paths: Sequence[Path], workers: int) -> dict[Path, DocumentResult | Failure]:
-    """Return the results of the documents, without those that were not checked when a process ended."""
+def _check_in_processes(paths: Sequence[Path], workers: int, check: Check) -> Iterator[DocumentResult | Failure]:
+    """Yield the results of the documents, up to the last that was shared out when a process ended."""
     from concurrent.futures.process import BrokenProcessPool
 
-    results: dict[Path, DocumentResult | Failure] = {}
+    ahead = AHEAD * workers
     with _start_pool(workers) as pool:
-        # The largest first, so that no core waits for the other at the end.
-        futures = {path: pool.submit(check_one, path) for path in sorted(paths, key=_size, reverse=True)}
-        for path, future in futures.items():
-            try:
-                results[path] = future.result()
-            except BrokenProcessPool:
-                continue
-    return results
+        try:
+            # The largest first, so that no core waits for the other at the end; the others as results are taken.
+            largest = sorted(range(len(paths))[:ahead], key=lambda k: _size(paths[k]), reverse=True)
+            shared = {k: pool.submit(check, paths[k]) for k in largest}
+            for index in range(len(paths)):
+                yield shared.pop(index).result()
+                if index + ahead < len(paths):
+                    shared[index + ahead] = pool.submit(check, paths[index + ahead])
+            return
+        except BrokenProcessPool:
+            done = {k: future.result() for k, future in shared.items() if future.done() and not future.exception()}
+    for k in range(index, min(index + ahead, len(paths))):
+        yield done[k] if k in done else _check_alone(paths[k], check)
+
+
+def _check_alone(path: Path, check: Check) -> DocumentResult | Failure:
+    """Return the result of a document that may have ended a process, from a process of its own."""
+    from concurrent.futures.process import BrokenProcessPool
+
+    with _start_pool(1) as pool:
+        try:
+            return pool.submit(check, path).result()
+        except BrokenProcessPool:
+            return Failure(str(path), f"{path}: the process that checked it ended; Drake may have aborted on its arm")
 
 
 def _start_pool(workers: int) -> ProcessPoolExecutor:

@@ -15,11 +15,14 @@ from models.catalogue import load_arm
 from models.configurations import FAMILIES, sample
 from models.errors import ArmproofError
 from verification.angle_ring import AngleFraction
+from verification.correction.corrector import Corrector
+from verification.correction.tables import correct_array, correct_table
 from verification.diagnose import Diagnostician
 from verification.document import Display, Document, Table, read_document
 from verification.equation import ChainChecker
 from verification.errors import DocumentError, ReadError, TooComplex
 from verification.exact_algebra import ExactAlgebra
+from verification.inverse.record import check_inverse
 from verification.latex import nodes as n
 from verification.latex.tokens import normalise_unicode, original_offset
 from verification.names import read_names
@@ -30,30 +33,34 @@ from verification.statements import Statements
 from verification.tables import check_array_table, check_table
 from verification.verdict import DocumentResult, Record, Verdict, worst
 
-SECONDS_TO_DECIDE = 1.3  # a display is bounded by two seconds in all: so long to decide it,
-SECONDS_TO_EXPLAIN = 0.5  # and so long to say what is wrong in it
+SECONDS_TO_DECIDE = 1.1  # a display is bounded by two seconds in all: so long to decide it,
+SECONDS_TO_EXPLAIN = 0.9  # and so long to say what is wrong in it
 SAMPLES = 1000
 SEED = 2019
 
 
-def verify(path: Path, *, confirm: bool = True) -> DocumentResult:
+def verify(path: Path, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
     """Return the verdicts of a document file; raises DocumentError where the document as a whole cannot be checked."""
-    return check_document(read_document(path), confirm=confirm)
+    return check_document(read_document(path), confirm=confirm, correct=correct)
 
 
-def check_document(document: Document, *, confirm: bool = True) -> DocumentResult:
-    """Return the verdicts of a document; `confirm` also evaluates each proved equation on the double plant."""
-    arm = _load(document)
+def check_document(document: Document, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
+    """Return the verdicts of a document.
+
+    `confirm` also evaluates each proved equation on the double plant; `correct` also seeks what mends each refuted one.
+    """
+    arm = load_arm_of(document)
     denominators: dict[str, int] = {}
     for _ in range(8):
         try:
-            return DocumentChecker(document, arm, denominators, confirm).run()
+            return DocumentChecker(document, arm, denominators, confirm, correct).run()
         except AngleFraction as fraction:  # θ/2 was met: begin again with it as the ring's generator
             denominators[fraction.symbol] = fraction.denominator
     raise DocumentError(f"{document.path}: fractions of angles with too many denominators")
 
 
-def _load(document: Document) -> Arm | None:
+def load_arm_of(document: Document) -> Arm | None:
+    """Return the arm that a document's front matter names; raises DocumentError where that cannot be loaded."""
     spec = document.front.get("arm")
     if spec is None:
         return None
@@ -74,7 +81,12 @@ class DocumentChecker:
     """Checks the displays of one document in order, each with the names that those before it defined."""
 
     def __init__(
-        self, document: Document, arm: Arm | None, denominators: Mapping[str, int], confirm: bool = True
+        self,
+        document: Document,
+        arm: Arm | None,
+        denominators: Mapping[str, int],
+        confirm: bool = True,
+        correct: bool = False,
     ) -> None:
         self.document = document
         self.arm = arm
@@ -89,6 +101,7 @@ class DocumentChecker:
         self.checker.confirm = confirm
         self.diagnostician = Diagnostician(self.checker)
         self.statements = Statements(self.checker)
+        self.corrector = Corrector(self.checker, self.diagnostician, self._outcomes_of) if correct else None
 
     def sampled(self) -> SampledAlgebra:
         """The double plant at the configurations of the six families."""
@@ -103,17 +116,28 @@ class DocumentChecker:
         """Return the verdicts of all displays and tables, in the order of the document."""
         started = time.perf_counter()
         equations = tuple(self.check_display(display) for display in self.document.displays)
+        return replace(self.result_of(equations), seconds=time.perf_counter() - started)
+
+    def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
+        """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(self._table(table) for table in self.document.tables)
-        name = self.arm.name if self.arm is not None else ""
-        seconds = time.perf_counter() - started
-        warnings = self.arm.warnings if self.arm is not None else ()
         return DocumentResult(
-            str(self.document.path), name, equations, tuple(t for t in tables if t is not None), warnings, seconds
+            str(self.document.path),
+            self.arm.name if self.arm is not None else "",
+            equations,
+            tuple(table for table in tables if table is not None),
+            self.arm.warnings if self.arm is not None else (),
+            title=str(self.document.front.get("title", "")),
+            inverse=check_inverse(self.document, self.arm),
         )
 
     def _table(self, table: Table) -> Record | None:
         self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
-        return check_table(self.checker, table)
+        record = check_table(self.checker, table)
+        if record is not None and record.verdict is Verdict.REFUTED and self.corrector is not None:
+            self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+            return replace(record, corrections=correct_table(self.checker, table, record))
+        return record
 
     # -- displays ---------------------------------------------------------------------------------------------------
 
@@ -123,12 +147,12 @@ class DocumentChecker:
             display.line, display.latex, Verdict.UNREADABLE, display.erratum, cell=display.cell, section=display.section
         )
         if not display.closed:
-            return replace(record, message="the display opened by $$ never ends")
+            return replace(record, message=f"the display opened by {display.opening} never ends")
         self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
         self.names.section = display.section
         try:
             if (table := check_array_table(self.checker, display)) is not None:
-                return table
+                return self._with_array_corrected(table, display)
             return self._judge(record, display, self.names.reader.read(display.latex))
         except ReadError as error:
             return replace(record, message=f"{_place(display, original_offset(display.latex, error.offset))}: {error}")
@@ -167,7 +191,19 @@ class DocumentChecker:
                 record = replace(
                     record, message=record.message or "the two sides differ; what is wrong is too large to tell"
                 )
+            if self.corrector is not None:
+                record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
         return record
+
+    def _with_array_corrected(self, record: Record, display: Display) -> Record:
+        if record.verdict is not Verdict.REFUTED or self.corrector is None:
+            return record
+        self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+        return replace(record, corrections=correct_array(self.checker, display, record))
+
+    def _outcomes_of(self, latex: str) -> list[Outcome]:
+        """Return the outcomes of a display that is tried: it defines nothing."""
+        return self.statements.check(self.names.reader.read(latex), 0, define=False)[0]
 
     def _with_later_definitions(
         self, statements: list[n.Statement], display: Display
@@ -186,7 +222,8 @@ class DocumentChecker:
 
 def _place(display: Display, offset: int) -> str:
     before = display.latex[:offset]
-    line = display.line + before.count("\n") + (1 if "\n" in display.latex else 0)
+    pieces = [piece for piece in display.pieces if piece.at <= offset]
+    line = pieces[-1].line if pieces else display.line + before.count("\n") + ("\n" in display.latex)
     column = offset - (before.rfind("\n") + 1) + 1
     where = f"line {line}" if display.cell is None else f"cell {display.cell}, line {line}"
     return f"{where}, column {column} of the display"

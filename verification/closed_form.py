@@ -14,7 +14,7 @@ from models.entry import Generator
 from verification.latex.writer import Notation, join_factors, number
 from verification.scalar import Scalar
 
-Angle = tuple[tuple[str, Fraction], ...]  # sorted (symbol, coefficient)
+Angle = tuple[tuple[str, Fraction | int], ...]  # sorted (symbol, coefficient); whole numbers as int, which hash faster
 Trig = tuple[tuple[str, Angle, int], ...]  # sorted (function, angle, power): a monomial of sines and cosines
 Rest = tuple[tuple[Generator, int], ...]
 MAX_TERMS = 60
@@ -57,7 +57,7 @@ def _terms(value: Scalar, polynomial: object, folded: bool) -> list[_Term]:
     groups: dict[Rest, dict[Trig, Fraction]] = defaultdict(dict)
     for powers, coefficient in value.ring.terms(polynomial):  # type: ignore[arg-type]
         trig: Trig = tuple(
-            sorted((k, ((name, Fraction(1)),), power) for (k, name), power in powers.items() if k in ("cos", "sin"))
+            sorted((k, ((name, 1),), power) for (k, name), power in powers.items() if k in ("cos", "sin"))
         )
         rest = tuple(
             sorted((generator, power) for generator, power in powers.items() if generator[0] not in ("cos", "sin"))
@@ -96,7 +96,7 @@ def _write_term(value: Scalar, coefficient: Fraction, rest: Rest, trig: Trig, no
             text = notation.symbol(name)
         factors.append(text if power == 1 else text + _exponent(power))
     for function, angle, power in trig:
-        factors.append(_power_of_trig(notation.trig(function, dict(angle)), power))
+        factors.append(_power_of_trig(notation.trig(function, {name: Fraction(k) for name, k in angle}), power))
     if coefficient != 1 or not factors:
         factors.insert(0, number(coefficient))
     return join_factors(factors)
@@ -124,9 +124,11 @@ def fold(terms: dict[Trig, Fraction], deadline: float = math.inf) -> dict[Trig, 
     """
     best = terms
     while len(best) > 1:
-        angles = sorted({angle for trig in best for _, angle, _ in trig})
+        together = {
+            pair for trig in best for pair in itertools.permutations(sorted({angle for _, angle, _ in trig}), 2)
+        }
         candidates = []
-        for a, b in itertools.permutations(angles, 2):
+        for a, b in sorted(together):
             if time.monotonic() > deadline:
                 return best
             for sign in (1, -1):
@@ -145,12 +147,12 @@ def _substitute(terms: dict[Trig, Fraction], a: Angle, b: Angle, sign: int) -> d
     for trig, coefficient in terms.items():
         for factors, weight in _expanded(trig, a, b, combined, sign):
             for reduced, extra in _reduced(factors, b):
-                total[reduced] += coefficient * weight * extra
+                total[reduced] += coefficient * (weight * extra)
     return {trig: coefficient for trig, coefficient in total.items() if coefficient}
 
 
 def _combine(a: Angle, b: Angle, sign: int) -> Angle:
-    total: dict[str, Fraction] = defaultdict(Fraction)
+    total: dict[str, Fraction | int] = defaultdict(int)
     for name, coefficient in a:
         total[name] += coefficient
     for name, coefficient in b:
@@ -160,8 +162,8 @@ def _combine(a: Angle, b: Angle, sign: int) -> Angle:
 
 def _expanded(
     trig: Trig, a: Angle, b: Angle, combined: Angle, sign: int
-) -> list[tuple[dict[tuple[str, Angle], int], Fraction]]:
-    products: list[tuple[dict[tuple[str, Angle], int], Fraction]] = [({}, Fraction(1))]
+) -> list[tuple[dict[tuple[str, Angle], int], int]]:
+    products: list[tuple[dict[tuple[str, Angle], int], int]] = [({}, 1)]
     for function, angle, power in trig:
         if angle != a:
             for factors, _ in products:
@@ -183,10 +185,10 @@ def _expanded(
     return products
 
 
-def _reduced(factors: dict[tuple[str, Angle], int], b: Angle) -> list[tuple[Trig, Fraction]]:
+def _reduced(factors: dict[tuple[str, Angle], int], b: Angle) -> list[tuple[Trig, int]]:
     """Replace s_β² by 1 − c_β², so that equal terms meet."""
     power = factors.get(("sin", b), 0)
-    results: list[tuple[dict[tuple[str, Angle], int], Fraction]] = [(dict(factors), Fraction(1))]
+    results: list[tuple[dict[tuple[str, Angle], int], int]] = [(dict(factors), 1)]
     for _ in range(power // 2):
         grown = []
         for entry, weight in results:

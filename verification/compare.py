@@ -66,7 +66,7 @@ def _plain(true: Value, printed: Value, algebra: Algebra) -> tuple[Value, Value]
     def plain(value: Value, other: Value) -> Value:
         if isinstance(value, Identity):
             if isinstance(other, Matrix):
-                return identity(algebra, other.shape[0])
+                return identity(algebra, other.shape[0], value.scale)
             raise ShapeMismatch("an identity matrix stands where a scalar is expected")
         if isinstance(value, list):
             other_is_row = isinstance(other, Matrix) and other.shape[0] == 1
@@ -103,7 +103,7 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
     if (m, k, r, c) == (3, 3, 4, 4) and _is_constant(printed.rows[3][3], 1):
         zero = printed.rows[3][3] * 0
         padded = (*((*row, zero) for row in true.rows), (zero, zero, zero, zero + 1))
-        yield Pair(Matrix(padded), printed)
+        yield Pair(Matrix(padded), printed, ROTATION)
     if m == 6 and c == k and r < 6:
         for rows in _jacobian_rows(true, r):
             note = f"rows {', '.join(str(i + 1) for i in rows)} of the geometric Jacobian"

@@ -1,157 +1,241 @@
-"""Statements that are not identities: implications, equations at singular configurations, inequalities, sizes."""
+"""Conditions of a display as systems of equations: det J = 0, θ_2 = 0 or π, rank J < 2, S_2 = 0 and S_3 = 0."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
-
-import numpy as np
 
 from verification.compare import align
 from verification.equation import ChainChecker
-from verification.errors import EvaluationError, NoValue
+from verification.errors import EvaluationError
 from verification.evaluate import Evaluator
 from verification.latex import nodes as n
 from verification.matrix import Matrix
-from verification.outcome import Outcome
 from verification.scalar import Scalar
-from verification.trees import has_branches
-from verification.values import as_scalar, is_zero
-from verification.verdict import Verdict
+from verification.singularities.elimination import BeyondReach
+from verification.singularities.minors import maximal_minors
+from verification.trees import bare, has_branches
+from verification.values import as_scalar
 
-HIGHEST_POWER = 4
+WHOLE_NUMBERS = ("k", "n", "m")
 
 
 class Undecided(EvaluationError):
     """Neither a proof nor a counterexample was found."""
 
 
-def vanishing(checker: ChainChecker, statements: Iterable[n.Chain]) -> Scalar:
-    """Return a scalar that vanishes exactly where one of the equations holds.
+@dataclass(frozen=True)
+class System:
+    """The configurations at which scalars are zero, and of each set of others not all are zero.
 
-    f = g gives f − g; an angle θ = α gives 1 − cos(θ − α); θ ∈ {α, β} and alternatives multiply.
+    `values` are joint angles that the equations fix, up to whole turns, in terms of other symbols.
     """
-    product: Scalar | None = None
-    for chain in statements:
-        for factor in _factors(checker, chain):
-            product = factor if product is None else product * factor
-    if product is None:
+
+    zero: tuple[Scalar, ...]
+    not_all_zero: tuple[tuple[Scalar, ...], ...] = ()
+    values: tuple[tuple[str, Scalar], ...] = ()
+
+    def and_(self, other: System) -> System:
+        """Return the configurations of both."""
+        return System(self.zero + other.zero, self.not_all_zero + other.not_all_zero, self.values + other.values)
+
+
+Condition = tuple[System, ...]  # alternatives
+
+
+def read_condition(checker: ChainChecker, alternatives: Sequence[Sequence[n.Chain]]) -> Condition:
+    """Return where one of the alternatives holds, each of which is some chains that hold together.
+
+    f = g gives f − g = 0; an angle θ = α gives 1 − cos(θ − α) = 0; θ ∈ {α, β} and ± are alternatives; a matrix equation is
+    one of each entry; det(A Aᵀ) = 0 says that all maximal minors of A vanish, rank A < k that all minors of size k do.
+
+    Raises:
+        Undecided: a chain is no such condition.
+    """
+    found: list[System] = []
+    for chains in alternatives:
+        parts = [_of_chain(checker, chain) for chain in chains]
+        for choice in itertools.product(*parts):
+            system = System(())
+            for part in choice:
+                system = system.and_(part)
+            found.append(system)
+    if not found:
         raise Undecided("no equation stands where a condition is expected")
-    return product
+    return tuple(found)
 
 
-def _factors(checker: ChainChecker, chain: n.Chain) -> list[Scalar]:
-    """The factors of a condition; one with ± holds on either branch."""
+def _of_chain(checker: ChainChecker, chain: n.Chain) -> list[System]:
+    """The alternatives of one chain; one with ± holds on either branch."""
     branches = (1, -1) if has_branches(chain) else (1,)
     return [
-        factor
+        system
         for branch in branches
-        for factor in _factors_of(checker, chain, Evaluator(checker.names, checker.exact, branch))
+        for system in _of_branch(checker, chain, Evaluator(checker.names, checker.exact, branch))
     ]
 
 
-def _factors_of(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> list[Scalar]:
-    if len(chain.members) == 1:  # "θ_2 = 0 or π": the angle is that of the alternative before
+def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> Iterator[System]:
+    if len(chain.members) == 1:
         raise Undecided("a condition is an equation")
     if chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence):
-        left = chain.members[0]
-        return [
-            _factor(checker, left, evaluator.scalar(left), evaluator.scalar(item)) for item in chain.members[1].items
-        ]
-    if set(chain.relations) != {"="}:
-        raise Undecided(f"'{' '.join(chain.relations)}' is not an equation")
+        for item in chain.members[1].items:
+            yield _fixed(checker, chain.members[0], item, evaluator)
+        return
     *first, last = chain.members
     if len(first) != 1:
         raise Undecided("a chain stands where one condition is expected")
-    multiple = _integer_multiple_of_pi(last)
-    if multiple is not None:
-        _, sine = checker.exact.cos_sin(evaluator.scalar(first[0]) / checker.exact.rational(multiple))
-        return [sine]
-    left, right = as_scalar(evaluator.evaluate(first[0])), as_scalar(evaluator.evaluate(last))
-    if not (isinstance(left, Scalar) and isinstance(right, Scalar)):
+    (relation,) = chain.relations
+    if (rank := _rank_condition(checker, first[0], relation, last, evaluator)) is not None:
+        yield rank
+    elif relation == "≠":
+        yield System((), (tuple(_equations(checker, first[0], last, evaluator)),))
+    elif relation == "=":
+        yield System(
+            tuple(_equations(checker, first[0], last, evaluator)), (), _value(checker, first[0], last, evaluator)
+        )
+    else:
+        raise Undecided(f"'{relation}' is not an equation")
+
+
+def _fixed(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> System:
+    """θ = α as a system, with the value of θ."""
+    zero = _angle_or_difference(checker, left, right, evaluator)
+    return System((zero,), (), _value(checker, left, right, evaluator))
+
+
+def _value(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> tuple[tuple[str, Scalar], ...]:
+    """The joint angle that θ = α fixes; nothing where the left side is no joint angle, or the right side holds it."""
+    symbol = checker.names.known_symbol(left.key) if isinstance(left, n.Name) else None
+    if symbol is None or any(isinstance(b, n.Name) and b.key in WHOLE_NUMBERS for b in n.walk(right)):
+        return ()
+    value = as_scalar(evaluator.evaluate(right))
+    if not isinstance(value, Scalar) or not _is_angle(checker, checker.exact.symbol(symbol) - value):
+        return ()
+    holds_itself = any(("symbol", symbol) in powers for powers, _ in checker.exact.ring.terms(value.numerator))
+    return () if holds_itself else ((symbol, value),)
+
+
+def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> list[Scalar]:
+    """The scalars that are all zero where an equation holds."""
+    if isinstance(right, n.Number) and right.value == 0 and (factor := _gram_factor(left)) is not None:
+        value = evaluator.evaluate(factor)
+        if isinstance(value, Matrix) and value.shape[0] < value.shape[1]:
+            return _minors(value, value.shape[0])
+    a = as_scalar(evaluator.evaluate(left))
+    if not isinstance(a, Matrix):
+        return [_angle_or_difference(checker, left, right, evaluator)]
+    b = as_scalar(evaluator.evaluate(right))
+    if not isinstance(b, Matrix):
         raise Undecided("a matrix stands where a scalar condition is expected")
-    return [_factor(checker, first[0], left, right)]
+    pair = next(align(a, b, checker.exact))
+    rows = zip(pair.true.rows, pair.printed.rows, strict=True)
+    return [x - y for row, other in rows for x, y in zip(row, other, strict=True)]
 
 
-def _integer_multiple_of_pi(node: n.Node) -> Fraction | None:
-    """kπ with k any integer: a product of the letter k (or n) and π."""
-    if isinstance(node, n.Product) and len(node.factors) == 2:
-        a, b = node.factors
-        if isinstance(a, n.Name) and a.key in ("k", "n", "m") and isinstance(b, n.Name) and b.key == "pi":
-            return Fraction(1)
-    return None
+def _gram_factor(node: n.Node) -> n.Node | None:
+    """The A of det(A Aᵀ), or the Aᵀ of det(Aᵀ A)."""
+    if not (isinstance(node, n.Call) and node.function in ("det", "abs")):
+        return None
+    product = bare(node.arguments[0])
+    if not isinstance(product, n.Product) or len(product.factors) != 2 or "×" in product.operators:
+        return None
+    a, b = product.factors
+    if isinstance(b, n.Postfix) and b.operator == "T" and bare(b.base) == bare(a):
+        return a
+    return a if isinstance(a, n.Postfix) and a.operator == "T" and bare(a.base) == bare(b) else None
 
 
-def _factor(checker: ChainChecker, node: n.Node, left: Scalar, right: Scalar) -> Scalar:
+def _rank_condition(
+    checker: ChainChecker, left: n.Node, relation: str, right: n.Node, evaluator: Evaluator
+) -> System | None:
+    """rank A < k, ≤ k or = k: minors of one size that all vanish, and for equality smaller ones that do not all."""
+    if not (isinstance(left, n.Call) and left.function == "rank" and isinstance(right, n.Number)):
+        return None
+    value = evaluator.evaluate(left.arguments[0])
+    if not isinstance(value, Matrix) or right.value.denominator != 1 or relation not in ("=", "<", "≤", "≠"):
+        raise Undecided("the rank of something that is no matrix")
+    size = int(right.value)
+    if relation == "≠":  # a rank below the full one
+        if size != min(value.shape):
+            raise Undecided("a rank that is not one number")
+        relation = "<"
+    above = _minors(value, size if relation == "<" else size + 1)
+    return System(tuple(above), (tuple(_minors(value, size)),) if relation == "=" and size else ())
+
+
+def _minors(matrix: Matrix, size: int) -> list[Scalar]:
+    """All minors of a size; none is larger than the matrix."""
+    if size > min(matrix.shape):
+        return []
+    if size < 1:
+        return [matrix.rows[0][0].ring.one]
+    try:
+        found = maximal_minors(matrix, size)
+    except BeyondReach as problem:
+        raise Undecided(str(problem)) from None
+    return found or [matrix.rows[0][0].ring.zero]
+
+
+def _angle_or_difference(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> Scalar:
+    """f − g, or 1 − cos(f − g) where both are angles; kπ with any integer k gives the sine."""
+    periodic = _of_every_integer(checker, left, right, evaluator)
+    if periodic is not None:
+        return periodic
+    a, b = (as_scalar(evaluator.evaluate(node)) for node in (left, right))
+    if not (isinstance(a, Scalar) and isinstance(b, Scalar)):
+        raise Undecided("a matrix stands where a scalar condition is expected")
+    if _is_angle(checker, a - b) or checker.exact.ring.has_arcs(a):
+        return 1 - checker.exact.cos_sin(a - b)[0]
+    return a - b
+
+
+def _is_angle(checker: ChainChecker, value: Scalar) -> bool:
+    """Whether a scalar is a sum of joint angles and multiples of π."""
     arm = checker.names.arm
     revolute = {joint.symbol for joint in arm.joints if joint.kind == "revolute"} if arm is not None else set()
-    bare = isinstance(node, n.Name) and checker.names.known_symbol(node.key) in revolute
-    if bare or checker.exact.ring.has_arcs(left):
-        return 1 - checker.exact.cos_sin(left - right)[0]
-    return left - right
-
-
-def implies(checker: ChainChecker, f: Scalar, g: Scalar) -> bool:
-    """Decide f = 0 ⟹ g = 0 by divisibility: a power of g is a multiple of f, lengths taken as nonzero."""
-    if g.is_zero():
-        return True
-    power = checker.exact.ring.one
-    for _ in range(HIGHEST_POWER):
-        power = power * g
-        if not f.is_zero() and _never_zero(checker, checker.exact.ring.without_sines_below(power / f).denominator):
-            return True
-    return False
-
-
-def _never_zero(checker: ChainChecker, denominator: Any) -> bool:
-    """Whether a polynomial is a constant times lengths and rates: nonzero for every arm of the family."""
-    terms = list(checker.exact.ring.terms(denominator))
-    if len(terms) != 1:
+    if not value.denominator.is_one():
         return False
-    arm = checker.names.arm
-    lengths = set(arm.lengths) if arm is not None else set()
-    return all(
-        kind == "sqrt" or (kind == "symbol" and (name in lengths or (arm is None and _reads_as_length(name))))
-        for kind, name in terms[0][0]
-    )
+    terms = [powers for powers, _ in checker.exact.ring.terms(value.numerator)]
+    symbols = [generator for powers in terms for generator in powers]
+    linear = all(sum(powers.values()) == 1 for powers in terms)
+    allowed = all(kind == "pi" or (kind == "symbol" and name in revolute) for kind, name in symbols)
+    return linear and allowed and any(kind == "symbol" for kind, _ in symbols)
 
 
-def _reads_as_length(name: str) -> bool:
-    """Whether a letter of a document with no arm is a link's length: l, l_1, a_2, d_i."""
-    return name[:1] in ("l", "L") or name[:2] in ("a_", "d_")
-
-
-def counterexample(checker: ChainChecker, f: Scalar, g: Scalar) -> dict[str, float] | None:
-    """Return a configuration of quarter turns at which f = 0 and g ≠ 0, exactly; None where none is found."""
-    arm = checker.names.arm
-    if arm is None:
+def _of_every_integer(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> Scalar | None:
+    """θ = α + kβ for every integer k: sin(m(θ − α)) where β = π/m, 1 − cos(m(θ − α)) where β = 2π/m."""
+    free = [
+        below
+        for below in n.walk(right)
+        if isinstance(below, n.Name) and below.key in WHOLE_NUMBERS and checker.names.known_symbol(below.key) is None
+    ]
+    if not free:
         return None
-    ring = checker.exact.ring
-    symbols = [joint for joint in arm.joints if any(_mentions(ring, value, joint.symbol) for value in (f, g))][:4]
-    quarters = [Fraction(k, 2) for k in (0, 2, 1, -1)]
-    pi = checker.exact.pi()
-    for choice in itertools.product(quarters, repeat=len(symbols)):
-        values = {
-            joint.symbol: pi * ring.rational(turn) if joint.kind == "revolute" else ring.rational(turn)
-            for joint, turn in zip(symbols, choice, strict=True)
-        }
-        if ring.substitute(f, values).is_zero() and not ring.substitute(g, values).is_zero():
-            scale = {joint.symbol: np.pi if joint.kind == "revolute" else 1.0 for joint in symbols}
-            return {
-                joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in zip(symbols, choice, strict=True)
-            }
-    return None
+    start, one, two = (evaluator.scalar(_with_number(right, free, k)) for k in (0, 1, 2))
+    step = ((one - start) / checker.exact.pi()).as_fraction()
+    if not step or not (two - one - one + start).is_zero():
+        raise Undecided("an integer multiple of something that is no fraction of π")
+    turned = evaluator.scalar(left) - start
+    if (1 / step).denominator == 1:
+        return checker.exact.cos_sin(turned / checker.exact.rational(step))[1]
+    if (2 / step).denominator == 1:
+        return 1 - checker.exact.cos_sin(turned * checker.exact.rational(2 / step))[0]
+    raise Undecided("an integer multiple of an angle that is no part of a turn")
 
 
-def _mentions(ring: Any, value: Scalar, symbol: str) -> bool:
-    return any(
-        name == symbol
-        for part in (value.numerator, value.denominator)
-        for powers, _ in ring.terms(part)
-        for _, name in powers
-    )
+def _with_number(node: n.Node, names: Sequence[n.Node], value: int) -> n.Node:
+    for name in names:
+        node = n.substitute(node, name, n.Number(Fraction(value), str(value), span=name.span))
+    return node
+
+
+def is_rank_condition(chain: n.Chain) -> bool:
+    """Whether a chain bounds a rank: rank J < 2 is true of no generic configuration, and a condition."""
+    first = chain.members[0]
+    return isinstance(first, n.Call) and first.function == "rank" and chain.relations != ("=",)
 
 
 def is_condition(chain: n.Chain) -> bool:
@@ -159,152 +243,8 @@ def is_condition(chain: n.Chain) -> bool:
     return any(relation == "∈" for relation in chain.relations) or any(
         all(
             isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
-            or (isinstance(b, n.Name) and b.key in ("pi", "k"))
+            or (isinstance(b, n.Name) and b.key in ("pi", *WHOLE_NUMBERS))
             for b in n.walk(m)
         )
         for m in chain.members
     )
-
-
-def _entries_of(checker: ChainChecker, chains: list[n.Chain]) -> list[Scalar] | None:
-    """Return the differences of the entries of one equation between matrices; None where it is none."""
-    if len(chains) != 1 or chains[0].relations != ("=",):
-        return None
-    left, right = (checker.member(node) for node in chains[0].members)
-    if not (isinstance(left.value, Matrix) or isinstance(right.value, Matrix)) or not (left.known and right.known):
-        return None
-    pair = next(align(left.value, right.value, checker.exact))
-    return [
-        a - b
-        for row, other in zip(pair.true.rows, pair.printed.rows, strict=True)
-        for a, b in zip(row, other, strict=True)
-    ]
-
-
-def check_implication(
-    checker: ChainChecker, kind: str, premises: list[n.Chain], conclusions: list[n.Chain], equation: int
-) -> tuple[Outcome, dict[str, float]]:
-    """Return the verdict of premises ⇒ (⇔, ⇐) conclusions, alternatives on either side joined by "or"."""
-    outcome = Outcome(Verdict.PROVED, "", equation)
-    try:
-        entries = _entries_of(checker, conclusions) if kind in ("⇒", "⇐") else None
-        if entries is not None and kind == "⇒":  # a matrix equation: each of its entries follows
-            f = vanishing(checker, premises)
-            g = next((entry for entry in entries if not implies(checker, f, entry)), checker.exact.ring.zero)
-        elif (entries := _entries_of(checker, premises) if kind == "⇐" else None) is not None:
-            g = vanishing(checker, conclusions)
-            f = next((entry for entry in entries if not implies(checker, g, entry)), checker.exact.ring.zero)
-        else:
-            f, g = vanishing(checker, premises), vanishing(checker, conclusions)
-        wanted = {"⇒": [(f, g)], "⇐": [(g, f)], "⇔": [(f, g), (g, f)]}[kind]
-        for premise, conclusion in wanted:
-            if implies(checker, premise, conclusion):
-                continue
-            found = counterexample(checker, premise, conclusion)
-            side = (
-                "the left side holds and the right does not"
-                if premise is f
-                else "the right side holds and the left does not"
-            )
-            if found is None:
-                outcome.verdict, outcome.message = Verdict.UNCHECKED, f"not decided whether {side} somewhere"
-                return outcome, {}
-            outcome.verdict, outcome.message = Verdict.REFUTED, f"{side} at the configuration given"
-            return outcome, found
-    except NoValue as problem:
-        outcome.verdict, outcome.message = Verdict.REFUTED, str(problem)
-    except EvaluationError as problem:
-        outcome.verdict, outcome.message = Verdict.UNCHECKED, str(problem)
-    return outcome, {}
-
-
-def check_relation(checker: ChainChecker, chain: n.Chain, equation: int) -> Outcome:
-    """Return the verdict of a chain with ≤, <, ≠, ≈, ∈: sizes and inequalities on samples, conditions as definitions."""
-    relation = next(r for r in chain.relations if r != "=")
-    left, right = chain.members[0], chain.members[-1]
-    outcome = Outcome(Verdict.DEFINED, "a condition, not a claim", equation)
-    if relation == "∈":
-        size = _size_of_space(right)
-        member = checker.member(left)
-        if size is None or not member.known or not isinstance(member.value, Matrix):
-            return outcome
-        if member.value.shape == size:
-            outcome.verdict, outcome.message = Verdict.PROVED, "the size"
-        else:
-            wanted = f"{member.value.size}, not {size[0]}×{size[1]}"
-            outcome.verdict, outcome.message = Verdict.REFUTED, f"the matrix is {wanted}"
-        return outcome
-    members = [checker.member(node) for node in chain.members]
-    if relation == "≠":
-        if all(m.known for m in members) and _identical(members[0].value, members[-1].value):
-            outcome.verdict, outcome.message = Verdict.REFUTED, "the two sides are equal for every configuration"
-        return outcome
-    if isinstance(left, n.Name) or isinstance(right, n.Name):
-        return outcome  # a bound on a variable: a condition
-    if relation in ("≤", "<", "≥", ">"):
-        return _sampled_inequality(checker, chain, outcome)
-    if relation == "≈":
-        return _sampled_approximation(checker, chain, outcome)
-    return outcome
-
-
-def _identical(a: Any, b: Any) -> bool:
-    a, b = as_scalar(a), as_scalar(b)
-    if isinstance(a, Matrix) and isinstance(b, Matrix):
-        return a.shape == b.shape and all(
-            is_zero(x - y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True)
-        )
-    if isinstance(a, Scalar) and isinstance(b, Scalar):
-        return (a - b).is_zero()
-    if isinstance(a, Matrix) and isinstance(b, Scalar):
-        return b.is_zero() and all(is_zero(x) for row in a.rows for x in row)
-    return False
-
-
-def _size_of_space(node: n.Node) -> tuple[int, int] | None:
-    """ℝ^{6×4} → (6, 4); ℝ^3 → (3, 1)."""
-    if not (isinstance(node, n.Power) and isinstance(node.base, n.Name) and node.base.base == "R"):
-        return None
-    exponent = node.exponent
-    if isinstance(exponent, n.Number):
-        return int(exponent.value), 1
-    if isinstance(exponent, n.Product) and exponent.operators == ("×",):
-        sizes = [int(f.value) for f in exponent.factors if isinstance(f, n.Number)]
-        return (sizes[0], sizes[1]) if len(sizes) == 2 else None
-    return None
-
-
-def _sampled_inequality(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
-    holds = {"≤": lambda a, b: a <= b + 1e-9, "<": lambda a, b: a < b + 1e-9, "≥": lambda a, b: a >= b - 1e-9,
-             ">": lambda a, b: a > b - 1e-9, "=": lambda a, b: np.abs(a - b) < 1e-9}  # fmt: skip
-    try:
-        with np.errstate(all="ignore"):
-            values = [as_scalar(checker.sampled_value(node)) for node in chain.members]
-            if any(isinstance(value, Matrix | list) for value in values):
-                return outcome
-            good = np.ones(checker.sampled().samples, dtype=bool)
-            for relation, a, b in zip(chain.relations, values, values[1:], strict=False):
-                good &= holds[relation](a, b) | ~np.isfinite(a) | ~np.isfinite(b)
-    except (EvaluationError, KeyError):
-        return outcome
-    outcome.samples = int(good.size)
-    if good.all():
-        outcome.verdict, outcome.message = Verdict.CONFIRMED, "an inequality holds at every sample"
-    else:
-        outcome.verdict, outcome.message = Verdict.REFUTED, "the inequality fails at some configurations"
-    return outcome
-
-
-def _sampled_approximation(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
-    try:
-        with np.errstate(all="ignore"):
-            first, *others = [as_scalar(checker.sampled_value(node)) for node in chain.members]
-            if not all(isinstance(value, np.ndarray) for value in (first, *others)):
-                return outcome
-            close = all(np.allclose(first, other, rtol=1e-2, atol=1e-3) for other in others)
-    except EvaluationError:
-        return outcome
-    outcome.samples = checker.sampled().samples
-    outcome.verdict = Verdict.CONFIRMED if close else Verdict.REFUTED
-    outcome.message = "an approximation, to about a hundredth"
-    return outcome

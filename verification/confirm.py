@@ -166,7 +166,7 @@ class SecondRoute:
         sizes: np.ndarray | None = None
         with np.errstate(all="ignore"):
             sampled.regular[:] = True
-            for branch in (1, -1) if branches else (1,):
+            for branch in self.names.signs.branches(branches):
                 try:
                     one = Evaluator(self.names, sampled, branch)
                     true, printed = one.evaluate(outcome.true.node), one.evaluate(outcome.printed.node)

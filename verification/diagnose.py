@@ -6,12 +6,16 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from verification.bounded_form import write_bounded
+from verification.causes.case import Explanation
+from verification.causes.display import display_cause
 from verification.cells import find_cell, moved_cell, swapped_cells
 from verification.compare import different_entries, exactly_equal
 from verification.consequences import PrintedError, consequence_of, printed_error
+from verification.discrepancies import discrepancy_of
 from verification.edits import swapped_lengths
 from verification.equation import ChainChecker
 from verification.explain import explain_whole
+from verification.latex import nodes as n
 from verification.latex.writer import Notation
 from verification.learnt_notation import LearntNotation
 from verification.matrix import Matrix
@@ -30,26 +34,25 @@ class Diagnostician:
         self.checker = checker
         self.errors: list[PrintedError] = []
         self._probe = Probe(checker)
-        self._learnt = LearntNotation(checker.names)
-        self._mender = Mender(checker, self._probe, self._learnt)
+        self.learnt = LearntNotation(checker.names)
+        self._mender = Mender(checker, self._probe, self.learnt)
 
     def diagnose(self, record: Record, latex: str, outcomes: list[Outcome]) -> Record:
         """Return the record with wrong entries, a message in words and a counterexample."""
         entries: list[WrongEntry] = []
         words: list[str] = []
         counterexample = dict(record.counterexample)
+        discrepancy = None
         for outcome in outcomes:
             if outcome.message and not outcome.pair:
                 words.append(outcome.message)
             if outcome.pair is None or outcome.true is None or outcome.printed is None:
                 continue
-            notation = self._learnt.learn(latex, outcome)
+            notation = self.learnt.learn(latex, outcome)
+            whole, cause = self._whole(outcome) if len(outcome.wrong) > 1 else ("", Explanation())
             found = self._entries(latex, outcome, notation)
-            whole = None
-            if len(outcome.wrong) > 1:
-                whole = (
-                    explain_whole(self.checker, outcome) or self._swapped_throughout(outcome) or swapped_cells(outcome)
-                )
+            if not whole and not all(entry.change for entry in found):
+                whole = cause.words
             if whole:
                 words.append(whole)
                 found = [replace(entry, change="") for entry in found]
@@ -63,16 +66,29 @@ class Diagnostician:
             entries.extend(found)
             if not counterexample:
                 counterexample = self._probe.counterexample(outcome)
+                discrepancy = discrepancy_of(self.checker, self._probe, outcome)
             error = printed_error(self.checker, record.line, outcome, found)
             if error is not None:
                 self.errors.append(error)
         message = "; ".join(dict.fromkeys(word for word in words if word)) or record.message
-        return replace(record, message=message, entries=tuple(entries), counterexample=counterexample)
+        return replace(
+            record,
+            message=message,
+            entries=tuple(entries),
+            counterexample=counterexample,
+            discrepancy=discrepancy,
+        )
+
+    def _whole(self, outcome: Outcome) -> tuple[str, Explanation]:
+        """Say what a matrix is as a whole; and what mistake explains it where it was made in a part of it only."""
+        whole = explain_whole(self.checker, outcome) or self._swapped_throughout(outcome) or swapped_cells(outcome)
+        cause = Explanation() if whole else display_cause(self.checker, outcome)
+        return whole or (cause.words if cause.is_whole else ""), cause
 
     def _swapped_throughout(self, outcome: Outcome) -> str:
         """Say if exchanging two lengths in the whole printed value mends it."""
         assert outcome.pair is not None and outcome.printed is not None
-        for edit in swapped_lengths(outcome.printed.node, self._learnt.letters(outcome.printed.node)):
+        for edit in swapped_lengths(outcome.printed.node, self.learnt.letters(outcome.printed.node)):
             member = self.checker.member(edit.node)
             if not (
                 member.known and isinstance(member.value, Matrix) and member.value.shape == outcome.pair.true.shape
@@ -104,6 +120,10 @@ class Diagnostician:
             cell = None if pair.is_scalar else find_cell(outcome.printed.node, row, column, outcome.printed.value)
             if cell is None and pair.is_scalar:
                 cell = outcome.printed.node
+                if (
+                    isinstance(cell, n.At) and cell.span == cell.inner.span
+                ):  # the condition of a case, printed elsewhere
+                    cell = cell.inner
             printed = (
                 latex[cell.span[0] : cell.span[1]].strip()
                 if cell is not None

@@ -37,10 +37,12 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield Edit(_negated(root), "sign", "wrong sign")
     yield from _on_all(root, _signs)
     yield from _on_all(root, _functions)
+    yield from _functions_throughout(root)
     yield from _on_all(root, lambda node: _indices(node, letters))
     yield from _on_all(root, lambda node: _names(node, letters))
     yield from swapped_lengths(root, letters)
     yield from _on_all(root, _dropped_factors)
+    yield from _on_all(root, _products_of_functions)
     yield from _numbers(root)
     yield from _squares(root, letters)
     yield from _on_all(root, _dropped_terms)
@@ -77,6 +79,44 @@ def _functions(node: n.Node) -> Iterator[Change]:
         other = "sin" if node.function == "cos" else "cos"
         words = "sine for cosine" if node.function == "sin" else "cosine for sine"
         yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", words
+
+
+def _functions_throughout(root: n.Node) -> Iterator[Edit]:
+    """Every sine for a cosine and the other way round, where there are several."""
+    calls = [node for node in n.walk(root) if isinstance(node, n.Call) and node.function in ("cos", "sin")]
+    if len(calls) < 2:
+        return
+    exchanged = root
+    for call in calls:
+        [(changed, kind, _)] = _functions(call)
+        exchanged = n.substitute(exchanged, call, changed)
+    yield Edit(exchanged, kind, "sine and cosine are exchanged throughout")
+
+
+def _products_of_functions(node: n.Node) -> Iterator[Change]:
+    """C_1 C_2 for C_{12}, S_1 S_2 for S_{12}."""
+    if not isinstance(node, n.Product) or "×" in node.operators:
+        return
+    calls = [(k, f) for k, f in enumerate(node.factors) if isinstance(f, n.Call) and f.function in ("cos", "sin")]
+    for i, (k, one) in enumerate(calls):
+        for m, other in calls[i + 1 :]:
+            angle = _sum_of_angles(one.arguments[0], other.arguments[0])
+            if one.function != other.function or angle is None:
+                continue
+            joined = replace(one, arguments=(angle,))
+            factors = (*node.factors[:k], joined, *node.factors[k + 1 : m], *node.factors[m + 1 :])
+            operators = (*node.operators[: m - 1], *node.operators[m:])
+            grown = joined if len(factors) == 1 else replace(node, factors=factors, operators=operators)
+            name = "cosine" if one.function == "cos" else "sine"
+            yield grown, "function", f"a product of {name}s where the {name} of the sum of angles belongs"
+
+
+def _sum_of_angles(one: n.Node, other: n.Node) -> n.JointAngles | None:
+    if not (isinstance(one, n.JointAngles) and isinstance(other, n.JointAngles)):
+        return None
+    if {index for _, index in one.terms} & {index for _, index in other.terms}:
+        return None
+    return n.JointAngles(tuple(sorted((*one.terms, *other.terms), key=lambda term: term[1])))
 
 
 def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import prod
 from typing import Any
 
 from verification.algebra import Value
@@ -136,14 +137,14 @@ class Equality:
     def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
         """With ±, an entry is right when the product of its differences over the branches vanishes."""
         differences = []
-        for branch in (1, -1):
+        for branch in self.names.signs.branches():
             one = Evaluator(self.names, self.exact, branch)
             differences.append(next(align(one.evaluate(true), one.evaluate(printed), self.exact)))
         wrong = []
         for r, row in enumerate(pair.true.rows):
             for c in range(len(row)):
                 factors = [_distance(p.true.rows[r][c], p.printed.rows[r][c]) for p in differences]
-                if not (factors[0] * factors[1]).is_zero():
+                if not prod(factors).is_zero():
                     wrong.append((r, c))
         return wrong
 

@@ -26,7 +26,8 @@ def postfix_value(evaluator: Evaluator, node: n.Postfix) -> Value:
     if isinstance(value, list):
         value = Matrix((tuple(value),))
     if isinstance(value, Identity):
-        return value
+        one = evaluator.algebra.rational(Fraction(1))
+        return value if node.operator == "T" else Identity(one / value.scale)
     if not isinstance(value, Matrix):
         if node.operator == "T":
             return value

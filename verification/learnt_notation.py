@@ -14,9 +14,9 @@ from verification.outcome import Outcome
 class LearntNotation:
     """The notation of the displays met so far; what a display does not show is as in those before it."""
 
-    def __init__(self, names: Names) -> None:
+    def __init__(self, names: Names, notation: Notation | None = None) -> None:
         self.names = names
-        self._notation = Notation()
+        self._notation = notation or Notation()
 
     def learn(self, latex: str, outcome: Outcome) -> Notation:
         """Return the notation of the display, falling back on what earlier displays of the document used."""
@@ -37,10 +37,14 @@ class LearntNotation:
             notation.underscore, notation.braces = self._notation.underscore, self._notation.braces
         for letter, symbol in self.names.symbols.items():
             notation.symbols.setdefault(symbol, symbol_as_latex(letter))
-        self._notation = Notation(
-            dict(notation.symbols), notation.style, notation.cosine, notation.underscore, notation.braces
-        )
+        self._notation = notation
+        self._notation = self.current()
         return notation
+
+    def current(self) -> Notation:
+        """Return the notation of the displays met so far."""
+        learnt = self._notation
+        return Notation(dict(learnt.symbols), learnt.style, learnt.cosine, learnt.underscore, learnt.braces)
 
     def letters(self, cell: n.Node) -> Letters:
         """The joints and lengths that a slip may have confused, in the document's letters."""

@@ -32,6 +32,8 @@ def name_value(evaluator: Evaluator, node: n.Name) -> Value:
         return algebra.quantity(quantity)
     if node.dots:
         return time_derivative(evaluator, node)
+    if (sign := names.signs.value(node.key)) is not None:
+        return algebra.rational(Fraction(sign))
     symbol = names.known_symbol(node.key)
     if symbol is not None:
         return algebra.symbol(symbol)
@@ -45,7 +47,7 @@ def name_value(evaluator: Evaluator, node: n.Name) -> Value:
         if (size := re.fullmatch(r"([1-9])(?:x\1)?", node.sub)) is not None:
             return identity(algebra, int(size.group(1)))
         if not node.sub and node.base != "E":
-            return Identity()
+            return Identity(algebra.rational(Fraction(1)))
     if names.is_free(node):
         names.used.add(node.key)
         return algebra.symbol(node.key)

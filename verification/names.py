@@ -13,9 +13,11 @@ from verification.algebra import Algebra, Value
 from verification.errors import DocumentError, ReadError
 from verification.latex import nodes as n
 from verification.latex.reader import Reader, key_as_latex
+from verification.named_signs import NamedSigns
 from verification.quantities import Quantity, implied_quantity, read_quantity, transform_pair
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|theta|alpha|beta|gamma|phi|psi|omega|sigma|lambda|mu|rho|tau|delta|epsilon|Delta")
+FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
 
 
@@ -52,6 +54,7 @@ class Names:
     adopted: set[str] = field(
         default_factory=set
     )  # letters that only a frame the document adds brings in: a tool's length
+    signs: NamedSigns = field(default_factory=NamedSigns)
     section: str = ""  # the heading under which the display stands that is being checked
     rounded: dict[str, int] = field(default_factory=dict)  # names made of rounded numbers: to how many decimals
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
@@ -153,6 +156,10 @@ class Names:
         component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
         return component or bool(FREE_IN_GENERAL.fullmatch(name.base))
 
+    def defines_sign(self, key: str) -> bool:
+        """Whether a display that gives a name both signs defines it: nothing else gives it a meaning."""
+        return not (key in self.quantities or key in self.definitions or self.known_symbol(key) is not None)
+
     def is_new(self, name: n.Name) -> bool:
         """Whether a letter that could be free has not been used or defined: one side of an equation may define it."""
         return self.is_free(name) and name.key not in self.used and name.key not in self.definitions
@@ -198,11 +205,16 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     for key, value in symbols_spec.items():
         if not isinstance(value, str):
             raise DocumentError(f"symbol '{key}' must be bound to a symbol of the arm, not {value!r}", "symbols")
-        if arm is not None and value not in (known := _scalars(arm)):
+        name = name_key(plain, str(key))
+        if arm is not None and value != FREE and value not in (known := _scalars(arm)):
             raise DocumentError(
-                f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)}", "symbols"
+                f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)} "
+                f"('{FREE}' binds a letter that is none of the arm's)",
+                "symbols",
             )
-        symbols[name_key(plain, str(key))] = value
+        if value == FREE and arm is not None and name in _scalars(arm):
+            raise DocumentError(f"symbol '{key}' is one of the arm '{arm.name}': it cannot be free", "symbols")
+        symbols[name] = name if value == FREE else value
     quantities = {
         name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()
     }

@@ -16,6 +16,8 @@ from verification.values import as_scalar
 
 PROBES = 12
 SEED = 7
+TIE = 1e-9
+SAMPLED = 1_000  # terms that are evaluated for a counterexample: some hundredths of a second
 
 
 class Probe:
@@ -44,12 +46,7 @@ class Probe:
         """Return the values of joints, lengths and letters (rad, m) at which the printed and the true value differ most."""
         assert outcome.true is not None and outcome.printed is not None
         probe = self.samples
-        with np.errstate(all="ignore"):
-            try:
-                worst = self._sampled_difference(outcome, probe)
-            except EvaluationError:
-                worst = np.zeros(probe.samples)
-        best = int(np.nanargmax(worst)) if np.isfinite(worst).any() else 0
+        best = self.worst_sample(outcome)
         arm = self.names.arm
         values: dict[str, float] = {}
         depends = self._symbols_of(outcome)
@@ -66,6 +63,19 @@ class Probe:
             values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
         return values
 
+    def worst_sample(self, outcome: Outcome) -> int:
+        """Return which of the configurations (from 0) is the counterexample."""
+        with np.errstate(all="ignore"):
+            try:
+                worst = self._sampled_difference(outcome, self.samples)
+            except EvaluationError:
+                worst = np.zeros(self.samples.samples)
+        if not np.isfinite(worst).any():
+            return 0
+        return int(
+            np.argmax(worst >= (1 - TIE) * np.nanmax(worst))
+        )  # of equal ones the first, however they were rounded
+
     def _symbols_of(self, outcome: Outcome) -> list[str]:
         """The symbols on which the wrong entries depend."""
         pair = outcome.pair
@@ -79,7 +89,7 @@ class Probe:
             if isinstance(cell, Scalar)
             for part in (cell.numerator, cell.denominator)
         ]
-        generators = {generator for part in parts for powers, _ in ring.terms(part) for generator in powers}
+        generators = {generator for part in parts for _, generator in ring.generators_of(part)}
         names = {name.split("/")[0] for kind, name in generators if kind in ("symbol", "cos", "sin")}
         return sorted(name for name in names if name != "pi" and not name[:1].isdigit())
 
@@ -89,7 +99,9 @@ class Probe:
     def _sampled_difference(self, outcome: Outcome, probe: SampledAlgebra) -> np.ndarray:
         assert outcome.true is not None and outcome.printed is not None
         if outcome.pair is not None and not outcome.sampled_only:
-            cells = [(outcome.pair.true.rows[r][c], outcome.pair.printed.rows[r][c]) for r, c in outcome.wrong]
+            cells = _shortest(
+                [(outcome.pair.true.rows[r][c], outcome.pair.printed.rows[r][c]) for r, c in outcome.wrong]
+            )
             return (
                 np.max([np.abs(probe.from_exact(a - b)) for a, b in cells], axis=0)
                 if cells
@@ -101,3 +113,20 @@ class Probe:
         if isinstance(true, Matrix) or isinstance(printed, Matrix):
             return np.zeros(probe.samples)
         return np.abs(true - printed)
+
+
+def _shortest(cells: list[tuple[Scalar, Scalar]]) -> list[tuple[Scalar, Scalar]]:
+    """Return the shortest wrong entries, one at least, of at most SAMPLED terms together: any of them refutes."""
+    found: list[tuple[Scalar, Scalar]] = []
+    total = 0
+    for pair in sorted(cells, key=lambda pair: sum(map(count_terms, pair))):
+        total += sum(map(count_terms, pair))
+        if found and total > SAMPLED:
+            break
+        found.append(pair)
+    return found
+
+
+def count_terms(value: Scalar) -> int:
+    """Return how many terms a scalar is made of."""
+    return len(value.numerator) + len(value.denominator)

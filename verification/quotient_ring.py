@@ -96,6 +96,11 @@ class QuotientRing:
                 self._add(generator)
         return self.scalar(self._variable(self._slot[generator]))
 
+    @property
+    def size(self) -> int:
+        """The number of generators met so far."""
+        return len(self._generator_at)
+
     def symbol(self, name: str) -> Scalar:
         """Return a free symbol: a length, a joint variable, a letter of a general statement."""
         return self.generator(("symbol", name))
@@ -155,10 +160,17 @@ class QuotientRing:
 
     def terms(self, polynomial: fmpq_mpoly) -> Iterable[tuple[dict[Generator, int], Fraction]]:
         """Yield the terms as (powers of generators, coefficient)."""
-        last = self._slots - 1
-        for exponents, coefficient in self._lifted(polynomial).terms():
-            powers = {self._generator_at[last - index]: int(power) for index, power in enumerate(exponents) if power}
+        polynomial = self._lifted(polynomial)
+        present = self.generators_of(polynomial)
+        for exponents, coefficient in polynomial.terms():
+            powers = {generator: int(exponents[k]) for k, generator in present if exponents[k]}
             yield powers, Fraction(int(coefficient.p), int(coefficient.q))
+
+    def generators_of(self, polynomial: fmpq_mpoly) -> list[tuple[int, Generator]]:
+        """Return the generators that a polynomial holds, each with its place among the exponents of a term."""
+        last = self._slots - 1
+        degrees = self._lifted(polynomial).degrees()
+        return [(k, self._generator_at[last - k]) for k, degree in enumerate(degrees) if degree > 0]
 
 
 def _context(slots: int) -> fmpq_mpoly_ctx:

@@ -11,6 +11,7 @@ from flint import fmpq_mpoly
 from verification.angle_ring import AngleRing
 from verification.errors import EvaluationError, NoValue
 from verification.scalar import Scalar
+from verification.signs import is_negative
 
 
 class RootRing(AngleRing):
@@ -43,6 +44,8 @@ class RootRing(AngleRing):
             self.signs_chosen |= power > 1 and not self._is_symbol(factor)
             if power % 2:
                 inside = inside * factor
+        if len(outside.numerator) > 1 and is_negative(self, outside.numerator):
+            outside = -outside
         if inside.is_one():
             return outside
         for slot, radicand in self.radicands.items():
@@ -101,8 +104,18 @@ class RootRing(AngleRing):
         return self.generator(("arc", name))
 
     def atan2(self, y: Scalar, x: Scalar) -> Scalar:
-        """Return atan2(y, x): the angle with cosine x/√(x²+y²) and sine y/√(x²+y²)."""
-        radius = self.sqrt(x * x + y * y)
-        if radius.is_zero():
+        """Return atan2(y, x): the angle with cosine x/√(x²+y²) and sine y/√(x²+y²), a common factor taken as positive."""
+        if y.is_zero() and x.is_zero():
             raise EvaluationError("atan2(0, 0) has no value")
+        common = self._common_factor(y, x)
+        y, x = y / common, x / common
+        radius = self.sqrt(x * x + y * y)
         return self.arc(x / radius, y / radius)
+
+    def _common_factor(self, a: Scalar, b: Scalar) -> Scalar:
+        """Return the common factor of two numerators: the root of k²(x² + y²) is not found where k² has been reduced."""
+        common = self.lift(a).numerator.gcd(self.lift(b).numerator)
+        if common.is_constant():
+            return self.one
+        self.signs_chosen |= not self._is_symbol(common)
+        return self.scalar(-common if is_negative(self, common) else common)

@@ -86,6 +86,7 @@ class SampledAlgebra(ArmAlgebra):
 
     def arc(self, function: str, arguments: list[np.ndarray]) -> np.ndarray:
         if function == "atan2":
+            self.exclude_near_zeros(np.hypot(*arguments))  # atan2(0, 0) has no value
             return np.arctan2(*arguments)
         (u,) = arguments
         if function == "atan":
@@ -109,10 +110,13 @@ class SampledAlgebra(ArmAlgebra):
 
     def _sample(self, ring: Ring, polynomial: Any) -> np.ndarray:
         total = np.zeros(self.samples)
+        known: dict[tuple[tuple[str, str], int], np.ndarray] = {}
         for powers, coefficient in ring.terms(polynomial):
             term = np.full(self.samples, float(coefficient))
-            for generator, power in powers.items():
-                term = term * self._generator(ring, generator) ** power
+            for item in powers.items():
+                if item not in known:
+                    known[item] = self._generator(ring, item[0]) ** item[1]
+                term = term * known[item]
             total = total + term
         return total
 
@@ -163,6 +167,9 @@ class SampledAlgebra(ArmAlgebra):
                 overrides[name] = value
             else:
                 q[:, index] = value
+        finite = np.isfinite(q).all(axis=1)
+        q[~finite] = 0.0  # as where an arccosine has no value: the plant takes finite joint values only
+        self.regular &= finite
         moved = SampledAlgebra(self.exact, q, self.seed, overrides)
         moved.free, moved.regular, moved.random = self.free, self.regular, self.random
         return moved

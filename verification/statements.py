@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from verification.conditions import check_implication, check_relation, is_condition
+from verification.conditions import is_condition, is_rank_condition
+from verification.entailment import check_implication
 from verification.equation import ChainChecker
 from verification.errors import ReadError
 from verification.general import GeneralStatements
@@ -14,6 +15,8 @@ from verification.implications import Implication, connectives_among, find_impli
 from verification.latex import nodes as n
 from verification.latex.statements import PREVIOUS
 from verification.outcome import Outcome
+from verification.relations import check_relation
+from verification.sign_definitions import named_sign
 from verification.verdict import Verdict
 
 
@@ -75,9 +78,10 @@ class Statements:
         judged: tuple[Outcome, dict[str, float]] | None = None
         conditional = implication.kind == "if" or any(is_condition(chain) for chain in premises)
         if conditional or all(is_condition(chain) for chain in conclusions):
-            judged = check_implication(self.checker, implication.arrow, premises, conclusions, equation)
+            judged = check_implication(self.checker, implication, equation)
             conditional = conditional or judged[0].verdict is not Verdict.UNCHECKED
         holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in steps)
+        holds = holds and not any(is_rank_condition(chain) for chain in premises)
         if implication.kind != "if" and (holds or not conditional):
             return None
         assert judged is not None
@@ -123,6 +127,10 @@ class Statements:
         return outcomes
 
     def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        sign = named_sign(chain)
+        if sign is not None and self.names.defines_sign(sign):
+            self.names.signs.values.update({sign: 1} if define else {})
+            return [Outcome(Verdict.DEFINED, f"{sign} is a sign, either one", equation)]
         if any(relation != "=" for relation in chain.relations):
             return [check_relation(self.checker, chain, equation)]
         if self.given.is_configuration(chain):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -10,13 +11,16 @@ from verification.errors import EvaluationError
 from verification.matrix import Matrix, column
 
 
+@dataclass(frozen=True)
 class Identity:
-    """An identity matrix whose size is left to its surroundings."""
+    """An identity matrix times a scalar, as in λ²I, whose size is left to its surroundings."""
+
+    scale: Any
 
 
-def identity(algebra: Algebra, size: int) -> Matrix:
-    """Return the identity matrix of a size."""
-    one, zero = algebra.rational(Fraction(1)), algebra.rational(Fraction(0))
+def identity(algebra: Algebra, size: int, scale: Any = None) -> Matrix:
+    """Return the identity matrix of a size, times a scalar if one is given."""
+    one, zero = algebra.rational(Fraction(1)) if scale is None else scale, algebra.rational(Fraction(0))
     return Matrix(tuple(tuple(one if r == c else zero for c in range(size)) for r in range(size)))
 
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from verification.discrepancy import Discrepancy
+
 
 class Verdict(StrEnum):
     """What became of an equation, from best to worst."""
@@ -55,8 +57,21 @@ class WrongEntry:
 
 
 @dataclass(frozen=True)
+class Correction:
+    """A piece of a display's LaTeX as the author wrote it, [start, end), and what belongs there."""
+
+    start: int
+    end: int
+    text: str
+
+
+@dataclass(frozen=True)
 class Record:
-    """The verdict of one display, or of one DH table."""
+    """The verdict of one display, or of one DH table.
+
+    `corrections` is what mends it, from left to right, verified by checking the display so corrected: empty where nothing
+    does, None where it was not sought.
+    """
 
     line: int
     latex: str
@@ -69,6 +84,8 @@ class Record:
     max_error: float | None = None
     cell: int | None = None
     section: str = ""
+    discrepancy: Discrepancy | None = None  # the sides at the counterexample, for a drawing
+    corrections: tuple[Correction, ...] | None = None
 
     @property
     def passes(self) -> bool:
@@ -103,17 +120,22 @@ class DocumentResult:
     tables: tuple[Record, ...] = ()
     warnings: tuple[str, ...] = ()  # what is doubtful about the arm's own model
     seconds: float = 0.0
+    title: str = ""
+    inverse: Record | None = None  # the closed-form inverse that the front matter announces, as a whole
 
     @property
     def passed(self) -> bool:
         """All equations proved, confirmed, defined or (without strict) unchecked, and all errata refuted."""
-        return all(record.passes for record in (*self.equations, *self.tables))
+        return all(record.passes for record in self.records)
+
+    @property
+    def records(self) -> tuple[Record, ...]:
+        """All that has a verdict: displays, tables, the inverse as a whole."""
+        return (*self.equations, *self.tables, *([self.inverse] if self.inverse is not None else []))
 
     def passed_strictly(self) -> bool:
         """As `passed`, and nothing unchecked."""
-        return self.passed and not any(
-            record.verdict is Verdict.UNCHECKED for record in (*self.equations, *self.tables)
-        )
+        return self.passed and not any(record.verdict is Verdict.UNCHECKED for record in self.records)
 
     def as_json(self) -> dict[str, Any]:
         """Return the document as the report's JSON writes it."""
@@ -124,6 +146,7 @@ class DocumentResult:
             "passed": self.passed,
             "equations": [record.as_json() for record in self.equations],
             **tables,
+            **({"inverse": self.inverse.as_json()} if self.inverse is not None else {}),
             **({"warnings": list(self.warnings)} if self.warnings else {}),
         }
 

@@ -7,7 +7,7 @@ import platform
 import statistics
 from importlib.metadata import version
 
-from tests.benchmarks import documents, rx90, with_sympy
+from tests.benchmarks import bulk, documents, functions, rx90, with_sympy
 
 MEGABYTE = 1_000_000
 ROUNDS = 7
@@ -25,6 +25,8 @@ def main() -> None:
     print_rx90(ours)
     if not options.no_sympy:
         print_sympy(ours, options.sympy_seconds)
+    print_bulk()
+    _print("Functions checked, after the first check", functions.rows())
     print_course()
     print_growth()
     print_handouts()
@@ -82,6 +84,22 @@ def print_sympy(ours: rx90.Times, timeout: float) -> None:
         (f"all three: {_ms(whole)} against {at_least}{total:.2f} s", f"{at_least}{total / whole:,.0f}x", ">= 100x")
     )
     _print(f"RX-90, against sympy.simplify {version('sympy')}", rows)
+
+
+def print_bulk() -> None:
+    """Print what many configurations take, against loops in Python over Drake and Pinocchio."""
+    rows: list[Row] = []
+    for arm, frame, drake_target, pinocchio_target in (("rx90", "6", ">= 16x", ">= 6x"), ("scara", "4", ">= 35x", "")):
+        times = bulk.measure(arm, frame)
+        rows.append((f"{arm}: pose and Jacobian of a configuration", f"{1e9 * times.bulk:.0f} ns", ""))
+        rows.append((f"  Drake's loop, {1e6 * times.drake:.1f} us", f"{times.drake / times.bulk:.0f}x", drake_target))
+        if times.pinocchio is None:
+            rows.append(("  Pinocchio's loop: pip install 'armproof[benchmark]'", "", pinocchio_target))
+        else:
+            ratio = f"{times.pinocchio / times.bulk:.1f}x"
+            rows.append((f"  Pinocchio's loop, {1e6 * times.pinocchio:.1f} us", ratio, pinocchio_target))
+    rows.append(("rx90: manipulability of 1,000,000 configurations", f"{bulk.time_map():.2f} s", "<= 2 s"))
+    _print(f"In bulk ({bulk.BULK:,} configurations), least of {bulk.ROUNDS} rounds on one core", rows)
 
 
 def print_course() -> None:

@@ -62,6 +62,15 @@ def test_at_other_joint_values_the_plant_is_moved(workbench: Callable[..., Any])
     np.testing.assert_allclose(np.hypot(x, y), sum(bench.arm.lengths.values()), atol=1e-12)
 
 
+def test_a_sample_whose_joint_value_is_no_number_is_left_out(workbench: Callable[..., Any]) -> None:
+    sampled = workbench("planar_2r").sampled
+    theta_2 = np.zeros(sampled.samples)
+    theta_2[3] = np.nan
+    moved = sampled.at({"theta_2": theta_2})
+    assert np.flatnonzero(~moved.regular).tolist() == [3]
+    assert np.isfinite(moved.quantity(Quantity("origin", "2")).vector()[0]).all()
+
+
 def test_a_free_symbol_has_one_value_a_sample(workbench: Callable[..., Any]) -> None:
     first, second = (workbench(None).sampled for _ in range(2))
     np.testing.assert_array_equal(first.symbol("x"), second.symbol("x"))

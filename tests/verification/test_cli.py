@@ -1,5 +1,6 @@
 """The command: exit codes, the three reports, and what stands on which stream."""
 
+import io
 import json
 import os
 import re
@@ -15,8 +16,10 @@ import verification.batch
 import verification.check
 from models.catalogue import arm_names
 from models.errors import ModelError
-from verification.batch import Failure, check_all
-from verification.cli import app, check_paths
+from verification.batch import Failure, check_all, check_each
+from verification.cli import app
+from verification.cli.documents import check_paths
+from verification.cli.progress import Progress
 from verification.report.github import github_report
 from verification.report.json_ import json_report
 from verification.report.lines import to_ascii
@@ -134,7 +137,9 @@ def test_one_document_that_cannot_be_checked_does_not_hide_the_others(armproof, 
 def test_a_fault_of_our_own_is_reported_without_a_traceback(armproof, write, monkeypatch: pytest.MonkeyPatch):
     good, other = write(RIGHT, name="good.md"), write(RIGHT, name="other.md")
     verify = verification.check.verify
-    monkeypatch.setattr(verification.check, "verify", lambda path: {}["theta_9"] if path == other else verify(path))
+    monkeypatch.setattr(
+        verification.check, "verify", lambda path, **options: {}["theta_9"] if path == other else verify(path)
+    )
     run = armproof("verify", other, good)
     assert run.code == 2
     assert f"passes {good}" in run.stdout
@@ -321,7 +326,7 @@ def test_a_document_that_ends_its_process_fails_alone(write, monkeypatch: pytest
     paths = [write(RIGHT, name=f"{k}.md") for k in range(4)]
     check = verification.batch.check_one
 
-    def check_one(path: Path) -> DocumentResult | Failure:
+    def check_one(path: Path, **options: object) -> DocumentResult | Failure:
         if path == paths[1]:
             os._exit(134)  # as Drake does when it aborts
         return check(path)
@@ -351,7 +356,9 @@ def test_the_default_is_the_course_of_the_working_folder(
 
 def test_the_default_is_the_installed_course_elsewhere(armproof, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("verification.cli.check_paths", lambda paths: [Failure(str(path), "seen") for path in paths])
+    monkeypatch.setattr(
+        "verification.cli.verify.check_each_path", lambda paths, jobs: [Failure(str(path), "seen") for path in paths]
+    )
     report = json.loads(armproof("verify", "--format", "json").stdout)
     assert [Path(error["path"]) for error in report["errors"]] == [
         Path(verification.batch.__file__).parents[1] / "course"
@@ -364,6 +371,63 @@ def test_a_report_that_nobody_takes_ends_without_a_traceback(write):
             [ARMPROOF, "verify", write(RIGHT)], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60
         )
     assert (run.returncode, run.stderr) == (2, "armproof: cannot write the report: No space left on device\n")
+
+
+def test_documents_that_end_processes_fail_alone_among_many(write, monkeypatch: pytest.MonkeyPatch):
+    paths = [write(RIGHT, name=f"{k}.md") for k in range(40)]
+    check = verification.batch.check_one
+
+    def check_one(path: Path, **options: object) -> DocumentResult | Failure:
+        if path in (paths[3], paths[37]):
+            os._exit(134)
+        return check(path)
+
+    check_one.__module__, check_one.__qualname__ = "verification.batch", "check_one"
+    monkeypatch.setattr(verification.batch, "check_one", check_one)
+    monkeypatch.setattr(verification.batch, "AHEAD", 2)
+    results = check_all(paths, workers=2)
+    assert [result.path for result in results] == [str(path) for path in paths]
+    assert [k for k, result in enumerate(results) if isinstance(result, Failure)] == [3, 37]
+
+
+def test_results_come_one_by_one_and_no_more_are_begun_than_are_needed(write, monkeypatch: pytest.MonkeyPatch):
+    begun: list[Path] = []
+    check = verification.batch.check_one
+    monkeypatch.setattr(verification.batch, "check_one", lambda path, **options: begun.append(path) or check(path))
+    paths = [write(RIGHT, name=f"{k}.md") for k in range(4)]
+    results = check_each(paths, 1)
+    assert next(results).path == str(paths[0])
+    assert begun == paths[:1]
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_the_number_of_processes_changes_nothing_in_the_report(armproof, write, jobs: str):
+    folder = write(RIGHT, WRONG, name="sheets/a.md").parent
+    write(RIGHT, UNBOUND, name="sheets/b.md")
+    reports = [armproof("verify", "-j", number, folder, "--format", "json").stdout for number in (jobs, "1")]
+    assert reports[0] == reports[1]
+    assert reports[0] == json.dumps(json.loads(reports[0]), indent=1) + "\n"
+
+
+def test_no_process_at_all_is_refused(armproof, write):
+    run = armproof("verify", "--jobs", "0", write(RIGHT))
+    assert run.code == 2
+    assert "Invalid value for '--jobs' / '-j'" in run.stderr
+
+
+def test_the_bar_is_shown_on_a_terminal_alone_and_taken_away(monkeypatch: pytest.MonkeyPatch):
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    for stream, shown in ((Terminal(), True), (io.StringIO(), False)):
+        monkeypatch.setattr(sys, "stderr", stream)
+        monkeypatch.setattr("verification.cli.progress.SILENT", -1.0)
+        with Progress(3) as progress:
+            progress.advance()
+            assert ("1 of 3 documents" in stream.getvalue()) == shown
+            progress.advance()
+        assert stream.getvalue().endswith("\r\x1b[K") == shown
 
 
 # -- the other commands ------------------------------------------------------------------------------------------------

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import pi
+from typing import Any
 
+import numpy as np
 import pytest
 
+from models.catalogue import load_arm
 from verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
@@ -56,13 +59,113 @@ def test_a_factor_that_may_vanish_is_no_length(judge: Judge) -> None:
     front = {"arm": "polar_rp", "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}}
     assert judge(r"\det J = 0 \iff r = 0", **front).verdict is Verdict.PROVED
     assert judge(r"r \sin\theta = 0 \iff \sin\theta = 0", **front).verdict is not Verdict.PROVED
+    for factor, verdict in (
+        ("(1 + r^2)", Verdict.PROVED),
+        ("(2 + 3r^2 + r^4)", Verdict.PROVED),
+        ("(r^2 + r^4)", None),
+        ("(1 - r^2)", None),
+        ("(1 + r)", None),
+    ):
+        found = judge(rf"{factor} \sin\theta = 0 \iff \sin\theta = 0", **front).verdict
+        assert found is verdict if verdict else found is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\det J = 0 \iff \theta_2 = 0 \text{ or } \pi", Verdict.PROVED),
+        (r"\det J = 0 \iff \theta_2 = 2k\pi", Verdict.REFUTED),
+        (r"\det J = 0 \iff \theta_2 = 2k\pi \text{ or } \theta_2 = (2k+1)\pi", Verdict.PROVED),
+        (r"\det J = 0 \iff \theta_2 = \frac{\pi}{2} + k\pi", Verdict.REFUTED),
+        (r"\cos\theta_2 = 0 \iff \theta_2 = (2k+1)\frac{\pi}{2}", Verdict.PROVED),
+        (r"\sin(2\theta_2) = 0 \iff \theta_2 = k\frac{\pi}{2}", Verdict.PROVED),
+        (r"\det J \neq 0 \iff \sin\theta_2 \neq 0", Verdict.PROVED),
+        (r"\det J \neq 0 \iff \theta_2 \neq 0", Verdict.REFUTED),
+        (r"\operatorname{rank} J = 1 \iff \sin\theta_2 = 0", Verdict.PROVED),
+        (r"\operatorname{rank} J = 1 \iff \theta_2 = 0", Verdict.REFUTED),
+        (r"\operatorname{rank} J < 2 \iff \sin\theta_2 = 0", Verdict.PROVED),
+        (r"\operatorname{rank} J < 1 \iff \sin\theta_2 = 0", Verdict.REFUTED),
+        (r"\operatorname{rank} J = 1 \text{ if } \theta_2 = 0", Verdict.PROVED),
+        (r"\operatorname{rank} J = 2 \text{ if } \theta_2 = 0", Verdict.REFUTED),
+        (r"\operatorname{rank} J = 2 \iff \sin\theta_2 \neq 0", Verdict.PROVED),
+        (r"\theta_1 + \theta_2 = 0 \Rightarrow s_{12} = 0", Verdict.PROVED),
+        (r"s_{12} = 0 \Rightarrow \theta_1 + \theta_2 = 0", Verdict.REFUTED),
+        (r"\sin^7\theta_2 = 0 \iff \det J = 0", Verdict.PROVED),  # a power above any bound
+        (r"\det J = 0 \Rightarrow \theta_2 = 0 \text{ and } \theta_1 = 0", Verdict.REFUTED),
+        (r"\theta_2 = 0 \text{ and } \theta_1 = 0 \Rightarrow \det J = 0", Verdict.PROVED),
+        (r"l_1 = l_2 \text{ and } \theta_2 = \pi \Rightarrow P_x = 0", Verdict.PROVED),
+        (r"P_x = 0 \Leftarrow \theta_2 = \pi", Verdict.REFUTED),
+    ],
+)
+def test_conditions_are_read_in_many_forms(judge: Judge, latex: str, verdict: Verdict) -> None:
+    assert judge(latex, **PLANAR).verdict is verdict
+
+
+REDUNDANT = {"arm": "planar_3r", "quantities": {"J": {"jacobian": 3, "rows": [1, 2]}}}
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\det(J J^T) = 0 \iff S_2 = 0 \text{ and } S_3 = 0", Verdict.PROVED),
+        (r"\det(J J^T) = 0 \iff \theta_2 \in \{0, \pi\} \text{ and } \theta_3 \in \{0, \pi\}", Verdict.PROVED),
+        (r"\operatorname{rank} J = 1 \iff S_2 = 0 \text{ and } S_3 = 0", Verdict.PROVED),
+        (r"\det(J J^T) = 0 \iff S_2 = 0", Verdict.REFUTED),
+        (r"\det(J J^T) = 0 \iff S_2 = 0 \text{ or } S_3 = 0", Verdict.REFUTED),
+        (r"\det(J J^T) = 0 \iff \theta_2 = 0 \text{ and } \theta_3 = 0", Verdict.REFUTED),
+        (r"\det(J J^T) = 0 \iff S_2 = 0 \text{ and } C_3 = 0", Verdict.REFUTED),
+    ],
+)
+def test_a_matrix_that_is_not_square_loses_rank_where_all_minors_vanish(
+    judge: Judge, latex: str, verdict: Verdict
+) -> None:
+    assert judge(latex, **REDUNDANT).verdict is verdict
+
+
+RX90 = {"arm": "rx90", "quantities": {"J": {"jacobian": 6}}}
+KR210 = {"arm": "kr210", "quantities": {"J": {"jacobian": "G"}}}
+WRIST, SHOULDER = "S_5 = 0", "a_1 + a_2 S_2 + (d_4 + d_5) C_{23} - a_3 S_{23} = 0"
+
+
+@pytest.mark.parametrize(
+    ("front", "latex", "verdict"),
+    [
+        (RX90, r"S_5 = 0 \text{ or } C_3 = 0 \text{ or } C_2 a_3 = S_{23} d_3", Verdict.PROVED),
+        (RX90, r"S_5 = 0 \text{ or } C_3 = 0", Verdict.REFUTED),  # the shoulder is forgotten
+        (RX90, r"S_5 = 0 \text{ or } C_3 = 0 \text{ or } C_2 d_3 = S_{23} a_3", Verdict.REFUTED),  # swapped lengths
+        (RX90, r"S_5 = 0 \text{ or } S_3 = 0 \text{ or } C_2 a_3 = S_{23} d_3", Verdict.REFUTED),
+        (RX90, r"S_5 = 0 \text{ or } C_3 = 0 \text{ or } C_2 a_3 = S_{23} d_3 \text{ or } C_4 = 0", Verdict.REFUTED),
+        (KR210, rf"{WRIST} \text{{ or }} (d_4 + d_5) C_3 = a_3 S_3 \text{{ or }} {SHOULDER}", Verdict.PROVED),
+        (KR210, rf"{WRIST} \text{{ or }} \tan\theta_3 = \frac{{d_4 + d_5}}{{a_3}} \text{{ or }} {SHOULDER}", Verdict.PROVED),
+        (KR210, rf"{WRIST} \text{{ or }} d_4 C_3 = a_3 S_3 \text{{ or }} {SHOULDER}", Verdict.REFUTED),
+        (KR210, rf"{WRIST} \text{{ or }} (d_4 + d_5) C_3 = a_3 S_3", Verdict.REFUTED),
+    ],
+)  # fmt: skip
+def test_the_singular_set_of_a_six_axis_arm(judge: Judge, front: Any, latex: str, verdict: Verdict) -> None:
+    record = judge(rf"\det J = 0 \iff {latex}", **front)
+    assert record.verdict is verdict, record.message
+    assert bool(record.counterexample) == (verdict is Verdict.REFUTED)
+
+
+def test_a_counterexample_off_quarter_turns_is_a_singular_configuration(judge: Judge) -> None:
+    record = judge(r"\det J = 0 \iff S_5 = 0 \text{ or } C_3 = 0", **RX90)
+    arm = load_arm("rx90")
+    q = np.array([[record.counterexample.get(joint.symbol, 0.3) for joint in arm.joints]])
+    assert abs(np.linalg.det(arm.numeric(q).jacobian("6")[0])) < 1e-12
+    assert abs(np.sin(q[0, 4])) > 1e-3 and abs(np.cos(q[0, 2])) > 1e-3
+
+
+def test_a_matrix_that_vanishes_under_a_condition(judge: Judge) -> None:
+    null = r"J \begin{bmatrix} l_2 \\ -l_1 - l_2 \end{bmatrix} = \begin{bmatrix} 0 \\ 0 \end{bmatrix} \text{ if } \theta_2 = "
+    assert judge(null + "0", **PLANAR).verdict is Verdict.PROVED
+    assert judge(null + r"\pi", **PLANAR).verdict is Verdict.REFUTED
 
 
 @pytest.mark.parametrize(
     "latex",
     [
         r"T^0_1 = 0 \Rightarrow \theta_1 = 0",
-        r"\det J = 0 \iff \theta_2 = 2k\pi",
+        r"\det J = 0 \iff \theta_2 = \frac{k}{3}",
         r"\cos\theta_1 + 2 = 0 \Rightarrow \cos\theta_2 = 0",  # true of nothing, which is not shown
     ],
 )

@@ -292,7 +292,8 @@ def test_what_is_no_document_is_refused(folder: Path, name: str, message: str):
 def test_a_folder_without_documents_is_refused(folder: Path):
     (folder / "empty").mkdir()
     with pytest.raises(
-        DocumentError, match=r"empty: no document in this folder; a document is a \.md, \.ipynb, \.py file"
+        DocumentError,
+        match=r"empty: no document in this folder; a document is a \.md, \.ipynb, \.py, \.qmd, \.tex, \.rst file",
     ):
         find_documents([folder / "empty"])
 
@@ -300,7 +301,7 @@ def test_a_folder_without_documents_is_refused(folder: Path):
 @pytest.mark.parametrize("data", [b"\xff\xfe\x00", b"\x80", "é".encode("latin-1")])
 def test_a_file_that_is_not_text_is_refused(tmp_path: Path, data: bytes):
     (tmp_path / "page.md").write_bytes(data)
-    with pytest.raises(DocumentError, match=r"page\.md: not a text file in UTF-8 \(byte 0\)"):
+    with pytest.raises(DocumentError, match=r"page\.md:1: not a text file in UTF-8 \(byte 0\)"):
         read_document(tmp_path / "page.md")
 
 

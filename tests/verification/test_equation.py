@@ -125,6 +125,7 @@ LINEAR = r"-a_1 s_1 - a_2 s_{12} & -a_2 s_{12} & 0 & 0 \\ a_1 c_1 + a_2 c_{12} &
         (r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \\ 1 \end{bmatrix}", ""),
         (r"T^0_1 = \begin{bmatrix} c_1 & -s_1 & 0 & a_1 c_1 \\ s_1 & c_1 & 0 & a_1 s_1 \\ 0 & 0 & 1 & 0 \end{bmatrix}", "the rows above 0 0 0 1"),
         (r"T^0_1 = \begin{bmatrix} c_1 & -s_1 & a_1 c_1 \\ s_1 & c_1 & a_1 s_1 \\ 0 & 0 & 1 \end{bmatrix}", "the planar transform"),
+        (r"R^0_1 = Rot(z, \theta_1)", "the rotation"),
         (r"z_1 \times z_2 = 0", ""),
         (r"\det(R^0_4) = 1", ""),
     ],
@@ -146,6 +147,7 @@ def test_a_quantity_of_the_arm_may_be_met_in_a_smaller_shape(judge: Judge, latex
         (r"a_1 = \begin{bmatrix} a_1 \\ a_1 \end{bmatrix}", "the printed value is 2×1, it should be a scalar"),
         (r"z_1 + z_2 = T^0_1", "the printed matrix is 3×1, it should be 4×4"),
         (r"p_4 = (J_v)^{-1}", "a 3×4 matrix has no inverse"),
+        (r"J_v J_v^{+} = I_4", "the printed matrix is 4×4, it should be 3×3"),
     ],
 )
 def test_sizes_that_differ_are_wrong_and_named(judge: Judge, latex: str, message: str) -> None:

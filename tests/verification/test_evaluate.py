@@ -17,6 +17,11 @@ from verification.values import Identity, is_zero
 
 SAME = [
     (r"I_3 - R^0_1", r"I - R^0_1"),
+    (r"R^0_1 - 2I_3", r"R^0_1 - 2I"),
+    (r"-R^0_1 a_1", r"(I - 2I) (a_1 R^0_1)"),
+    (r"(R^0_1 + a_1^2 I_3)^{-1}", r"(R^0_1 + (a_1 I)^2)^{-1}"),
+    (r"\frac{1}{a_1} R^0_1", r"(a_1 I)^{-1} R^0_1"),
+    (r"\frac{1}{a_1} R^0_1", r"R^0_1 \frac{I}{a_1}"),
     (r"I_{3\times 3}", r"(R^0_1)^0"),
     (r"T^0_2 I", r"T^0_2"),
     (r"z_1 \cdot z_2", r"z_1^T z_2"),
@@ -109,9 +114,10 @@ def test_plus_or_minus_takes_the_sign_of_its_branch(workbench: Callable[..., Any
 
 
 def test_an_identity_without_surroundings_keeps_its_size_open(workbench: Callable[..., Any]) -> None:
-    assert isinstance(workbench("scara").value("I"), Identity)
+    scaled = workbench("scara").value(r"-a_1^2 I")
+    assert isinstance(scaled, Identity) and is_zero(scaled.scale + workbench("scara").value("a_1^2"))
     with pytest.raises(EvaluationError, match="an identity matrix whose size cannot be told"):
-        workbench("scara").value("-I")
+        workbench("scara").value("I + 1")
 
 
 @pytest.mark.parametrize(

@@ -86,7 +86,12 @@ def test_proofs_agree_with_the_double_plant(path: Path) -> None:
     ]
     for error, line in errors:
         latex = next(r.latex for r in result(path).equations if r.line == line)
-        assert error <= (1e-6 if BEYOND.search(latex) or "frac" in latex or "^{-1}" in latex else 1e-12), line
+        assert error <= largest_error(latex), line
+
+
+def largest_error(latex: str) -> float:
+    """Return how far the double plant may be off a proved display: quotients and roots magnify its rounding."""
+    return 1e-6 if BEYOND.search(latex) or "frac" in latex or "^{-1}" in latex else 1e-12
 
 
 @handouts
@@ -104,7 +109,8 @@ def test_one_flipped_sign_in_a_proved_display_is_refuted(path: Path) -> None:
     ]
     for record in survivors:  # a sign before what is zero changes nothing: the double plant says so too
         assert record.verdict is Verdict.PROVED, record.latex
-        assert record.samples == 1000 and record.max_error is not None and record.max_error < 1e-12, record.latex
+        assert record.samples == 1000 and record.max_error is not None, record.latex
+        assert record.max_error <= largest_error(record.latex), record.latex
     assert len(flips) > 2 * len(survivors)
 
 

@@ -47,6 +47,14 @@ def test_the_documents_letters_are_the_models_by_the_front_matter(judge: Judge) 
     assert swapped.verdict is Verdict.REFUTED
 
 
+def test_a_free_letter_stands_for_any_value(judge: Judge) -> None:
+    damped = r"J^T(J J^T + \lambda^2 I)^{-1} = (J^T J + \lambda^2 I)^{-1} J^T"
+    front = {"symbols": {r"\lambda": "free"}, "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}}
+    assert judge(damped, arm="planar_2r").verdict is Verdict.UNCHECKED
+    assert judge(damped, arm="planar_2r", **front).verdict is Verdict.PROVED
+    assert judge(damped.replace("^{-1} J^T", "^{-1} 2J^T"), arm="planar_2r", **front).verdict is Verdict.REFUTED
+
+
 def test_digits_of_an_index_are_angles_of_the_joints(workbench: Callable[..., Any]) -> None:
     names = workbench("scara", symbols={"theta_3": "theta_4"}).names
     assert [names.joint_angle(index) for index in (1, 2, 3, 4, 5)] == ["theta_1", "theta_2", "theta_4", "theta_4", None]
@@ -132,6 +140,7 @@ def test_a_cosine_may_be_written_in_every_usual_way(judge: Judge, cosine: str) -
             {"symbols": {"l_1": "b_9"}},
             "the arm 'scara' has no 'b_9'; it has theta_1, theta_2, d_3, theta_4, a_1, a_2, d_4",
         ),
+        ({"symbols": {"a_1": "free"}}, "symbol 'a_1' is one of the arm 'scara': it cannot be free"),
         ({"quantities": 7}, "'quantities' must be a mapping from names to meanings, not 7"),
         ({"transforms": "left"}, "'transforms' must be upper or lower, not 'left'"),
         ({"quantities": {"1 + x": {"origin": 3}}}, "'1 \\+ x' is not a name; write it as in the displays"),

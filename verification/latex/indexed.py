@@ -30,7 +30,7 @@ class NameReader(ScriptReader):
                 pre_sup = canonical_script(text)
         sub = sup = ""
         primes = dots = 0
-        end = item.end if not item.scripts else item.start + max(1, len(item.base))
+        end = self._end_of_base(item)
         above: list[Script] = []
         has_sub = any(kind == "SUB" for kind, _, _ in item.scripts)
         for kind, text, span in item.scripts:
@@ -58,6 +58,14 @@ class NameReader(ScriptReader):
         text = self.text[item.start : end]
         name: n.Node = n.Name(item.base, sub, sup, pre_sub, pre_sup, primes, dots, text, span=(item.start, end))
         return self.scripted(name, above, item.start)
+
+    def _end_of_base(self, item: Item) -> int:
+        """Return where an item's letter ends: before the mark of its first script, as \\lambda does in \\lambda^{2}."""
+        if not item.scripts:
+            return item.end
+        head = self.text[item.start : item.scripts[0][2][0]]
+        letter = re.sub(r"\s*(?:\{\s*\})?\s*[_^]?\s*\{?\s*$", "", head)
+        return item.start + max(1, len(letter))
 
     def _is_index(self, base: str, canonical: str, sub: str, has_sub: bool, prescripted: bool) -> bool:
         """Whether what stands above a name is part of the name (T^0_1, P^0_{1,G}) and not a power or an operator."""

@@ -3,30 +3,32 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from verification.batch import Failure
-from verification.report.text import describe_entry, describe_place, describe_total, ordered_records
+from verification.report.text import describe_entry, describe_place, ordered_records
+from verification.report.totals import Totals
 from verification.verdict import DocumentResult, Record, Verdict
 
 
-def github_report(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> list[str]:
-    """Return a line for each display that does not pass or is unchecked and each document that cannot be checked.
+def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> Iterator[str]:
+    """Yield a line for each display that does not pass or is unchecked and each document that cannot be checked.
 
     The total follows, as plain lines of the log.
     """
-    lines: list[str] = []
+    totals = Totals(strict)
     for result in results:
+        totals.add(result)
         if isinstance(result, Failure):
-            lines.append(_command("error", result.path, result.line, "cannot be checked", result.reason))
+            yield _command("error", result.path, result.line, "cannot be checked", result.reason)
             continue
         for record, kind in ordered_records(result):
             if not record.passes or (strict and record.verdict is Verdict.UNCHECKED):
-                lines.append(_annotate("error", result.path, record, kind))
+                yield _annotate("error", result.path, record, kind)
             elif record.verdict is Verdict.UNCHECKED:
-                lines.append(_annotate("warning", result.path, record, kind))
-    return [*lines, *describe_total(results, strict=strict)]
+                yield _annotate("warning", result.path, record, kind)
+    yield from totals.describe()
 
 
 def _annotate(level: str, path: str, record: Record, kind: str) -> str:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from math import isfinite
 from typing import Any
 
@@ -11,26 +12,38 @@ from verification.batch import Failure
 from verification.verdict import DocumentResult, summary
 
 
-def json_report(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> str:
+def json_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> str:
     """Return the verdicts as one JSON object in ASCII, ending in a newline.
 
     {"documents": [...], "summary": {...}}, and beside them "errors": [{"path", "line", "message"}] where a document
     could not be checked. With `strict`, "passed" counts an unchecked display as a failure.
     """
-    documents = [result for result in results if isinstance(result, DocumentResult)]
-    failures = [result for result in results if isinstance(result, Failure)]
-    report: dict[str, Any] = {
-        "documents": [
-            {**document.as_json(), "passed": document.passed_strictly() if strict else document.passed}
-            for document in documents
-        ],
-        "summary": summary(documents),
-    }
+    return "".join(json_parts(results, strict=strict))
+
+
+def json_parts(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> Iterator[str]:
+    """Yield the pieces of the JSON report, one a document as it comes."""
+    counts: Counter[str] = Counter(summary([]))
+    failures: list[Failure] = []
+    before = '{\n "documents": ['
+    for result in results:
+        if isinstance(result, Failure):
+            failures.append(result)
+            continue
+        counts.update(summary([result]))
+        passed = result.passed_strictly() if strict else result.passed
+        yield before + "\n" + _indented({**result.as_json(), "passed": passed}, 2)
+        before = ","
+    report: dict[str, Any] = {"summary": dict(counts)}
     if failures:
-        report["errors"] = [
-            {"path": failure.path, "line": failure.line, "message": failure.message} for failure in failures
-        ]
-    return json.dumps(_finite(report), indent=1, allow_nan=False) + "\n"
+        errors = [{"path": failure.path, "line": failure.line, "message": failure.message} for failure in failures]
+        report["errors"] = errors
+    yield (before + "]" if before != "," else "\n ]") + "," + _indented(report, 0).removeprefix("{") + "\n"
+
+
+def _indented(value: Any, depth: int) -> str:
+    text = json.dumps(_finite(value), indent=1, allow_nan=False)
+    return "\n".join(" " * depth + line for line in text.split("\n"))
 
 
 def _finite(value: Any) -> Any:

@@ -2,36 +2,31 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from verification.batch import Failure
 from verification.report.lines import Line
+from verification.report.totals import Tally, Totals, passes
 from verification.verdict import DocumentResult, Record, Verdict, WrongEntry
 
 LONGEST = 600  # characters of a message or of an entry
 GOOD, BAD, WARN, FAINT, STRONG = "green", "bold red", "yellow", "dim", "bold"
-_ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
 _STYLES = {Verdict.REFUTED: BAD, Verdict.UNREADABLE: BAD, Verdict.UNCHECKED: WARN}
 
 
-def text_report(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> list[Line]:
-    """Return the report of the documents that could be checked; those that could not are only counted."""
-    lines: list[Line] = []
+def text_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> Iterator[Line]:
+    """Yield the report of the documents that could be checked, as they come; those that could not are only counted."""
+    totals = Totals(strict)
     for result in results:
+        totals.add(result)
         if isinstance(result, DocumentResult):
-            lines.extend(_describe_document(result, strict))
-    *totals, verdict = describe_total(results, strict=strict)
-    passed = all(isinstance(result, DocumentResult) and passes(result, strict) for result in results)
-    if lines:
-        lines.append(())
-    return [*lines, *(((total, STRONG),) for total in totals), ((verdict, GOOD if passed else BAD),)]
-
-
-def passes(result: DocumentResult, strict: bool) -> bool:
-    """Whether a document passes; with `strict`, an unchecked display does not."""
-    return result.passed_strictly() if strict else result.passed
+            yield from describe_document(result, strict)
+    if totals.documents:
+        yield ()
+    *lines, verdict = totals.describe()
+    yield from (((line, STRONG),) for line in lines)
+    yield ((verdict, GOOD if totals.passed else BAD),)
 
 
 def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
@@ -40,32 +35,18 @@ def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
     Only a notebook's lines count within their cells: elsewhere `cell` is None.
     """
     records = [(record, "") for record in result.equations] + [(record, "table") for record in result.tables]
+    records += [(result.inverse, "inverse kinematics")] if result.inverse is not None else []
     if not result.path.endswith(".ipynb"):
         records = [(replace(record, cell=None), kind) for record, kind in records]
     return sorted(records, key=lambda item: (-1 if item[0].cell is None else item[0].cell, item[0].line))
 
 
-def describe_total(results: Sequence[DocumentResult | Failure], *, strict: bool = False) -> list[str]:
+def describe_total(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> list[str]:
     """Return the total in words: what the displays came to, and how many documents pass."""
-    documents = [result for result in results if isinstance(result, DocumentResult)]
-    records = [record for document in documents for record in document.equations]
-    tables = [record for document in documents for record in document.tables]
-    lines = []
-    if documents:
-        of_tables = f"; {_tally(tables, 'table')}" if tables else ""
-        lines.append(f"{_count(len(documents), 'document')}, {_tally(records, 'display')}{of_tables}")
-    errors = [record.max_error for record in (*records, *tables) if record.max_error is not None and record.samples]
-    if errors:
-        samples = max(record.samples for record in (*records, *tables))
-        lines.append(
-            f"evaluated on Drake's numerical plant at {samples:,} configurations: largest error {max(errors):.1e}"
-        )
-    failing = sum(not passes(document, strict) for document in documents)
-    unable = len(results) - len(documents)
-    verdicts = [f"{_count(failing, 'document')} {'does' if failing == 1 else 'do'} not pass"] if failing else []
-    if unable:
-        verdicts.append(f"{unable} could not be checked")
-    return [*lines, "; ".join(verdicts) or "everything passes"]
+    totals = Totals(strict)
+    for result in results:
+        totals.add(result)
+    return totals.describe()
 
 
 def describe_place(record: Record) -> str:
@@ -83,26 +64,31 @@ def describe_entry(entry: WrongEntry, record: Record) -> str:
 # -- one document ------------------------------------------------------------------------------------------------------
 
 
-def _describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
+def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
+    """Yield the lines on a document: whether it passes, what its displays came to, then what does not pass in it."""
     passed = passes(result, strict)
-    tables = f"; {_tally(result.tables, 'table')}" if result.tables else ""
+    tables = f"; {Tally('table', result.tables)}" if result.tables else ""
     arm = f" ({result.arm})" if result.arm else ""
     yield (
         ("passes " if passed else "FAILS  ", GOOD if passed else BAD),
         (result.path, STRONG),
         (arm, FAINT),
-        (f"  {_tally(result.equations, 'display')}{tables}", ""),
+        (f"  {Tally('display', result.equations)}{tables}", ""),
     )
+    if result.inverse is not None and result.inverse.passes and result.inverse.verdict is not Verdict.UNCHECKED:
+        words = f"inverse kinematics {result.inverse.verdict.value}: {_short(result.inverse.message)}"
+        yield ((f"    {words}", FAINT),)
     records = ordered_records(result)
     for record, kind in records:
         if not record.passes or record.verdict is Verdict.UNCHECKED:
-            yield from _describe_record(record, kind)
+            yield from describe_record(record, kind)
     errata = [record for record, _ in records if record.erratum and record.passes]
     if errata:
         yield ((f"    errata refuted, as they must be: {_places(errata)}", FAINT),)
 
 
-def _describe_record(record: Record, kind: str) -> Iterator[Line]:
+def describe_record(record: Record, kind: str) -> Iterator[Line]:
+    """Yield the lines on a display or a table that does not pass: what is printed, what is correct, for example where."""
     section = f"  {record.section}" if record.section else ""
     what = f"{kind} " if kind else ""
     verdict = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
@@ -138,22 +124,3 @@ def _places(records: Sequence[Record]) -> str:
     if any(record.cell is not None for record in records):
         return "; ".join(map(describe_place, records))
     return "lines " + ", ".join(str(record.line) for record in records)
-
-
-def _errata(number: int) -> str:
-    return "1 erratum" if number == 1 else f"{number} errata"
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def _tally(records: Iterable[Record], noun: str) -> str:
-    """Return "12 displays: 8 proved, 1 refuted, 3 errata refuted"; an erratum that is refuted is as it should be."""
-    records = list(records)
-    counts = Counter(record.verdict for record in records if not (record.erratum and record.passes))
-    words = [f"{counts[verdict]} {verdict.value}" for verdict in _ORDER if counts[verdict]]
-    errata = sum(record.erratum and record.passes for record in records)
-    if errata:
-        words.append(f"{_errata(errata)} refuted")
-    return f"{_count(len(records), noun)}" + (f": {', '.join(words)}" if words else "")

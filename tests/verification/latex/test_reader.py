@@ -110,3 +110,30 @@ def test_a_slash_before_a_product_has_two_readings_and_the_message_names_the_cho
     record = judge(latex)
     assert record.verdict is verdict
     assert message in record.message
+
+
+@pytest.mark.parametrize(
+    ("latex", "name"),
+    [
+        (r"\lambda^2", r"\lambda"),
+        (r"\lambda^{2}", r"\lambda"),
+        (r"\lambda ^ 2", r"\lambda"),
+        (r"\lambda_1^2", r"\lambda_1"),
+        (r"\mathbf{T}^T", r"\mathbf{T}"),
+        (r"{}^0R^T", "{}^0R"),
+        ("{}^0R_4^T", "{}^0R_4"),
+        ("x''", "x''"),
+        ("R{}^T", "R"),
+    ],
+)
+def test_the_place_of_a_name_ends_before_what_is_applied_to_it(latex: str, name: str) -> None:
+    (found,) = (node for node in n.walk(Reader().read_expression(latex)) if isinstance(node, n.Name))
+    start, end = found.span
+    assert found.text == latex[start:end] == name
+
+
+def test_a_correction_spells_a_greek_letter_in_full(judge: Judge) -> None:
+    front = {"arm": "planar_2r", "symbols": {r"\lambda": "free"}}
+    record = judge(r"(\lambda + a_1)^2 = \lambda^2 - 2\lambda a_1 + a_1^2".replace("a_1", "l_1"), **front)
+    assert record.verdict is Verdict.REFUTED
+    assert r"\lambda^2 + 2\lambda l_1" in record.entries[0].correct.replace(r" \lambda", r"\lambda")

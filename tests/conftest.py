@@ -1,0 +1,53 @@
+"""What `make test` runs: laws that are swept over every document or arm are shown on a few; `make sweep` shows them on all."""
+
+import os
+import re
+from pathlib import Path
+
+import pytest
+
+TESTS = Path(__file__).parent
+DOCUMENTS = ("scara-000", "dh-modified-001", "planar-2r-002", "quintic-004", "spherical-wrist-inverse")
+ARMS = ("planar_2r", "scara", "rx90")
+# Of these tests, the ones whose parameters name another document or arm wait for the sweep; () leaves none.
+SWEPT = {
+    "course/figures/": ARMS,
+    "course/printing/test_handouts.py": DOCUMENTS,
+    "mutation/test_mutation.py": (*DOCUMENTS, "polar-rp-002", "scara-001", "planar-3r-002", "rx90-001", "kr210-001"),
+    "verification/correction/test_copy.py": DOCUMENTS,
+    "verification/document/test_formats.py::test_a_handout_in_another_format": DOCUMENTS,
+    "verification/python/test_mistakes.py": ARMS,
+    "verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course": (),
+    "verification/test_handouts.py::test_one_flipped_sign": (*DOCUMENTS, "rx90-001", "scara-004", "spatial-rrr-002"),
+    "verification/test_incremental.py::test_a_handout_changed_at_random": DOCUMENTS,
+    "verification/test_origin_tables.py::test_every_change": ARMS,
+    "verification/test_tables.py::test_every_change": ARMS,
+}
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if os.environ.get("ARMPROOF_SWEEP"):
+        return
+    waiting = [item for item in items if waits_for_the_sweep(item.nodeid, parameters(item))]
+    config.hook.pytest_deselected(items=waiting)
+    items[:] = [item for item in items if item not in set(waiting)]
+
+
+def parameters(item: pytest.Item) -> str:
+    return item.callspec.id if isinstance(item, pytest.Function) and hasattr(item, "callspec") else ""
+
+
+def waits_for_the_sweep(nodeid: str, named: str) -> bool:
+    kept = next((kept for start, kept in SWEPT.items() if nodeid.startswith(f"tests/{start}")), None)
+    if kept is None or (kept and not named) or not names_a_member(named, kept):
+        return False
+    return not any(re.search(rf"(?<![\w-]){name}(?![\w-])|(?:^|-){name}(?:$|-|\.)", named) for name in kept)
+
+
+def names_a_member(named: str, kept: tuple[str, ...]) -> bool:
+    """Whether parameters name a document or an arm at all: others are never swept."""
+    if not kept:
+        return True
+    stems = {path.stem for path in (TESTS.parent / "course/handouts").glob("*.md")}
+    arms = {path.parent.name for path in (TESTS.parent / "models").glob("*/arm.yaml")}
+    return any(name in named for name in stems | arms)

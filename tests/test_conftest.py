@@ -1,0 +1,35 @@
+"""What waits for the sweep: parameters that name another document or arm, and nothing else."""
+
+import pytest
+
+from tests.conftest import SWEPT, TESTS, waits_for_the_sweep
+
+
+@pytest.mark.parametrize(
+    ("nodeid", "named", "waits"),
+    [
+        ("tests/course/figures/test_base.py::test_links", "kr210", True),
+        ("tests/course/figures/test_base.py::test_links", "rx90", False),
+        ("tests/course/figures/test_base.py::test_sizes", "poster", False),
+        ("tests/course/figures/test_base.py::test_sizes", "", False),
+        ("tests/course/printing/test_handouts.py::test_text", "scara-000", False),
+        ("tests/course/printing/test_handouts.py::test_text", "scara-001", True),
+        (
+            "tests/verification/document/test_formats.py::test_a_handout_in_another_format_has",
+            "as_tex-scara-000",
+            False,
+        ),
+        ("tests/verification/document/test_formats.py::test_a_handout_in_another_format_has", "as_tex-rx90-001", True),
+        ("tests/verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course", "", True),
+        ("tests/models/test_bulk.py::test_anything", "kr210", False),
+    ],
+)
+def test_what_waits_for_the_sweep(nodeid: str, named: str, waits: bool) -> None:
+    assert waits_for_the_sweep(nodeid, named) == waits
+
+
+@pytest.mark.parametrize("start", sorted(SWEPT))
+def test_what_is_swept_exists(start: str) -> None:
+    file, _, test = start.partition("::")
+    assert (TESTS / file).exists()
+    assert not test or f"def {test}" in (TESTS / file).read_text(encoding="utf-8")

@@ -1,0 +1,340 @@
+"""LaTeX, reStructuredText, Quarto and MyST: every display once, at its line, with its mark, its section and its place."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import course
+from verification.check import check_document, verify
+from verification.document import Display, Document, find_documents, parse_document, read_document
+from verification.document.rewriting import change_of, rewrite
+from verification.errors import DocumentError
+from verification.verdict import Verdict
+
+HANDOUTS = find_documents([Path(course.__path__[0]) / "handouts"])
+
+# A block with its display k (False: what looks like one and is not), and whether it is an erratum.
+TEX = {
+    "prose": ("Some prose with $a_{k}$, $b$$c$ and 100\\% of it\\\\[2mm] here.", False, False),
+    "dollars": ("$$ a_{k} = 1 $$", True, False),
+    "dollars on lines": ("It follows\n$$\na_{k}\n= 1\n$$ at once.", True, False),
+    "brackets": ("\\[ a_{k} = 1 \\]", True, False),
+    "equation": ("\\begin{equation}\\label{eq:{k}}\n  a_{k} = 1\n\\end{equation}", True, False),
+    "equation*": ("\\begin{equation*}\na_{k} = 1\n\\end{equation*}", True, False),
+    "align": ("\\begin{align}\n  a_{k} &= 1 \\nonumber\n\\end{align}", True, False),
+    "align*": ("\\begin{align*} a_{k} &= 1 \\end{align*}", True, False),
+    "alignat": ("\\begin{alignat}{2} a_{k} &= 1 \\end{alignat}", True, False),
+    "gather": ("\\begin{gather}\na_{k} = 1\n\\end{gather}", True, False),
+    "eqnarray": ("\\begin{eqnarray} a_{k} &=& 1 \\end{eqnarray}", True, False),
+    "macro": ("\\begin{equation} \\eqs{a_{k}}{\\one} \\end{equation}", True, False),
+    "environment by macro": ("\\be a_{k} = 1 \\ee", True, False),
+    "comment behind": ("\\[ a_{k} % \\[ and } {\n  = 1 % $$\n\\]", True, False),
+    "in a list": ("\\begin{itemize}\\item so \\[ a_{k} = 1 \\]\\end{itemize}", True, False),
+    "comment": ("% \\[ a_{k} = 1 \\]", False, False),
+    "verbatim": ("\\begin{verbatim}\n\\[ a_{k} = 1 \\]\n\\end{verbatim}", False, False),
+    "verb": ("\\verb|$$ a_{k} = 1 $$| is its source", False, False),
+    "section": ("\\section{Part {k}}", False, False),
+    "erratum": ("\\begin{erratum}[slide 3]\n\\[ a_{k} = 1 \\]\n\\end{erratum}", True, True),
+    "quoted erratum": ("\\begin{quote}\\textbf{Erratum} (as printed)\n\\[ a_{k} = 1 \\]\\end{quote}", True, True),
+    "titled erratum": ("\\begin{tcolorbox}[title=Erratum]\n\\[ a_{k} = 1 \\]\n\\end{tcolorbox}", True, True),
+    "marked erratum": ("% Erratum, as printed\n\\[ a_{k} = 1 \\]", True, True),
+    "no erratum": ("\\begin{quote} An erratum looks so:\n\\[ a_{k} = 1 \\]\\end{quote}", True, False),
+}  # fmt: skip
+PREAMBLE = (
+    "\\documentclass{article}\n\\newcommand{\\one}{1}\n\\newcommand{\\eqs}[2]{#1 = #2}\n"
+    "\\newcommand{\\be}{\\begin{equation}}\n\\def\\ee{\\end{equation}}\n\\begin{document}\n"
+)
+RST = {
+    "prose": ("Prose with :math:`a_{k} = 1` and $$ in it.", False, False),
+    "block": (".. math::\n\n   a_{k} = 1", True, False),
+    "argument": (".. math:: a_{k} = 1", True, False),
+    "options": (".. math::\n   :label: eq-{k}\n   :nowrap:\n\n   a_{k}\n   = 1", True, False),
+    "at once": (".. math::\n   a_{k} = 1", True, False),
+    "in a list": ("- first\n\n  .. math::\n\n     a_{k} = 1", True, False),
+    "comment": ("..\n   .. math:: a_{k} = 1", False, False),
+    "code": (".. code-block:: rst\n\n   .. math:: a_{k} = 1", False, False),
+    "literal": ("As in::\n\n  .. math:: a_{k} = 1", False, False),
+    "section": ("Part {k}\n--------", False, False),
+    "note": (".. note:: Remember\n\n   .. math:: a_{k} = 1", True, False),
+    "erratum": (".. admonition:: Erratum (as printed)\n\n   .. math:: a_{k} = 1", True, True),
+    "own erratum": (".. erratum::\n\n   .. math::\n\n      a_{k} = 1", True, True),
+    "quoted erratum": ("As follows.\n\n  **Erratum** (slide 3)\n\n  .. math:: a_{k} = 1", True, True),
+}  # fmt: skip
+MYST = {
+    "prose": ("Prose with {math}`a_{k} = 1` in it.", False, False),
+    "dollars": ("$$ a_{k} = 1 $$ (eq-{k})", True, False),
+    "quarto label": ("$$\na_{k} = 1\n$$ {#eq-{k}}", True, False),
+    "fence": ("```{math}\na_{k} = 1\n```", True, False),
+    "fence with options": ("```{math}\n:label: eq-{k}\n\na_{k}\n= 1\n```", True, False),
+    "fence with yaml": ("```{math}\n---\nlabel: eq-{k}\n---\na_{k} = 1\n```", True, False),
+    "colon fence": (":::{math}\na_{k} = 1\n:::", True, False),
+    "code": ("```{code-cell} python\n'$$ a_{k} = 1 $$'\n```", False, False),
+    "executable": ("```{python}\n# $$ a_{k} = 1 $$\n```", False, False),
+    "callout": ("::: {.callout-note}\nSo $$ a_{k} = 1 $$\n:::", True, False),
+    "admonition": ("````{admonition} Note\n```{math}\na_{k} = 1\n```\n````", True, False),
+    "erratum": (":::{admonition} Erratum\n:class: warning\n$$ a_{k} = 1 $$\n:::", True, True),
+    "quarto erratum": ("::: {.callout-warning}\n## Erratum\n\n$$ a_{k} = 1 $$\n:::", True, True),
+    "div of errata": ("::: {.erratum}\n$$\na_{k} = 1\n$$\n:::", True, True),
+    "erratum in a fence": ("````{admonition} Erratum\n```{math}\na_{k} = 1\n```\n````", True, True),
+}  # fmt: skip
+DISPLAY_MARKS = re.compile(
+    r"\$\$|\\\[|\\begin\{(?:equation|align|alignat|gather|eqnarray)\*?\}|\\be |\.\. math::|```\{math\}|:::\{math\}"
+)
+
+
+def assert_found(
+    text: str, blocks: dict[str, tuple[str, bool, bool]], names: list[str], name: str, newline: str
+) -> None:
+    """Every block's display is found once, at its line, with its mark, and at its place in the text."""
+    expected = []
+    for k, block_name in enumerate(names):
+        block, holds_display, erratum = blocks[block_name]
+        if holds_display:
+            opening = DISPLAY_MARKS.search(block)
+            assert opening is not None
+            expected.append((text.count("\n") + 1 + block[: opening.start()].count("\n"), f"a_{{{k}}}=1", erratum))
+        text += block.replace("{k}", f"{{{k}}}") + "\n\n"
+    text = text.replace("\n", newline)
+    document = parse_document(Path(name), text)
+    found = [
+        (d.line, re.sub(r"\s|&|\\label\{[^}]*\}\}?|\\nonumber", "", d.latex), d.erratum) for d in document.displays
+    ]
+    assert found == expected
+    for display in document.displays:
+        pieces = "".join(display.latex[p.at : p.at + p.length] for p in display.pieces)
+        assert "".join(pieces.split()) == "".join(display.latex.split())
+        at = display.latex.rindex("1", 0, display.latex.index("=") + 6)
+        change = change_of(display, at, at + 1, "2", in_notebook=False)
+        assert change is not None
+        changed = parse_document(Path(name), rewrite(Path(name).suffix, text, [change])).displays
+        assert [d.latex.split() for d in changed] == [
+            (d.latex[:at] + "2" + d.latex[at + 1 :] if d is display else d.latex).split() for d in document.displays
+        ]
+
+
+@given(st.lists(st.sampled_from(sorted(TEX)), max_size=8), st.sampled_from(["\n", "\r\n"]))
+def test_every_display_of_latex_is_found(names: list[str], newline: str) -> None:
+    assert_found(PREAMBLE, TEX, names, "page.tex", newline)
+
+
+@given(st.lists(st.sampled_from(sorted(RST)), max_size=8), st.sampled_from(["\n", "\r\n"]))
+def test_every_display_of_restructured_text_is_found(names: list[str], newline: str) -> None:
+    assert_found("Title\n=====\n\n", RST, names, "page.rst", newline)
+
+
+@given(st.lists(st.sampled_from(sorted(MYST)), max_size=8), st.sampled_from(["page.md", "page.qmd"]))
+def test_every_display_of_quarto_and_myst_is_found(names: list[str], name: str) -> None:
+    assert_found("# Title\n\n", MYST, names, name, "\n")
+
+
+# -- front matter ------------------------------------------------------------------------------------------------------
+
+FRONTS = {
+    "fenced.tex": "% !TEX root = main.tex\n% ---\n% arm: scara\n% quantities:\n%   p_e: {origin: 4}\n% ---\n\\[ 1 = 1 \\]\n",
+    "bare.tex": "% arm: scara\n% quantities:\n%   p_e: {origin: 4}\n\\documentclass{article}\n\\[ 1 = 1 \\]\n",
+    "after.tex": "%%\n%% A course.\n%%\n%% arm: scara\n%% quantities: {p_e: {origin: 4}}\n\n\\[ 1 = 1 \\]\n",
+    "comment.rst": "..\n   arm: scara\n   quantities:\n     p_e: {origin: 4}\n\nTitle\n=====\n\n.. math:: 1 = 1\n",
+    "fenced.rst": "..\n  ---\n  arm: scara\n  quantities:\n    p_e: {origin: 4}\n  ---\n\n.. math:: 1 = 1\n",
+    "fields.rst": ":arm: scara\n:quantities: {p_e: {origin: 4}}\n\n.. math:: 1 = 1\n",
+    "titled.rst": "Title\n=====\n\n:arm: scara\n:quantities:\n    p_e: {origin: 4}\n\n.. math:: 1 = 1\n",
+    "page.qmd": "---\narm: scara\nquantities:\n  p_e: {origin: 4}\nexecute:\n  echo: false\n---\n$$ 1 = 1 $$\n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FRONTS)
+def test_front_matter_is_read_in_every_format(name: str) -> None:
+    document = parse_document(Path(name), FRONTS[name])
+    front = {key: value for key, value in document.front.items() if key != "execute"}
+    assert front == {"arm": "scara", "quantities": {"p_e": {"origin": 4}}}
+    for key in ("arm", "quantities"):
+        line = FRONTS[name].splitlines()[document.lines[key] - 1]
+        assert re.match(rf"\W*{key}\W", line), (key, line)
+    assert len(document.displays) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "line"),
+    [
+        ("page.tex", "% ---\n% arm: scara\n% arn: x\n% ---\n", 3),
+        ("page.tex", "\n% arm: scara\n% quantites: {}\n", 3),
+        ("page.tex", "% ---\n% arm: scara\n\\[ 1 = 1 \\]\n", 1),
+        ("page.rst", "..\n   arm: scara\n   quantites: {}\n", 3),
+        ("page.rst", "Title\n=====\n\n:arm: scara\n:quantites: {}\n", 5),
+    ],
+)
+def test_a_fault_in_front_matter_is_told_with_its_line(name: str, text: str, line: int) -> None:
+    with pytest.raises(DocumentError, match=rf"^{re.escape(name)}:{line}: "):
+        parse_document(Path(name), text)
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("page.tex", "% A comment: not ours.\n\\[ 1 = 1 \\]\n"),
+        ("page.rst", ".. A comment: not ours.\n\n.. math:: 1 = 1\n"),
+        ("page.rst", ".. note:: arm\n\n.. math:: 1 = 1\n"),
+        ("page.rst", "Title\n=====\n\nText.\n\n.. math:: 1 = 1\n"),
+    ],
+)
+def test_other_comments_are_no_front_matter(name: str, text: str) -> None:
+    document = parse_document(Path(name), text)
+    assert document.front == {} and len(document.displays) == 1
+
+
+# -- LaTeX -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "opening"),
+    [
+        ("\\[ 1 = 1\n\nMore.", 1, "\\["),
+        ("x\n\\begin{equation}\n1 = 1\n", 2, "\\begin{equation}"),
+        ("\\begin{align} 1 &= 1 \\end{align*}", 1, "\\begin{align}"),
+        ("\\[ 1 = 1 \\begin{equation}", 1, "\\["),
+        ("\\[ 1\n\n\\[ 2 = 2 \\]", 1, "\\["),
+        ("$$ 1 = 1", 1, "$$"),
+        ("\\newcommand{\\be}{\\begin{equation}}\n\\be 1 = 1", 2, "\\be"),
+    ],
+)
+def test_an_environment_that_is_never_closed_is_unreadable_at_its_line(text: str, line: int, opening: str) -> None:
+    document = parse_document(Path("page.tex"), text)
+    first = document.displays[0]
+    assert (first.line, first.closed, first.opening) == (line, False, opening)
+    record = check_document(document).equations[0]
+    assert (record.verdict, record.message) == (Verdict.UNREADABLE, f"the display opened by {opening} never ends")
+
+
+def test_a_macro_stands_for_its_body() -> None:
+    macros = r"\newcommand*{\cs}[1]{\cos\theta_{#1}}\newcommand\s[2][1]{s_{#1#2}}\def\l#1{l_#1}\DeclareMathOperator{\rk}{rank}"
+    text = macros + "\n" + r"\[ \l1 \cs{1} + \cs{12} x + \s{2} + \s[3]{4} = \rk J \]"
+    [display] = parse_document(Path("page.tex"), text).displays
+    assert (
+        re.sub(r"\s+", " ", display.latex).strip()
+        == r"l_1 \cos\theta_{1} + \cos\theta_{12} x + s_{12} + s_{34} = \operatorname{rank}J"
+    )
+
+
+@pytest.mark.parametrize("macros", [r"\newcommand{\x}{\x}", r"\def\x{\y\y}\def\y{\x\x}", r"\newcommand{\x}[2]{#1}"])
+def test_a_macro_without_end_is_left_as_it_stands(macros: str) -> None:
+    [display] = parse_document(Path("page.tex"), macros + r"\[ a = \x \]").displays
+    assert display.latex.strip() == r"a = \x"
+
+
+def test_a_macro_is_corrected_as_a_whole_or_not_at_all() -> None:
+    text = "\\newcommand{\\two}{1 + 1}\n\\[ a = \\two \\]\n"
+    [display] = parse_document(Path("page.tex"), text).displays
+    at = display.latex.index("1 + 1")
+    assert change_of(display, at, at + 1, "2", in_notebook=False) is None
+    change = change_of(display, at, at + 5, "3", in_notebook=False)
+    assert change is not None
+    assert rewrite(".tex", text, [change]) == text.replace("\\two \\]", "3 \\]")
+
+
+def test_a_tabular_is_a_table() -> None:
+    text = (
+        "% arm: planar_2r\n\\section{Bras}\n\\begin{tabular}{c|cccc}\n \\hline $i$ & $a_i$ & $\\alpha_i$ & $d_i$ & $\\theta_i$ \\\\ \\hline\n"
+        " 1 & $l_1$ & 0 & 0 & $\\theta_1$ \\\\\n 2 & $l_1$ & 0 & 0 & $\\theta_2$ \\\\ \\hline\n\\end{tabular}\n"
+    )
+    document = parse_document(Path("page.tex"), text)
+    [table] = document.tables
+    assert (table.line, table.section, table.header[1], table.rows[1]) == (
+        3,
+        "Bras",
+        "a_i",
+        ("2", "l_1", "0", "0", "\\theta_2"),
+    )
+    [record] = check_document(document).tables
+    assert record.verdict is Verdict.REFUTED
+    assert record.message.startswith("row 2: a is l_1, should be l_2")
+
+
+def test_sections_of_latex_and_rst() -> None:
+    text = "\\[ 0 = 0 \\]\\section*{The \\emph{first} {one}}\\[ 1 = 1 \\]\n\\subsection[x]{Second}\n\\[ 2 = 2 \\]"
+    assert [d.section for d in parse_document(Path("p.tex"), text).displays] == [
+        "",
+        "The \\emph{first} {one}",
+        "Second",
+    ]
+    text = ".. math:: 0 = 0\n\nFirst\n=====\n\n.. math:: 1 = 1\n\n------\nÉtude\n------\n\n.. math:: 2 = 2\n"
+    assert [d.section for d in parse_document(Path("p.rst"), text).displays] == ["", "First", "Étude"]
+
+
+def test_equations_of_one_block_with_blank_lines_between_are_several() -> None:
+    text = ".. math::\n\n   a = 1\n\n   b = \\begin{bmatrix} 1 \\\\\n\n   2 \\end{bmatrix}\n"
+    displays = parse_document(Path("page.rst"), text).displays
+    assert [(d.line, d.latex) for d in displays] == [(1, "a = 1"), (5, "b = \\begin{bmatrix} 1 \\\\\n2 \\end{bmatrix}")]
+
+
+# -- the handouts, in other formats ------------------------------------------------------------------------------------
+
+
+def as_tex(document: Document) -> str:
+    """Write a handout's front matter and displays as LaTeX, in one environment after the other."""
+    front = document.path.read_text(encoding="utf-8").split("---\n")[1]
+    text = "% ---\n" + "".join(f"% {line}\n" for line in front.splitlines()) + "% ---\n\\begin{document}\n"
+    around = (
+        ("\\[", "\\]"),
+        ("$$", "$$"),
+        *((f"\\begin{{{e}}}", f"\\end{{{e}}}") for e in ("equation", "align*", "gather")),
+    )
+    for k, display in enumerate(document.displays):
+        opening, closing = around[k % len(around)]
+        block = f"{opening}\n{display.latex.strip()} % as printed\n{closing}\n"
+        text += f"\n\\section{{{display.section}}}\n" + (
+            f"\\begin{{erratum}}\n{block}\\end{{erratum}}\n" if display.erratum else block
+        )
+    return text + "\\end{document}\n"
+
+
+def as_rst(document: Document) -> str:
+    front = document.path.read_text(encoding="utf-8").split("---\n")[1]
+    text = "..\n" + "".join(f"   {line}\n" for line in front.splitlines()) + "\n"
+    for display in document.displays:
+        lines = [line for line in display.latex.strip().splitlines() if line.strip()]
+        block = ".. math::\n\n" + "".join(f"   {line}\n" for line in lines)
+        if display.erratum:
+            block = ".. admonition:: Erratum\n\n" + "".join(f"   {line}\n" for line in block.splitlines())
+        text += f"\n{block}\n"
+    return text
+
+
+@pytest.mark.parametrize("path", HANDOUTS[::3], ids=[path.stem for path in HANDOUTS[::3]])
+@pytest.mark.parametrize("write", [as_tex, as_rst])
+def test_a_handout_in_another_format_has_the_same_verdicts(path: Path, write, tmp_path: Path) -> None:
+    document = read_document(path)
+    copy = tmp_path / f"page.{write.__name__[3:]}"
+    copy.write_text(write(document), encoding="utf-8")
+    original = check_document(Document(path, document.front, document.displays, ()), confirm=False)
+    result = verify(copy, confirm=False)
+    assert [(r.verdict, r.erratum) for r in result.equations] == [(r.verdict, r.erratum) for r in original.equations]
+
+
+def test_a_folder_holds_documents_of_every_format(tmp_path: Path) -> None:
+    texts = {"a.tex": "\\[ 1 = 1 \\]", "b.rst": ".. math:: 1 = 1", "c.qmd": "$$ 1 = 1 $$", "d.md": "```{math}\n1 = 1\n```",
+             "e.tex": "% arm: scara\n", "n.tex": "No formula.", "n.rst": "None.", "n.qmd": "None."}  # fmt: skip
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    assert [path.name for path in find_documents([tmp_path])] == ["a.tex", "b.rst", "c.qmd", "d.md", "e.tex"]
+
+
+def test_an_unreadable_token_is_told_with_its_line_in_the_file() -> None:
+    text = "x\n\\begin{equation} % the first\n  a = 1 + \n  2 } \n\\end{equation}\n"
+    [record] = check_document(parse_document(Path("page.tex"), text)).equations
+    assert record.message.startswith("line 4, column 5 of the display: ")
+
+
+def places(display: Display) -> list[tuple[int, int]]:
+    return [(piece.line, piece.column) for piece in display.pieces]
+
+
+def test_the_places_of_a_display_are_those_of_the_file() -> None:
+    text = "So\n\\begin{equation} a\n   = 1 % x\n\\end{equation}"
+    [display] = parse_document(Path("page.tex"), text).displays
+    assert places(display) == [(2, 16), (3, 0)]
+    [display] = parse_document(Path("page.md"), "> > So $$ a\n> > = 1 $$ here").displays
+    assert places(display) == [(1, 10), (2, 4)]

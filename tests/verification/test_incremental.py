@@ -1,0 +1,144 @@
+"""A document checked again after a change has the verdicts of one that is checked for the first time."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import course
+from verification.check import DocumentChecker, check_document, load_arm_of
+from verification.document import Display, Document, find_documents, parse_document
+from verification.errors import DocumentError
+from verification.incremental import IncrementalChecker
+from verification.snapshot import Snapshot
+from verification.verdict import DocumentResult, Verdict
+
+HANDOUTS = find_documents([Path(course.__path__[0]) / "handouts"])
+SMALL = [path for path in HANDOUTS if path.stat().st_size < 4_000]
+FRONT = "---\narm: planar_2r\nquantities:\n  J_v: {jacobian: 2, rows: [1, 2]}\n---\n"
+PARTS = [
+    "$$ a = l_1 C_1 + l_2 C_{12} $$",
+    "$$ p_{2,x} = a $$",
+    "$$ D = \\det J_v $$",
+    "$$ D = l_1 l_2 \\sin\\theta_2 $$",
+    "$$ C_{12} = C_1 C_2 - S_1 S_2 $$",
+    "> **Erratum**\n> $$ D = l_1 l_2 \\cos\\theta_2 $$",
+]
+
+
+def text_of(*parts: str) -> str:
+    return FRONT + "".join(f"\n{part}\n" for part in parts)
+
+
+def page(*parts: str) -> Document:
+    return parse_document(Path("page.md"), text_of(*parts))
+
+
+def without_time(result: DocumentResult | None) -> DocumentResult:
+    assert result is not None
+    return replace(result, seconds=0.0)
+
+
+def assert_as_from_scratch(checker: IncrementalChecker, document: Document) -> list[int]:
+    """Update to a document; return the lines that were told. The result is that of a check from scratch."""
+    told = [record.line for record in checker.update(document)]
+    assert without_time(checker.result) == without_time(check_document(document))
+    return told
+
+
+@pytest.fixture
+def checker() -> IncrementalChecker:
+    return IncrementalChecker(Path("page.md"))
+
+
+def test_only_the_changed_display_is_checked_again(
+    checker: IncrementalChecker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert assert_as_from_scratch(checker, page(*PARTS)) == [7, 9, 11, 13, 15, 18]
+    checked: list[int] = []
+    check = DocumentChecker.check_display
+    monkeypatch.setattr(
+        DocumentChecker, "check_display", lambda self, display: checked.append(display.line) or check(self, display)
+    )
+    told = [record.line for record in checker.update(page(*PARTS[:4], PARTS[4].replace("-", "+"), PARTS[5]))]
+    assert told == [15]
+    assert checked[0] == 15  # and what follows it, as an error found may explain another
+    checked.clear()
+    assert [record.verdict for record in checker.update(page(*PARTS))] == [Verdict.PROVED]
+    checked.clear()
+    other = PARTS[4].replace("C_1 C_2", "C_2 C_1")
+    assert [record.line for record in checker.update(page(*PARTS[:4], other, PARTS[5]))] == [15]
+    assert checked == [15]
+    assert list(checker.update(page(*PARTS[:4], other, PARTS[5]))) == []
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda parts: [parts[0].replace("C_{12}", "S_{12}"), *parts[1:]],  # a definition that others rest on
+        lambda parts: parts[1:],
+        lambda parts: parts[:-1],
+        lambda parts: [*parts[:2], *parts[4:], *parts[2:4]],
+        lambda parts: ["One line more.", *parts],
+        lambda parts: [*parts, "$$ a = l_1 $$"],
+        lambda parts: [*parts[:2], parts[0], *parts[2:]],
+        lambda parts: ["# A title", *parts[:3], "# Another", *parts[3:]],
+        lambda parts: [parts[0].replace("+", "+ }"), *parts[1:]],
+        lambda parts: [*parts[:3], "$$ \\cos\\frac{\\theta_1}{2} = \\cos\\frac{\\theta_1}{2} $$", *parts[3:]],
+        lambda _: [],
+    ],
+)
+def test_every_kind_of_change_gives_the_verdicts_of_a_check_from_scratch(
+    checker: IncrementalChecker, change: Callable[[list[str]], list[str]]
+) -> None:
+    assert_as_from_scratch(checker, page(*PARTS))
+    assert_as_from_scratch(checker, page(*change(PARTS)))
+    assert_as_from_scratch(checker, page(*PARTS))
+
+
+def test_another_front_matter_begins_anew(checker: IncrementalChecker) -> None:
+    document = page(*PARTS)
+    assert_as_from_scratch(checker, document)
+    other = parse_document(Path("page.md"), text_of(*PARTS).replace("rows: [1, 2]", "rows: [2, 1]"))
+    assert_as_from_scratch(checker, other)
+    with pytest.raises(DocumentError, match="no arm 'skara'"):
+        list(checker.update(parse_document(Path("page.md"), text_of(*PARTS).replace("planar_2r", "skara"))))
+    assert_as_from_scratch(checker, document)
+
+
+def spoilt(display: Display, rng: random.Random) -> Display:
+    """Change one sign or one digit of a display."""
+    places = [k for k, c in enumerate(display.latex) if c in "+-123"]
+    if not places:
+        return replace(display, latex=display.latex + " + 1")
+    k = rng.choice(places)
+    other = {"+": "-", "-": "+"}.get(display.latex[k], "2" if display.latex[k] != "2" else "1")
+    return replace(display, latex=display.latex[:k] + other + display.latex[k + 1 :])
+
+
+@pytest.mark.parametrize("path", SMALL, ids=[path.stem for path in SMALL])
+def test_a_handout_changed_at_random_has_the_verdicts_of_a_check_from_scratch(path: Path) -> None:
+    document = parse_document(path, path.read_text(encoding="utf-8"))
+    checker, rng = IncrementalChecker(path), random.Random(path.name)
+    list(checker.update(document))
+    for _ in range(3):
+        k = rng.randrange(len(document.displays))
+        displays = [*document.displays[:k], spoilt(document.displays[k], rng), *document.displays[k + 1 :]]
+        assert_as_from_scratch(checker, replace(document, displays=tuple(displays)))
+
+
+def test_a_state_that_differs_is_noticed() -> None:
+    document = page(*PARTS)
+    checker = DocumentChecker(document, load_arm_of(document), {})
+    before = Snapshot(checker)
+    assert before.is_same(Snapshot(checker))
+    checker.check_display(document.displays[0])
+    after = Snapshot(checker)
+    assert not before.is_same(after)
+    before.restore()
+    assert before.is_same(Snapshot(checker))
+    assert not after.is_same(Snapshot(checker))

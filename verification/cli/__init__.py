@@ -1,0 +1,19 @@
+"""The command `armproof`: verify documents, correct them, list the arms, analyse one, view one.
+
+Exit codes: 0 everything passes, 1 something does not, 2 the command cannot run (or not on one of the documents).
+Nothing heavy is imported before it is needed: `armproof --help` loads neither Drake nor NumPy.
+"""
+
+from verification.cli import arms, correct, singularities, verify, view
+from verification.cli.app import app, main
+
+__all__ = ["app", "main"]
+
+for command in (
+    verify.verify,
+    correct.correct,
+    arms.arms,
+    singularities.singularities,
+    view.view,
+):  # in the order of the help
+    app.command()(command)

@@ -1,0 +1,72 @@
+"""`armproof singularities`: where an arm's Jacobian loses rank, and what is lost there."""
+
+from __future__ import annotations
+
+import sys
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+from models.errors import ArmproofError
+from verification.cli.app import FAILS
+from verification.cli.loading import give_up, load
+from verification.report.lines import write_lines
+
+
+class Format(StrEnum):
+    """The formats of the report."""
+
+    text = "text"
+    json = "json"
+
+
+OneArm = Annotated[str, typer.Argument(metavar="ARM", help="An arm, or a path to a model file.", show_default=False)]
+Frame = Annotated[str | None, typer.Option(metavar="FRAME", help="Whose velocity J gives; by default the tool's.")]
+Axes = Annotated[str | None, typer.Option("--in", metavar="FRAME", help="In whose axes; by default the base's.")]
+Rows = Annotated[str | None, typer.Option(metavar="1,2,…", help="Rows of [v; ω]; by default those of the arm's task.")]
+Columns = Annotated[str | None, typer.Option(metavar="1,2,…", help="Columns, base to tool; by default all.")]
+ReportFormat = Annotated[Format, typer.Option("--format", help="text for people, json for programs.")]
+
+
+def singularities(
+    arm: OneArm,
+    frame: Frame = None,
+    axes: Axes = None,
+    rows: Rows = None,
+    columns: Columns = None,
+    report_format: ReportFormat = Format.text,
+) -> None:
+    """Say where an arm is singular: conditions, rank, what is lost, boundary or inside.
+
+    Exit code 0: all families were found; 1: the analysis is beyond exact reach; 2: it cannot run.
+    """
+    from verification.report.singularities import singularity_json, singularity_lines
+    from verification.singularities import analyse_singularities
+
+    model = load(arm)
+    try:
+        numbers = (read_numbers("--rows", rows), read_numbers("--columns", columns))
+        analysis = analyse_singularities(model, frame, *numbers, axes)
+    except ArmproofError as error:
+        give_up(error)
+    if report_format is Format.json:
+        sys.stdout.write(singularity_json(analysis))
+    else:
+        write_lines(singularity_lines(analysis))
+    if not analysis.complete:
+        raise typer.Exit(FAILS)
+
+
+def read_numbers(option: str, text: str | None) -> list[int] | None:
+    """Return the numbers of a list such as 1,2,6.
+
+    Raises:
+        ArmproofError: it is no such list.
+    """
+    if text is None:
+        return None
+    parts = [part.strip() for part in text.split(",")]
+    if not all(part.isascii() and part.isdigit() for part in parts):
+        raise ArmproofError(f"{option} is a list of numbers such as 1,2,6, not '{text}'")
+    return [int(part) for part in parts]

@@ -1,0 +1,132 @@
+"""`armproof verify`: the verdict of every equation in the documents named."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated, NoReturn
+
+import typer
+
+from models.errors import ArmproofError
+from verification.batch import Failure
+from verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
+from verification.cli.documents import check_each_path, find_course, named_documents
+from verification.cli.loading import give_up
+from verification.cli.messages import complain
+from verification.cli.pages import check_and_report
+from verification.report.lines import write_lines
+from verification.report.text import text_report
+from verification.report.totals import Totals
+from verification.verdict import DocumentResult
+
+
+class Format(StrEnum):
+    """The formats of the report."""
+
+    text = "text"
+    json = "json"
+    github = "github"
+
+
+Paths = Annotated[
+    list[Path] | None,
+    typer.Argument(metavar="PATH", help="Documents, notebooks or folders; by default course/.", show_default=False),
+]
+ReportFormat = Annotated[
+    Format,
+    typer.Option("--format", help="text for people, json for programs, github for annotations of a pull request."),
+]
+Strict = Annotated[bool, typer.Option("--strict", help="Unchecked equations fail too.")]
+Report = Annotated[
+    Path | None, typer.Option("--report", metavar="DIR", help="Write web pages as well, into a folder of their own.")
+]
+Jobs = Annotated[
+    int | None,
+    typer.Option(
+        "--jobs", "-j", min=1, max=256, metavar="N", help="Processes; by default one a core.", show_default=False
+    ),
+]
+Watching = Annotated[bool, typer.Option("--watch", help="Verify again whatever is saved, until Ctrl-C.")]
+
+
+def verify(
+    paths: Paths = None,
+    report_format: ReportFormat = Format.text,
+    strict: Strict = False,
+    report: Report = None,
+    watch: Watching = False,
+    jobs: Jobs = None,
+) -> None:
+    """Give the verdict of every equation in the documents named.
+
+    Exit code 0: everything passes; 1: something does not; 2: a document cannot be checked.
+    """
+    documents = paths or [find_course()]
+    if watch:
+        _watch(documents, report_format, report, strict)
+    totals = Totals(strict)
+    try:
+        if report is None:
+            results: Iterable[DocumentResult | Failure] = check_each_path(documents, jobs=jobs)
+        else:
+            results = check_and_report(documents, report, strict=strict, jobs=jobs)
+        write_report(_counted(results, totals), report_format, strict)
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except ArmproofError as error:  # of the report's folder: what is wrong with a document is in its result
+        give_up(error)
+    complain(totals.messages)
+    raise typer.Exit(exit_code(totals))
+
+
+def _counted(results: Iterable[DocumentResult | Failure], totals: Totals) -> Iterator[DocumentResult | Failure]:
+    """Yield the results, each counted: none is kept."""
+    for result in results:
+        totals.add(result)
+        yield result
+
+
+def _watch(paths: Sequence[Path], report_format: Format, report: Path | None, strict: bool) -> NoReturn:
+    """Watch the documents until the user ends it; the exit code is that of their last verdicts."""
+    if report_format is not Format.text or report is not None:
+        complain(["--watch writes text for people: give it neither --format nor --report"])
+        raise typer.Exit(CANNOT_RUN)
+    from verification.cli.watching import watch_documents
+
+    try:
+        failures = [each for each in named_documents(paths) if isinstance(each, Failure)]
+        results = watch_documents(
+            lambda: [each for each in named_documents(paths) if isinstance(each, Path)], failures, strict=strict
+        )
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    totals = Totals(strict)
+    for result in results:
+        totals.add(result)
+    raise typer.Exit(exit_code(totals))
+
+
+def exit_code(totals: Totals) -> int:
+    """Return the exit code: 2 if a document could not be checked, else 1 if one does not pass, else 0."""
+    if totals.unable:
+        return CANNOT_RUN
+    return FAILS if totals.failing else PASSES
+
+
+def write_report(results: Iterable[DocumentResult | Failure], report_format: Format, strict: bool) -> None:
+    """Write the report of the results on standard output, document by document."""
+    if report_format is Format.json:
+        from verification.report.json_ import json_parts
+
+        for part in json_parts(results, strict=strict):
+            sys.stdout.write(part)
+    elif report_format is Format.github:
+        from verification.report.github import github_report
+
+        write_lines(((line, ""),) for line in github_report(results, strict=strict))
+    else:
+        write_lines(text_report(results, strict=strict))
+    sys.stdout.flush()

@@ -1,0 +1,82 @@
+"""`armproof verify --watch`: the report, then a line for each display that is checked again."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from verification.batch import Failure
+from verification.cli.messages import complain
+from verification.report.lines import Line, write_lines
+from verification.report.text import BAD, FAINT, GOOD, STRONG, describe_document, describe_record, text_report
+from verification.report.totals import passes
+from verification.verdict import DocumentResult
+from verification.watch import Event, Gone, Settled, Told, Watch
+
+
+def watch_documents(
+    find: Callable[[], list[Path]], failures: Sequence[Failure], *, strict: bool
+) -> list[DocumentResult | Failure]:
+    """Verify the documents, then again whatever is saved, until the user ends it; return the last results.
+
+    Raises KeyboardInterrupt where it is ended before the first report.
+    """
+    watch = Watch(find)
+    for _ in watch.begin():
+        pass
+    results = [*watch.results, *failures]
+    write_lines(text_report(results, strict=strict))
+    complain(result.message for result in results if isinstance(result, Failure))
+    number = len(watch.results)
+    write_lines([((f"watching {number} {'document' if number == 1 else 'documents'}; Ctrl-C ends", FAINT),)])
+    sys.stdout.flush()
+    try:
+        for event in watch.events():
+            write_lines(_lines(event, strict))
+            sys.stdout.flush()
+    except KeyboardInterrupt:
+        write_lines([()])
+    return [*watch.results, *failures]
+
+
+def _lines(event: Event, strict: bool) -> Iterator[Line]:
+    """Yield the lines of an event, the time of the day before them."""
+    clock = (f"{time.strftime('%H:%M:%S')}  ", FAINT)
+    if isinstance(event, Gone):
+        yield (clock, (f"{event.path}: it is gone; it is watched should it come back", BAD))
+    elif isinstance(event, Told):
+        yield from _told(event, clock, strict)
+    elif isinstance(event.result, Failure):
+        yield (clock, (event.result.message, BAD))
+    else:
+        yield from _settled(event, event.result, clock, strict)
+
+
+def _told(event: Told, clock: tuple[str, str], strict: bool) -> Iterator[Line]:
+    record, seconds = event.record, (f"  ({event.seconds * 1e3:.0f} ms)", FAINT)
+    notebook = event.path.suffix == ".ipynb"
+    place = f"{event.path}: cell {record.cell}, line {record.line}" if notebook else f"{event.path}:{record.line}"
+    what = f"erratum {record.verdict.value}" if record.erratum else record.verdict.value
+    yield (clock, (place, STRONG), (f"  {what}", GOOD if record.passes else BAD), seconds)
+    if not record.passes:
+        _, *rest = describe_record(record if notebook else replace(record, cell=None), "")
+        yield from rest
+
+
+def _settled(event: Settled, result: DocumentResult, clock: tuple[str, str], strict: bool) -> Iterator[Line]:
+    first, *_ = describe_document(result, strict)
+    tables = [record for record in result.records if not record.passes and record not in result.equations]
+    yield (clock, *first)
+    for record in tables:
+        yield from describe_record(record, "table")
+    if passes(result, strict):
+        return
+    wrong = sum(not record.passes for record in result.equations)
+    if wrong > 1:
+        yield (("          ", ""), (f"{wrong} displays do not pass", FAINT))
+
+
+__all__ = ["watch_documents"]

@@ -1,0 +1,44 @@
+"""The formats of documents: which reader takes which file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from verification.document.markdown import read_markdown_file
+from verification.document.model import Document
+from verification.document.notebook import read_notebook
+from verification.document.percent import read_percent
+from verification.document.rst import read_rst
+from verification.document.tex import ENVIRONMENTS, read_tex
+from verification.document.text import read_text
+
+_READERS: dict[str, Callable[[Path, str], Document]] = {
+    ".md": read_markdown_file,
+    ".ipynb": read_notebook,
+    ".py": read_percent,
+    ".qmd": read_markdown_file,
+    ".tex": read_tex,
+    ".rst": read_rst,
+}
+_MARKS = {
+    ".py": ("# %% [markdown]",),
+    ".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)),
+    ".rst": (".. math::",),
+}
+SUFFIXES = tuple(_READERS)
+
+
+def read_document(path: Path) -> Document:
+    """Return the document of a file; raises DocumentError with file and line where it is not one."""
+    return parse_document(path, read_text(path))
+
+
+def parse_document(path: Path, text: str) -> Document:
+    """Return the document of a text, read as the name of `path` says; raises DocumentError with file and line."""
+    return _READERS.get(path.suffix, read_markdown_file)(path, text)
+
+
+def has_displays(suffix: str, text: str) -> bool:
+    """Whether a file's text is likely to hold displays."""
+    return any(mark in text for mark in _MARKS.get(suffix, ("$$", "{math}")))

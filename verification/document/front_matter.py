@@ -1,0 +1,99 @@
+"""The front matter of a document: a YAML block, its keys and the line of each."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from verification.errors import DocumentError
+
+FRONT_MATTER_KEYS = ("title", "source", "arm", "symbols", "transforms", "quantities", "inverse")
+# keys that notebook and site tools put into the same block, and `figures`, which the course's printing reads
+FOREIGN_KEYS = frozenset(["author", "authors", "date", "lang", "language", "subtitle", "license", "jupyter", "jupytext",
+                          "kernelspec", "format", "abstract", "keywords", "slug", "description", "execute", "engine", "bibliography",
+                          "csl", "toc", "number-sections", "filters", "editor", "theme", "css", "categories", "image", "draft",
+                          "output", "params", "knitr", "crossref", "header-includes", "documentclass", "classoption", "geometry",
+                          "fontsize", "papersize", "figures", "project", "website", "order", "page-layout", "tags", "layout", "permalink",
+                          "parent", "nav_order", "subject", "venue", "github", "exports", "downloads", "numbering", "math",
+                          "settings", "doi", "copyright", "banner", "thumbnail", "short_title", "organization", "version",
+                          "revision", "status", "contact", "orphan", "nocomments", "tocdepth"])  # fmt: skip
+
+
+def split_front_matter(path: Path, text: str, first: int = 1) -> tuple[dict[str, Any] | None, dict[str, int], str, int]:
+    """Return front matter (None where there is none), its keys' lines, the body and the body's first line.
+
+    `first` is the line of the file on which the text begins.
+    """
+    text = text.replace("\r\n", "\n")
+    if not re.match(r"---[ \t]*\n", text):
+        return None, {}, text, first
+    end = re.compile(r"^(?:---|\.\.\.)[ \t]*$", re.MULTILINE).search(text, text.index("\n") + 1)
+    if end is None:
+        raise DocumentError(f"{path}:{first}: the front matter opened by '---' is never closed by '---'")
+    block = text[text.index("\n") + 1 : end.start()]
+    front, lines = parse_front_matter(path, block, first + 1)
+    body_start = end.end() + 1
+    return front, lines, text[body_start:], first + text.count("\n", 0, body_start)
+
+
+def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[str, Any], dict[str, int]]:
+    """Return the mapping of a YAML block and the line of each top key; raises DocumentError."""
+    front = _load(path, block, first_line)
+    lines = _lines_of_keys(path, block, first_line)
+    _validate(path, front, lines, first_line)
+    return front, lines
+
+
+def _load(path: Path, block: str, first_line: int) -> dict[str, Any]:
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    try:
+        for event in yaml.parse(block, Loader=loader):
+            if isinstance(event, yaml.AliasEvent):  # a few of them can stand for millions of entries
+                line = first_line + (event.start_mark.line if event.start_mark else 0)
+                raise DocumentError(
+                    f"{path}:{line}: the front matter may not repeat a part by '*{event.anchor}'; write it out"
+                )
+        front = yaml.load(block, Loader=loader)  # noqa: S506 - a safe loader
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = first_line + (mark.line if mark else 0)
+        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+        raise DocumentError(f"{path}:{line}: the front matter is not YAML: {problem}") from None
+    except (ValueError, RecursionError) as error:
+        raise DocumentError(f"{path}:{first_line}: the front matter is not YAML: {error}") from None
+    if front is None:
+        front = {}
+    if not isinstance(front, dict):
+        raise DocumentError(f"{path}:{first_line}: the front matter must be a mapping of keys such as 'arm: scara'")
+    return front
+
+
+def _lines_of_keys(path: Path, block: str, first_line: int) -> dict[str, int]:
+    lines: dict[str, int] = {}
+    for number, text in enumerate(block.split("\n")):
+        if found := re.match(r"([A-Za-z_]+)\s*:", text):
+            key, line = found.group(1), first_line + number
+            if key in lines:
+                raise DocumentError(
+                    f"{path}:{line}: the front-matter key '{key}' stands twice, first in line {lines[key]}"
+                )
+            lines[key] = line
+    return lines
+
+
+def _validate(path: Path, front: dict[str, Any], lines: dict[str, int], first_line: int) -> None:
+    for key in front:
+        if key not in FRONT_MATTER_KEYS and key not in FOREIGN_KEYS:
+            where = f"{path}:{lines.get(str(key), first_line)}"
+            raise DocumentError(
+                f"{where}: unknown front-matter key '{key}'; the keys are {', '.join(FRONT_MATTER_KEYS)}"
+            )
+    if "arm" in front and front["arm"] is None:
+        where = f"{path}:{lines.get('arm', first_line)}"
+        raise DocumentError(f"{where}: 'arm' is empty; name an arm, a model file or a DH table, or leave the key out")
+    for key in ("title", "source"):
+        if not isinstance(front.get(key, ""), str):
+            raise DocumentError(f"{path}:{lines.get(key, first_line)}: '{key}' must be text, not {front[key]!r}")

@@ -1,0 +1,161 @@
+"""Read Markdown: displays and tables, the errata among them, and the sections that they stand in."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from pathlib import Path
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+from mdit_py_plugins.colon_fence import colon_fence_plugin
+from mdit_py_plugins.dollarmath import dollarmath_plugin
+
+from verification.document.front_matter import split_front_matter
+from verification.document.model import Display, Document, Table
+from verification.document.places import place_displays, place_table
+
+ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "caution", "error", "hint", "attention", "danger",
+                         "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin"])  # fmt: skip
+_DIRECTIVE = re.compile(
+    r"\s*\{?\s*\.?(?P<name>[\w:-]*)"
+)  # ```{math}, :::{admonition} Erratum, ::: {.erratum}, ::: warning
+_ERRATUM = re.compile(r"(?<![A-Za-z])errat(?:um|a)\b", re.IGNORECASE)
+_LABEL = re.compile(
+    r"(\$\$)[ \t]*\{#[^{}\n]*(?:\{[^{}\n]*\})?[^{}\n]*\}[ \t]*$", re.MULTILINE
+)  # Quarto's: $$ {#eq-jacobian}
+_HTML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+
+
+def read_markdown_file(path: Path, text: str) -> Document:
+    """Return the document of a Markdown file's text."""
+    front, lines, body, first = split_front_matter(path, text)
+    displays, tables = read_markdown(body, first)
+    return Document(path, front or {}, tuple(displays), tuple(tables), lines)
+
+
+def read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list[Display], list[Table]]:
+    """Return the displays and tables of a Markdown text that begins on line `first` of the file or of the cell."""
+    body = without_labels(body)
+    displays, tables = _read_blocks(body, first, cell, "", False)
+    source = body.split("\n")
+    return place_displays(displays, source, first), [place_table(table, source, first) for table in tables]
+
+
+def _read_blocks(
+    body: str, first: int, cell: int | None, section: str, in_erratum: bool
+) -> tuple[list[Display], list[Table]]:
+    """Return the displays and tables of a text, or of what stands in one of its directives; without their places."""
+    displays: list[Display] = []
+    tables: list[Table] = []
+    quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
+    tokens = markdown_reader().parse(body)
+    for index, token in enumerate(tokens):
+        if token.type == "heading_open":
+            section = tokens[index + 1].content
+        elif token.type == "blockquote_open":
+            quotes.append(_is_erratum(tokens, index))
+        elif token.type == "blockquote_close":
+            quotes.pop()
+        elif token.type in ("math_block", "math_block_label"):
+            line = first + (token.map[0] if token.map else 0)
+            displays.extend(_block_displays(token.content, line, any(quotes), cell, section))
+        elif token.type == "html_block" and "$$" in _HTML_COMMENT.sub("", token.content):
+            line = first + (token.map[0] if token.map else 0) + token.content[: token.content.index("$$")].count("\n")
+            displays.append(
+                Display(line, token.content[token.content.index("$$") + 2 :], any(quotes), cell, section, closed=False)
+            )
+        elif token.type == "inline":
+            displays.extend(_inline_displays(token, first, any(quotes), cell, section))
+        elif token.type == "table_open":
+            tables.append(_read_table(tokens, index, first, any(quotes), cell, section))
+        elif token.type in ("fence", "colon_fence") and (inside := _DIRECTIVE.match(token.info)) is not None:
+            line = first + (token.map[0] if token.map else 0)
+            if inside.group("name") == "math":
+                displays.extend(_math_directive(token, line, any(quotes), cell, section))
+            elif token.type == "colon_fence" or inside.group("name") in ADMONITIONS:
+                erratum = any(quotes) or _ERRATUM.search(token.info) is not None or _begins_as_erratum(token.content)
+                more, more_tables = _read_blocks(token.content, line + 1, cell, section, erratum)
+                displays += more
+                tables += more_tables
+    return displays, tables
+
+
+def without_labels(body: str) -> str:
+    """Return a text whose equations have no labels, every other character at its place."""
+    return _LABEL.sub(lambda found: found.group(1) + " " * (len(found.group()) - len(found.group(1))), body)
+
+
+@lru_cache(maxsize=1)
+def markdown_reader() -> MarkdownIt:
+    """Return the reader of the Markdown that documents are written in."""
+    return (
+        MarkdownIt("commonmark", {"maxNesting": 100})
+        .enable("table")
+        .use(colon_fence_plugin)
+        .use(dollarmath_plugin, allow_labels=True, double_inline=True)
+    )
+
+
+def _is_erratum(tokens: list[Token], start: int) -> bool:
+    """Whether the first words of a blockquote are **Erratum**."""
+    first = next((t for t in tokens[start + 1 :] if t.type in ("inline", "blockquote_close", "math_block")), None)
+    return (
+        first is not None
+        and first.type == "inline"
+        and bool(re.match(r"[*_\s]*errat(?:um|a)\b", first.content, re.IGNORECASE))
+    )
+
+
+def _begins_as_erratum(content: str) -> bool:
+    return re.match(r"[#*_\s]*errat(?:um|a)\b", content, re.IGNORECASE) is not None
+
+
+def _math_directive(token: Token, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
+    """Yield the equation of a MyST directive, its options left out."""
+    lines = token.content.split("\n")
+    if lines and lines[0].strip() == "---" and "---" in (rest := [text.strip() for text in lines[1:]]):
+        lines = lines[rest.index("---") + 2 :]
+    while lines and re.match(r"\s*(?::[\w-]+:.*)?$", lines[0]):
+        lines = lines[1:]
+    latex = "\n".join(lines).rstrip()
+    if latex:
+        yield Display(line, latex, erratum, cell, section, opening=f"{token.markup}{token.info}")
+
+
+def _block_displays(content: str, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
+    """Yield the displays of a block: `$$ a = 1 $$ $$ b = 2 $$` on one line are two."""
+    for index, part in enumerate(content.split("$$")):
+        if index % 2 == 0:
+            yield Display(line, part.strip("\n"), erratum, cell, section)
+        line += part.count("\n")
+
+
+def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
+    base = first + (token.map[0] if token.map else 0)
+    cursor = 0
+    for child in token.children or []:
+        if child.type == "math_inline_double":
+            at = token.content.find("$$" + child.content, cursor)
+            cursor = at + len(child.content) + 4
+            yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
+        elif child.type == "text" and "$$" in child.content and (at := token.content.find("$$", cursor)) >= 0:
+            yield Display(
+                base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False
+            )
+            return
+
+
+def _read_table(tokens: list[Token], start: int, first: int, erratum: bool, cell: int | None, section: str) -> Table:
+    rows: list[list[str]] = []
+    for token in tokens[start:]:
+        if token.type == "tr_open":
+            rows.append([])
+        elif token.type == "inline":
+            rows[-1].append(token.content.strip().strip("$").strip())
+        elif token.type == "table_close":
+            break
+    opening = tokens[start]
+    line = first + (opening.map[0] if opening.map else 0)
+    return Table(line, tuple(rows[0]), tuple(tuple(row) for row in rows[1:]), erratum, cell, section)

@@ -1,0 +1,72 @@
+"""What a document is once it is read: its displays and tables, each with its place in the file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A part of a display's LaTeX that stands in the file as it is: from `at` on, `length` characters.
+
+    `line` (from 1) and `column` (from 0) are its place in the file, or in a notebook's cell. A part that a macro stands for
+    has no characters of its own there: it is replaced as a whole, up to `end`.
+    """
+
+    at: int
+    length: int
+    line: int
+    column: int
+    in_dollars: bool = True  # a table's cell may hold a number without them
+    end: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
+class Display:
+    """One display: its LaTeX, the line of its opening (from 1), the notebook cell if any.
+
+    `pieces` leads from the LaTeX back to the file: block quotes, comments and macros of the author's own stand between
+    them. It is empty where the place of the LaTeX is not known.
+    """
+
+    line: int
+    latex: str
+    erratum: bool = False
+    cell: int | None = None
+    section: str = ""
+    closed: bool = True
+    opening: str = "$$"  # what it begins with in the file
+    pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Table:
+    """A Markdown table: header and rows of LaTeX (the `$` removed).
+
+    `pieces` are the places of its cells, row by row, the header's first; None where one is not known.
+    """
+
+    line: int
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    erratum: bool = False
+    cell: int | None = None
+    section: str = ""
+    pieces: tuple[tuple[Piece | None, ...], ...] = field(default=(), compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Document:
+    """A document as read; `front` is its front matter, `lines` the line of each key in it."""
+
+    path: Path
+    front: dict[str, Any]
+    displays: tuple[Display, ...]
+    tables: tuple[Table, ...]
+    lines: dict[str, int] = field(default_factory=dict)
+
+    def at(self, key: str) -> str:
+        """Return `file:line` of a front-matter key, for messages."""
+        return f"{self.path}:{self.lines.get(key, 1)}"

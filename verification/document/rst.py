@@ -1,0 +1,151 @@
+"""Read reStructuredText: `.. math::` blocks, sections, errata.
+
+The front matter stands in a comment at the head of the file or in its field list (docinfo):
+
+    ..                            :arm: scara
+       arm: scara                 :source: F. Morbidi, TD 3
+       source: F. Morbidi, TD 3
+
+An erratum is a block in an `.. erratum::` or `.. admonition:: Erratum`, or in a block quote that begins with **Erratum**.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
+from verification.document.model import Display, Document, Piece
+
+_MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
+_ERRATUM = re.compile(
+    r"\s*(?:\.\. (?:errat(?:um|a)|[\w-]+::\s*errat(?:um|a))\b|\s[*_\s]*errat(?:um|a)\b)", re.IGNORECASE
+)
+_OPTION = re.compile(r"\s*:[\w-]+:")
+_RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
+
+
+def read_rst(path: Path, text: str) -> Document:
+    """Return the document of a reStructuredText file."""
+    lines = text.replace("\r\n", "\n").split("\n")
+    front, places = _front_matter(path, lines)
+    return Document(path, front, tuple(_displays(lines)), (), places)
+
+
+def _front_matter(path: Path, lines: list[str]) -> tuple[dict[str, Any], dict[str, int]]:
+    """Read the YAML of the first comment, or the fields at the head or below the title."""
+    row = next((k for k, line in enumerate(lines) if line.strip()), len(lines))
+    if row + 1 < len(lines) and not lines[row].startswith(("..", ":")):  # a title, under its rule or between two
+        row += 3 if _RULE.match(lines[row]) else 2
+        row = next((k for k in range(row, len(lines)) if lines[k].strip()), len(lines))
+    if row >= len(lines):
+        return {}, {}
+    if re.fullmatch(r"\.\.(?: .*)?", lines[row].rstrip()) and not re.match(r"\.\. [\w|\[_-]+.*::", lines[row]):
+        return _of_comment(path, lines, row)
+    if found := re.match(r":([A-Za-z_]+):", lines[row]):
+        return _of_fields(path, lines, row) if found else ({}, {})
+    return {}, {}
+
+
+def _of_comment(path: Path, lines: list[str], row: int) -> tuple[dict[str, Any], dict[str, int]]:
+    block = [lines[row][2:]] if lines[row][2:].strip() else []
+    first = row if block else row + 1
+    block += _indented(lines, row + 1)
+    margin = min((len(line) - len(line.lstrip()) for line in block if line.strip()), default=0)
+    head = [line[margin:] for line in block]
+    while head and not head[0].strip():
+        head, first = head[1:], first + 1
+    keyed = head and (head[0].rstrip() == "---" or re.match(r"(?:%s)\s*:" % "|".join(FRONT_MATTER_KEYS), head[0]))
+    return _parsed(path, head, first + 1) if keyed else ({}, {})
+
+
+def _of_fields(path: Path, lines: list[str], row: int) -> tuple[dict[str, Any], dict[str, int]]:
+    head: list[str] = []
+    for line in lines[row:]:
+        field = re.match(r":([A-Za-z_]+):(.*)$", line)
+        if field is None and not (line.startswith(" ") and line.strip()):
+            break
+        head.append(f"{field.group(1)}:{field.group(2)}" if field else line)
+    return _parsed(path, head, row + 1)
+
+
+def _parsed(path: Path, head: list[str], first: int) -> tuple[dict[str, Any], dict[str, int]]:
+    fenced = head[0].rstrip() == "---"
+    block = "\n".join(head if fenced else ["---", *head, "---"])
+    front, places, _, _ = split_front_matter(path, block + "\n", first if fenced else first - 1)
+    return front or {}, places
+
+
+def _indented(lines: list[str], row: int) -> Iterator[str]:
+    """Yield the lines of a block from a row on, as long as they are indented or blank."""
+    for line in lines[row:]:
+        if line.strip() and not line.startswith((" ", "\t")):
+            return
+        yield line
+
+
+def _displays(lines: list[str]) -> Iterator[Display]:
+    section = ""
+    erratum: int | None = None  # the indent of the erratum that is open
+    hidden: int | None = None  # the indent of a comment or of code
+    for row, line in enumerate(lines):
+        if not line.strip():
+            continue
+        indent = len(line) - len(line.lstrip())
+        if hidden is not None and indent > hidden:
+            continue
+        hidden = None
+        if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
+            erratum = None
+        if (found := _MATH.match(line)) is not None:
+            yield from _block(lines, row, found, erratum is not None, section)
+            hidden = len(found.group("margin"))
+        elif _ERRATUM.match(line) and erratum is None:
+            erratum = indent + 1 if line.lstrip().startswith("..") else indent
+        elif re.match(r"\s*\.\.(?:\s+(?!\S+::)|\s*$)|\s*\.\. (?:code|code-block|sourcecode)::|.*(?<!:)::\s*$", line):
+            hidden = indent
+        elif row + 1 < len(lines) and not indent and _RULE.match(lines[row + 1]) and not _RULE.match(line):
+            section = line.strip()
+
+
+def _block(lines: list[str], row: int, found: re.Match[str], erratum: bool, section: str) -> Iterator[Display]:
+    """Yield the equations of a math block: blank lines stand between them."""
+    margin = len(found.group("margin"))
+    group: list[tuple[int, str]] = []
+    if argument := found.group("argument").strip():
+        group.append((row, argument))
+    options, opening = True, row
+    for number in range(row + 1, len(lines)):
+        line = lines[number]
+        if line.strip() and len(line) - len(line.lstrip()) <= margin:
+            break
+        if options and _OPTION.match(line):
+            continue
+        options = options and not line.strip() and not group
+        if line.strip():
+            group.append((number, line.strip()))
+        elif group and _is_whole(group):
+            yield _display(lines, opening, group, erratum, section)
+            group, opening = [], -1
+    if group:
+        yield _display(lines, opening, group, erratum, section)
+
+
+def _is_whole(group: list[tuple[int, str]]) -> bool:
+    r"""Whether no environment is open: a blank line within a matrix ends no equation."""
+    text = "\n".join(line for _, line in group)
+    return text.count("\\begin{") == text.count("\\end{")
+
+
+def _display(lines: list[str], row: int, group: list[tuple[int, str]], erratum: bool, section: str) -> Display:
+    """Return an equation of a block: the first at the block's own row, the others (row -1) where they begin."""
+    pieces: list[Piece] = []
+    at = 0
+    for number, text in group:
+        pieces.append(Piece(at, len(text), number + 1, lines[number].rindex(text)))
+        at += len(text) + 1
+    line = (row if row >= 0 else group[0][0]) + 1
+    latex = "\n".join(text for _, text in group)
+    return Display(line, latex, erratum, None, section, opening=".. math::", pieces=tuple(pieces))

@@ -1,0 +1,192 @@
+r"""The author's own macros in LaTeX: found by `\newcommand` and its like, expanded a bounded number of times."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from verification.document.model import Piece
+
+MOST_EXPANSIONS = 500  # in one display
+LONGEST = 50_000  # characters of a display
+_COMMAND = re.compile(
+    r"\\(?:re|provide)?newcommand\*?\s*(?:\{\s*(\\[A-Za-z]+)\s*\}|(\\[A-Za-z]+))\s*(?:\[(\d)\]\s*)?(?:\[([^\]]*)\]\s*)?\{"
+    r"|\\def\s*(\\[A-Za-z]+)\s*((?:#\d)*)\s*\{|\\DeclareMathOperator\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*\{"
+)
+_BOUNDARY = re.compile(r"\s*\\(begin|end)\s*\{(\w+\*?)\}\s*")
+_USE = re.compile(r"\\[A-Za-z]+")
+Place = Callable[[int], tuple[int, int]]
+
+
+@dataclass(frozen=True)
+class Macro:
+    """A macro: how many arguments it takes, the first one's default, and its body with #1, #2, …"""
+
+    arguments: int
+    default: str | None
+    body: str
+
+
+@dataclass(frozen=True)
+class _Character:
+    """A character of an expanded display and the part of the file that it comes from, as offsets."""
+
+    text: str
+    start: int
+    end: int
+
+
+class Macros:
+    """The macros of a document."""
+
+    def __init__(self, macros: dict[str, Macro]) -> None:
+        self.macros = macros
+        self._boundaries = {
+            name: (found.group(1), found.group(2))
+            for name, macro in macros.items()
+            if not macro.arguments and (found := _BOUNDARY.fullmatch(macro.body)) is not None
+        }
+
+    def opens(self, name: str) -> str | None:
+        r"""Return the environment that a macro opens: \be for \begin{equation}."""
+        boundary = self._boundaries.get(name)
+        return boundary[1] if boundary is not None and boundary[0] == "begin" else None
+
+    def closings(self, environment: str) -> str:
+        """Return the pattern of what closes an environment."""
+        names = [name for name, boundary in self._boundaries.items() if boundary == ("end", environment)]
+        own = "|".join(re.escape(name) + "(?![A-Za-z])" for name in names)
+        return rf"\\end\s*\{{{re.escape(environment)}\}}" + (f"|{own}" if own else "")
+
+    def expanded(self, latex: str, offset: int, place: Place) -> tuple[str, tuple[Piece, ...]]:
+        """Return a display with its macros expanded, and the places of its parts; `offset` is where it stands.
+
+        What expands for ever, or past all bounds, is left as it stands.
+        """
+        used = any(found.group() in self.macros for found in _USE.finditer(latex))
+        characters = [_Character(c, offset + k, offset + k + 1) for k, c in enumerate(latex)]
+        characters = (self._expand(characters) or characters) if used else characters
+        text = "".join(c.text for c in characters)
+        return text, _pieces(characters, place)
+
+    def _expand(self, characters: list[_Character]) -> list[_Character] | None:
+        for _ in range(MOST_EXPANSIONS):
+            text = "".join(c.text for c in characters)
+            if len(text) > LONGEST:
+                return None
+            use = next((found for found in _USE.finditer(text) if found.group() in self.macros), None)
+            if use is None:
+                return characters
+            replaced = self._replaced(text, characters, use)
+            if replaced is None:
+                return None
+            characters = replaced
+        return None
+
+    def _replaced(self, text: str, characters: list[_Character], use: re.Match[str]) -> list[_Character] | None:
+        """Return the characters with one use of a macro replaced by its body; None where its arguments are not all there."""
+        macro = self.macros[use.group()]
+        end = use.end()
+        arguments: list[list[_Character]] = []
+        if macro.default is not None:
+            optional = re.compile(r"\s*\[([^\]]*)\]").match(text, end)
+            here = characters[use.start()]
+            if optional:
+                arguments.append(characters[slice(*optional.span(1))])
+                end = optional.end()
+            else:
+                arguments.append([_Character(c, here.start, here.end) for c in macro.default])
+        while len(arguments) < macro.arguments:
+            span = _argument(text, end)
+            if span is None:
+                return None
+            arguments.append(characters[slice(*span[:2])])
+            end = span[2]
+        whole = (characters[use.start()].start, characters[end - 1].end)
+        if not macro.arguments and text[end : end + 1] == " ":
+            end += 1  # the blank that ends a command's name
+        body = _filled(macro.body, arguments, whole)
+        if text[end : end + 1].isalpha() and re.search(r"\\[A-Za-z]+$", macro.body):
+            body.append(_Character(" ", *whole))
+        return [*characters[: use.start()], *body, *characters[end:]]
+
+
+def find_macros(text: str) -> tuple[Macros, str]:
+    """Return the macros that a text defines, and the text with their definitions blank."""
+    macros: dict[str, Macro] = {}
+    for found in _COMMAND.finditer(text):
+        close = closing_brace(text, found.end() - 1)
+        if close < 0:
+            continue
+        braced, plain, count, default, defined, parameters, operator = found.groups()
+        body = text[found.end() : close]
+        if operator:
+            body = rf"\operatorname{{{body}}}"
+        number = int(count) if count else (parameters or "").count("#")
+        macros[braced or plain or defined or operator] = Macro(number, default, body)
+        text = text[: found.start()] + blank(text[found.start() : close + 1]) + text[close + 1 :]
+    return Macros(macros), text
+
+
+def blank(text: str) -> str:
+    """Return blanks for a text, its lines kept."""
+    return re.sub(r"[^\n]", " ", text)
+
+
+def closing_brace(text: str, opening: int) -> int:
+    """Return the place of the brace that closes the one at `opening`, or -1."""
+    depth = 0
+    for found in re.compile(r"\\.|[{}]", re.DOTALL).finditer(text, opening):
+        depth += {"{": 1, "}": -1}.get(found.group(), 0)
+        if depth == 0 and found.group() == "}":
+            return found.start()
+    return -1
+
+
+def _argument(text: str, position: int) -> tuple[int, int, int] | None:
+    """Return where an argument begins and ends, and the place behind it: a group, a command or one character."""
+    while position < len(text) and text[position].isspace():
+        position += 1
+    if position >= len(text):
+        return None
+    if text[position] == "{":
+        close = closing_brace(text, position)
+        return None if close < 0 else (position + 1, close, close + 1)
+    command = re.compile(r"\\(?:[A-Za-z]+|.)", re.DOTALL).match(text, position)
+    end = command.end() if command else position + 1
+    return position, end, end
+
+
+def _filled(body: str, arguments: Sequence[list[_Character]], whole: tuple[int, int]) -> list[_Character]:
+    filled: list[_Character] = []
+    for found in re.finditer(r"#(\d)|.", body, re.DOTALL):
+        if found.group(1) and int(found.group(1)) <= len(arguments):
+            filled.extend(arguments[int(found.group(1)) - 1])
+        else:
+            filled.append(_Character(found.group(), *whole))
+    return filled
+
+
+def _pieces(characters: Sequence[_Character], place: Place) -> tuple[Piece, ...]:
+    """Return the parts that stand in the file as they are, line by line, and what macros stand for, as wholes."""
+    pieces: list[Piece] = []
+    k = 0
+    while k < len(characters):
+        first, start = characters[k], k
+        k += 1
+        if first.text == "\n" and first.end == first.start + 1:
+            continue
+        if first.end == first.start + 1:
+            while k < len(characters) and characters[k].text != "\n" and _follows(characters[k - 1], characters[k]):
+                k += 1
+            pieces.append(Piece(start, k - start, *place(first.start)))
+            continue
+        while k < len(characters) and (characters[k].start, characters[k].end) == (first.start, first.end):
+            k += 1
+        pieces.append(Piece(start, k - start, *place(first.start), end=place(first.end)))
+    return tuple(pieces)
+
+
+def _follows(a: _Character, b: _Character) -> bool:
+    return b.start == a.end and b.end == b.start + 1

@@ -1,0 +1,82 @@
+"""Completeness: every configuration that reaches a target is returned by some branch.
+
+The target is that of a configuration q, and every joint solved before the one at hand is that of q. Then each root in a step
+is that of a square, ±k, whose sign the configuration decides; for every choice of these signs there must be a branch on which
+each step gives back the joint of q. So the solutions are the branches and no others, wherever the formulas have a value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import product
+
+from models.arm import Arm
+from verification.inverse.configuration_ring import ConfigurationRing, OpenSign
+from verification.inverse.derivation import Derivation, Signs
+from verification.inverse.forward import forward_values
+from verification.inverse.resolution import Resolution
+from verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra
+
+
+def find_lost_step(derivation: Derivation, denominators: Mapping[str, int], deadline: float) -> str | None:
+    """Return the first joint that no branch gives back for some configurations, or None where completeness is proved.
+
+    Raises:
+        TooComplex: the polynomials grow beyond the bounds.
+        EvaluationError: a step that has no exact value.
+    """
+    return _Search(derivation, denominators, deadline).lost(0, {}, {})
+
+
+class _Search:
+    def __init__(self, derivation: Derivation, denominators: Mapping[str, int], deadline: float) -> None:
+        arm = derivation.names.arm
+        assert arm is not None
+        self.derivation = derivation
+        self.arm: Arm = arm
+        self.ring = ConfigurationRing(denominators, arm.lengths)
+        self.ring.deadline = deadline
+        given = forward_values(derivation, free_algebra(self.ring, arm))
+        self.algebra = SymbolicAlgebra(self.ring, arm, derivation.target, given)
+
+    def lost(self, index: int, chosen: Signs, factors: Signs) -> str | None:
+        """Return the joint lost at a step or after it, given the branch so far and the signs of some factors."""
+        if index == len(self.derivation.steps):
+            return None
+        try:
+            returning = self._returning(index, chosen, factors)
+        except OpenSign as found:
+            factor = found.factor
+        else:
+            lost = self.derivation.steps[index].joint
+            for branch in returning:
+                after = self.lost(index + 1, branch, factors)
+                if after is None:
+                    return None
+                lost = after
+            return lost
+        # The sign of a root decides: what follows must hold for either.
+        cases = (self.lost(index, chosen, {**factors, factor: sign}) for sign in (1, -1))
+        return next((joint for joint in cases if joint is not None), None)
+
+    def _returning(self, index: int, chosen: Signs, factors: Signs) -> list[Signs]:
+        """Return the branches, with the signs that the step brings in, on which it gives back its joint."""
+        returns, met = self._try(index, chosen, factors)
+        new = [name for name in met if name not in chosen]
+        branches: list[Signs] = [{**chosen, **dict.fromkeys(new, 1)}] if returns else []
+        for signs in list(product((1, -1), repeat=len(new)))[1:]:
+            branch = {**chosen, **dict(zip(new, signs, strict=True))}
+            if self._try(index, branch, factors)[0]:
+                branches.append(branch)
+        return branches
+
+    def _try(self, index: int, chosen: Signs, factors: Signs) -> tuple[bool, list[str]]:
+        """Return whether a step gives back its joint, and the signs that it has met."""
+        ring, step = self.ring, self.derivation.steps[index]
+        ring.signs = factors
+        self.algebra.solved = {k.joint: ring.symbol(k.joint) for k in self.derivation.steps[:index]}
+        resolution = Resolution(self.derivation, self.algebra, chosen)
+        difference = resolution.scalar(step.formula) - ring.symbol(step.joint)
+        if self.arm.joint(step.joint).kind == "revolute" and not difference.is_zero():
+            difference = ring.cos_sin(difference)[0] - 1
+        return difference.is_zero(), resolution.branching

@@ -1,0 +1,71 @@
+"""A closed-form solution as a derivation: which formula gives each joint, each name on the way, and where it branches."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from itertools import product
+from typing import Any, Protocol
+
+from verification.algebra import Algebra
+from verification.errors import EvaluationError
+from verification.inverse.formulas import Formula
+from verification.inverse.target import Target
+from verification.names import Names
+from verification.quantities import Quantity
+
+Meaning = Formula | Quantity
+Signs = Mapping[str, int]
+
+
+class UnsolvedJoint(EvaluationError):
+    """A formula uses a joint that has no value yet."""
+
+    def __init__(self, joint: str) -> None:
+        super().__init__(f"it uses {joint}, which is not solved before")
+        self.joint = joint
+
+
+class SolvingAlgebra(Algebra, Protocol):
+    """An algebra in which joints get their values one after the other."""
+
+    solved: dict[str, Any]
+
+    def solve(self, joint: str, value: Any) -> None:
+        """Give a joint its value."""
+        ...
+
+    def named(self, key: str, value: Any) -> Any:
+        """Return what stands for the value of a name from here on."""
+        ...
+
+
+@dataclass(frozen=True)
+class Step:
+    """A joint and the formula that solves for it."""
+
+    joint: str
+    formula: Formula
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """The steps of a solution in order, what its names mean, and its independent signs.
+
+    Attributes:
+        choice: the meaning taken for each name on the way.
+        signs: the name of each independent sign: "sigma_1" for a sign that has a name, else the joint or name whose
+            formula holds the ±.
+    """
+
+    names: Names
+    target: Target
+    formulas: Mapping[str, list[Formula]]
+    steps: tuple[Step, ...] = ()
+    choice: Mapping[str, Meaning] = field(default_factory=dict)
+    signs: tuple[str, ...] = ()
+
+    @property
+    def branches(self) -> tuple[dict[str, int], ...]:
+        """Every choice of signs, + before −."""
+        return tuple(dict(zip(self.signs, signs, strict=True)) for signs in product((1, -1), repeat=len(self.signs)))

@@ -1,0 +1,62 @@
+"""From a document to its inverse kinematics."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from models.catalogue import load_arm
+from models.errors import ArmproofError
+from verification.document import Document, read_document
+from verification.errors import DocumentError, EvaluationError
+from verification.inverse.branch_graph import BranchGraph
+from verification.inverse.claim import read_claim
+from verification.inverse.derivation import Derivation
+from verification.inverse.formulas import read_formulas
+from verification.inverse.forward import forward_values
+from verification.inverse.kinematics import InverseKinematics
+from verification.inverse.numeric_algebra import NumericAlgebra
+from verification.inverse.planning import plan
+from verification.inverse.symbolic_algebra import free_algebra
+from verification.inverse.target import read_target
+from verification.names import Names, read_names
+from verification.ring import Ring
+
+
+def read_inverse(source: Path | str | Document) -> InverseKinematics:
+    """Return the closed-form inverse of a document whose front matter has `inverse`.
+
+    Raises:
+        DocumentError: the document has none, or its displays do not solve for every joint.
+    """
+    document = source if isinstance(source, Document) else read_document(Path(source))
+    if "inverse" not in document.front:
+        raise DocumentError(f"{document.path}: no 'inverse' in the front matter, as inverse: {{target: [X, Y]}}")
+    try:
+        spec = document.front.get("arm")
+        arm = load_arm(spec, document.path.parent) if spec is not None else None
+        return InverseKinematics(read_derivation(document, read_names(arm, document.front)))
+    except DocumentError as error:
+        raise DocumentError(f"{document.at(error.key or 'inverse')}: {error}") from None
+    except ArmproofError as error:
+        raise DocumentError(f"{document.at('arm')}: {error}") from None
+
+
+def read_derivation(document: Document, names: Names) -> Derivation:
+    """Return the steps of a document's solution; raises DocumentError where a joint is not solved for."""
+    claim = read_claim(document.front["inverse"], names.arm, names)
+    assert names.arm is not None
+    target = read_target(claim)
+    start = Derivation(names, target, read_formulas(document, names))
+    _check_target(start)
+    values = {**names.arm.lengths, **names.arm.angles}
+    return plan(start, claim.joints, NumericAlgebra(names.arm, target, BranchGraph(), values))
+
+
+def _check_target(derivation: Derivation) -> None:
+    """Raise DocumentError for a name of the target without a meaning on the arm."""
+    arm = derivation.names.arm
+    assert arm is not None
+    try:
+        forward_values(derivation, free_algebra(Ring(), arm))
+    except EvaluationError as error:
+        raise DocumentError(f"'inverse': {error}", "inverse") from None

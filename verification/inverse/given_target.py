@@ -1,0 +1,69 @@
+"""An algebra to which the target is given: cells of poses and named angles have values of their own."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from verification.algebra import Value
+from verification.arm_algebra import ArmAlgebra
+from verification.errors import EvaluationError
+from verification.inverse.target import Target
+from verification.matrix import Matrix
+from verification.quantities import Quantity
+
+
+class NotGiven(EvaluationError):
+    """A cell of the target's pose that the target leaves open."""
+
+
+class GivenTarget(ArmAlgebra):
+    """An algebra over an arm in which the poses of the target are what is given, and every other is that of the joints."""
+
+    target: Target
+    given: dict[str, Any]  # the value of each slot that a display defines
+
+    def give(self, target: Target, values: Sequence[Any]) -> None:
+        """Take the value of each slot of the target."""
+        self.target = target
+        self.given = {slot.key: value for slot, value in zip(target.slots, values, strict=True) if slot.is_name}
+        self._values = tuple(values)
+        self._poses: dict[tuple[str, str], Matrix] = {}
+
+    def named(self, key: str, value: Value) -> Value:
+        """Return what stands for the value of a name: the value itself."""
+        return value
+
+    @abstractmethod
+    def free_pose(self, frame: str, reference: str) -> Matrix:
+        """Return ^{reference}T_{frame}, 4×4, of the joints that are solved."""
+
+    def quantity(self, quantity: Quantity) -> Value:
+        """Return a quantity: of the target if it is made of what is given, else of the joints solved so far."""
+        if (quantity.frame, quantity.reference) not in self.target.pairs or quantity.kind == "jacobian":
+            return super().quantity(quantity)
+        try:
+            value = super().quantity(quantity)
+            cells = [cell for row in value.rows for cell in row] if isinstance(value, Matrix) else [value]
+        except TypeError:  # a difference of an origin that is not given
+            cells = [None]
+        if any(cell is None for cell in cells):
+            self._cache.pop(quantity, None)
+            raise NotGiven(f"it uses a part of the pose of frame {quantity.frame} that is not in the target")
+        return value
+
+    def pose(self, frame: str, reference: str) -> Matrix:
+        """Return the pose, with None for the cells that the target leaves open."""
+        if (frame, reference) not in self.target.pairs:
+            if (frame, reference) not in self._poses:
+                self._poses[frame, reference] = self.free_pose(frame, reference)
+            return self._poses[frame, reference]
+        cells = self.target.cells((frame, reference))
+        last = [self.rational(Fraction(number)) for number in (0, 0, 0, 1)]
+        rows = [
+            [self._values[cells[r, c]] if (r, c) in cells else None for c in range(4)]
+            for r in range(3)
+        ]  # fmt: skip
+        return Matrix((*(tuple(row) for row in rows), tuple(last)))

@@ -1,0 +1,118 @@
+"""The algebra in which a derivation is compiled: its scalars are terms of a graph, evaluated later over many targets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from math import pi
+from typing import Any
+
+from models.arm import Arm
+from models.entry import Entry, Rows, root_value
+from models.exact import angle_value
+from models.graph import ONE
+from verification.algebra import OutsideAlgebra, Value
+from verification.inverse.branch_graph import BranchGraph
+from verification.inverse.derivation import UnsolvedJoint
+from verification.inverse.given_target import GivenTarget
+from verification.inverse.numeric_scalar import NumericScalar
+from verification.inverse.target import Target
+from verification.matrix import Matrix
+
+
+class NumericAlgebra(GivenTarget):
+    """Terms of one graph: the target's slots are inputs, lengths are numbers, joints have the values solved for.
+
+    Args:
+        values: the number of each length and constant angle.
+        solved: the value of each joint; filled as a derivation goes on.
+    """
+
+    def __init__(self, arm: Arm, target: Target, graph: BranchGraph, values: Mapping[str, float]) -> None:
+        slots = [NumericScalar(graph, graph.input("target", str(index))) for index in range(len(target.slots))]
+        super().__init__(arm)
+        self.give(target, slots)
+        self.graph = graph
+        self.values = values
+        self.solved: dict[str, NumericScalar] = {}
+
+    def solve(self, joint: str, value: NumericScalar) -> None:
+        """Give a joint its value."""
+        self.solved[joint] = value
+
+    def check_time(self) -> None:
+        """Compiling is not timed."""
+
+    def rational(self, value: Fraction) -> NumericScalar:
+        return self._number(float(value))
+
+    def pi(self) -> NumericScalar:
+        return self._number(pi)
+
+    def symbol(self, name: str) -> NumericScalar:
+        assert self.arm is not None
+        if any(joint.symbol == name for joint in self.arm.joints):
+            if name not in self.solved:
+                raise UnsolvedJoint(name)
+            return self.solved[name]
+        if name not in self.values:
+            raise OutsideAlgebra(f"'{name}', which has no value,")
+        return self._number(self.values[name])
+
+    def cos_sin(self, angle: NumericScalar) -> tuple[NumericScalar, NumericScalar]:
+        cosine, sine = self.graph.cos_sin(angle.term)
+        return NumericScalar(self.graph, cosine), NumericScalar(self.graph, sine)
+
+    def sqrt(self, value: NumericScalar) -> NumericScalar:
+        return NumericScalar(self.graph, self.graph.sqrt(value.term))
+
+    def arc(self, function: str, arguments: list[NumericScalar]) -> NumericScalar:
+        terms = [argument.term for argument in arguments]
+        graph = self.graph
+        if function == "atan":
+            return NumericScalar(graph, graph.atan2(terms[0], ONE))
+        arcs: dict[str, Any] = {"atan2": graph.atan2, "acos": graph.acos, "asin": graph.asin}
+        return NumericScalar(graph, arcs[function](*terms))
+
+    def absolute(self, value: NumericScalar) -> NumericScalar:
+        return NumericScalar(self.graph, self.graph.absolute(value.term))
+
+    def derivative(self, value: Any, variable: Any) -> Any:
+        raise OutsideAlgebra("a derivative")
+
+    def rank(self, matrix: Matrix) -> Any:
+        raise OutsideAlgebra("a rank")
+
+    def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:
+        raise OutsideAlgebra("a value at a configuration")
+
+    def free_pose(self, frame: str, reference: str) -> Matrix:
+        assert self.arm is not None
+        return self._from_entries(self.arm.trace.pose(frame, reference))
+
+    def jacobian(self, frame: str, expressed_in: str) -> Matrix:
+        assert self.arm is not None
+        return self._from_entries(self.arm.trace.jacobian(frame, expressed_in, self.arm.frames[0]))
+
+    def _number(self, value: float) -> NumericScalar:
+        return NumericScalar(self.graph, self.graph.number(value))
+
+    def _from_entries(self, rows: Rows) -> Matrix:
+        return Matrix(tuple(tuple(self._from_entry(entry) for entry in row) for row in rows))
+
+    def _from_entry(self, entry: Entry) -> NumericScalar:
+        total = self._number(0.0)
+        for monomial, coefficient in entry.items():
+            term = self._number(float(coefficient))
+            for generator, power in monomial:
+                term = term * self._generator(*generator) ** power
+            total = total + term
+        return total
+
+    def _generator(self, kind: str, name: str) -> NumericScalar:
+        if kind == "sqrt":
+            return self._number(root_value(name))
+        assert self.arm is not None
+        known = name in self.values or any(joint.symbol == name for joint in self.arm.joints)
+        value = self.symbol(name) if known else self._number(angle_value(name))
+        return value if kind == "symbol" else self.cos_sin(value)[0 if kind == "cos" else 1]

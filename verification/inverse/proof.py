@@ -1,0 +1,178 @@
+"""The proof of a closed-form inverse: FK(IK(x)) = x on every branch, and every configuration on a branch."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+
+from verification.angle_ring import AngleFraction
+from verification.errors import EvaluationError
+from verification.inverse.compiled import Compiled
+from verification.inverse.completeness import find_lost_step
+from verification.inverse.conditions import Conditions, read_conditions
+from verification.inverse.derivation import Derivation, Signs
+from verification.inverse.refutation import refute, refute_for_other_lengths
+from verification.inverse.roots import SubstitutionRing
+from verification.inverse.substitution import returns_target
+from verification.inverse.target_values import TargetValues, any_target, target_of_a_configuration
+from verification.inverse.trial import try_branches
+from verification.verdict import Verdict
+
+if TYPE_CHECKING:
+    from verification.inverse.kinematics import InverseKinematics
+
+SECONDS = 10.0  # for each of the two parts of a proof
+MOST_FRACTIONS = 6
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What is known of a closed-form inverse.
+
+    Attributes:
+        verdict: proved (both parts exactly), confirmed (at least one on samples only) or refuted.
+        branches: the signs of each branch.
+        sound: whether FK(IK(x)) = x was proved for every target at which the formulas have a value.
+        complete: whether every configuration was proved to be on a branch.
+        general: whether that holds for every target, and not only for those that the arm reaches (then the solution has to
+            be compared with the target where that may be none of the arm's).
+        conditions: where the number of solutions changes.
+        message: all of it in words.
+        counterexample: a configuration, with its branch, that shows what is wrong.
+        samples, max_error: targets of the plant of doubles, and how far the worst branch misses them.
+    """
+
+    verdict: Verdict
+    branches: tuple[dict[str, int], ...]
+    sound: bool
+    complete: bool
+    general: bool
+    conditions: Conditions
+    message: str
+    counterexample: Mapping[str, float] = field(default_factory=dict)
+    samples: int = 0
+    max_error: float | None = None
+
+
+def prove(inverse: InverseKinematics) -> Proof:
+    """Return the proof of a solution, or what refutes it."""
+    derivation = inverse.derivation
+    conditions = read_conditions(inverse.compiled())
+    trial = try_branches(inverse.compiled())
+    error = float(np.nanmax(trial.error)) if np.isfinite(trial.error).any() else None
+    refuted = partial(Proof, Verdict.REFUTED, derivation.branches, False, False, False, conditions)
+    if (wrong := refute(derivation, trial)) is not None:
+        return refuted(*wrong, len(trial.q), error)
+    sound, general, unsound = _prove_soundness(derivation, inverse.compiled())
+    complete, incomplete = _prove_completeness(derivation)
+    if not (sound and complete) and (wrong := refute_for_other_lengths(inverse)) is not None:
+        return refuted(*wrong, len(trial.q), error)
+    message = _describe(derivation, conditions, sound, complete, "; ".join(filter(None, (unsound, incomplete))))
+    verdict = Verdict.PROVED if sound and complete else Verdict.CONFIRMED
+    return Proof(verdict, derivation.branches, sound, complete, general, conditions, message, {}, len(trial.q), error)
+
+
+# -- exactly ---------------------------------------------------------------------------------------------------------
+
+
+def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, bool, str]:
+    """Return whether FK(IK(x)) = x is proved, whether for every target, and what stood in the way."""
+    problem = ""
+    every_sign = dict.fromkeys(derivation.signs, 0)
+    end = time.monotonic() + SECONDS
+    for values, eager, general in _attempts(derivation, compiled):
+        attempt = partial(_substitute, derivation, values, every_sign, eager, min(end, time.monotonic() + SECONDS / 2))
+        try:
+            missed = _with_fractions(attempt)
+        except EvaluationError as error:
+            problem = f"FK(IK(x)) = x is not proved exactly: {error}"
+            continue
+        if not missed:
+            return True, general, ""
+        labels = ", ".join(derivation.target.slots[index].label for index in missed)
+        problem = f"FK(IK(x)) = x is not proved exactly for {labels}"
+    return False, False, problem
+
+
+def _attempts(derivation: Derivation, compiled: Compiled) -> Iterator[tuple[TargetValues, tuple[str, ...], bool]]:
+    """Yield the ways to write a target, which joints are no symbols, and whether it is every target; the likeliest first.
+
+    A wrist is solved in coordinates that are turned with the joints before it, and those stay symbols.
+    """
+    arm = derivation.names.arm
+    assert arm is not None
+    joints = tuple(step.joint for step in derivation.steps)
+    positioned = compiled.joints_without_rotation()
+    wrist = joints[len(positioned) :]
+    for frame in reversed(arm.frames if positioned else ()):
+        if set(positioned) == {joint.symbol for joint in arm.joints[: arm.trace.depth(frame)]}:
+            yield any_target(frame), wrist, True
+            yield any_target(frame), (), True
+            break
+    yield any_target(), (), True
+    yield any_target(), joints, True
+    yield target_of_a_configuration, (), False
+    yield target_of_a_configuration, joints, False
+
+
+def _substitute(
+    derivation: Derivation,
+    values: TargetValues,
+    signs: Signs,
+    eager: tuple[str, ...],
+    deadline: float,
+    denominators: Mapping[str, int],
+) -> list[int]:
+    arm = derivation.names.arm
+    assert arm is not None
+    ring = SubstitutionRing(denominators, arm.lengths)
+    ring.deadline = deadline
+    return returns_target(derivation, values, signs, ring, eager)
+
+
+def _prove_completeness(derivation: Derivation) -> tuple[bool, str]:
+    try:
+        lost = _with_fractions(lambda known: find_lost_step(derivation, known, time.monotonic() + SECONDS))
+    except EvaluationError as error:
+        return False, f"that there are no other solutions is not proved exactly: {error}"
+    return lost is None, "" if lost is None else f"that there are no other solutions is not proved exactly: {lost}"
+
+
+def _with_fractions(attempt: Callable[[Mapping[str, int]], T]) -> T:
+    """Try again with θ/2 as a generator of the ring where half of an angle is met."""
+    denominators: dict[str, int] = {}
+    for _ in range(MOST_FRACTIONS):
+        try:
+            return attempt(denominators)
+        except AngleFraction as fraction:
+            denominators[fraction.symbol] = fraction.denominator
+    raise EvaluationError("fractions of angles with too many denominators")
+
+
+# -- in words ----------------------------------------------------------------------------------------------------------
+
+
+def _describe(derivation: Derivation, conditions: Conditions, sound: bool, complete: bool, problem: str) -> str:
+    count = len(derivation.branches)
+    several = f"on each of {count} branches ({', '.join(derivation.signs)})" if count > 1 else "on its one branch"
+    parts = [f"FK(IK(x)) = x {'proved' if sound else 'confirmed'} {several}"]
+    parts.append(
+        f"every configuration {'is' if complete else 'of the samples is'} on one of them: there are no other solutions"
+        if count > 1
+        else f"every configuration {'is' if complete else 'of the samples is'} on it: there is no other solution"
+    )
+    if conditions.edges:
+        parts.append(f"fewer where {_or(conditions.edges, ' = 0')}, none where that is negative")
+    if conditions.degenerate:
+        parts.append(f"no value, or a joint free, where {_or(conditions.degenerate)}")
+    return "; ".join([*parts, *([problem] if problem else [])])
+
+
+def _or(texts: tuple[str, ...], end: str = "") -> str:
+    return " or ".join(" ".join(f"{text}{end}".split()) for text in texts)

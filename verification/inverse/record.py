@@ -1,0 +1,48 @@
+"""The verdict of a document's closed-form inverse as a whole, beside those of its displays."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from models.arm import Arm
+from verification.document import Document
+from verification.errors import DocumentError, EvaluationError
+from verification.inverse.document import read_derivation
+from verification.inverse.kinematics import InverseKinematics
+from verification.inverse.planning import NoDerivation
+from verification.names import read_names
+from verification.verdict import Record, Verdict
+
+LATEX = r"\mathrm{FK}(\mathrm{IK}(x)) = x"
+
+
+def check_inverse(document: Document, arm: Arm | None) -> Record | None:
+    """Return the verdict of the solution that a document's front matter announces, or None where it announces none.
+
+    Raises:
+        DocumentError: the front matter's `inverse` cannot be read.
+    """
+    if "inverse" not in document.front:
+        return None
+    record = Record(document.lines.get("inverse", 1), LATEX, Verdict.UNCHECKED, section="Inverse kinematics")
+    try:
+        inverse = InverseKinematics(read_derivation(document, read_names(arm, document.front)))
+    except NoDerivation as error:
+        return replace(record, message=str(error))
+    except DocumentError as error:
+        raise DocumentError(f"{document.at(error.key or 'inverse')}: {error}") from None
+    try:
+        proof = inverse.proof
+    except EvaluationError as error:
+        return replace(record, message=str(error))
+    except Exception as error:  # a fault of ours must not cost the displays their verdicts
+        fault = f"internal error, please report it: {type(error).__name__}: {error}"
+        return replace(record, verdict=Verdict.UNREADABLE, message=fault)
+    return replace(
+        record,
+        verdict=proof.verdict,
+        message=proof.message,
+        counterexample=proof.counterexample,
+        samples=proof.samples,
+        max_error=proof.max_error,
+    )

@@ -1,0 +1,60 @@
+"""Exact targets to prove an inverse with: every target there is, in coordinates that keep the polynomials small."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from verification.algebra import elementary
+from verification.inverse.derivation import Derivation
+from verification.inverse.forward import forward_values
+from verification.inverse.symbolic_algebra import free_algebra
+from verification.inverse.target import Pair, Slot
+from verification.matrix import Matrix
+from verification.ring import Ring
+from verification.scalar import Scalar
+
+TargetValues = Callable[[Ring, Derivation], list[Scalar]]
+
+
+def any_target(turned_by: str | None = None) -> TargetValues:
+    """Return targets whose numbers are free symbols, and whose rotations are any: Rot(z, φ) Rot(y, ϑ) Rot(z, ψ).
+
+    Args:
+        turned_by: a frame k. The rotation is then written {}^0R_k Q with any Q, which is any rotation as well: after the
+            first k joints are solved, the steps see Q alone.
+    """
+
+    def values(ring: Ring, derivation: Derivation) -> list[Scalar]:
+        rotations = {pair: _any_rotation(ring, derivation, pair, turned_by) for pair in derivation.target.rotations}
+        return [_free(ring, index, slot, rotations) for index, slot in enumerate(derivation.target.slots)]
+
+    return values
+
+
+def _any_rotation(ring: Ring, derivation: Derivation, pair: Pair, turned_by: str | None) -> Matrix:
+    arm = derivation.names.arm
+    assert arm is not None
+    algebra = free_algebra(ring, arm)
+    angles = [ring.symbol(f"angle {k} of frame {pair[0]}") for k in (1, 2, 3)]
+    R = elementary(algebra, "Rot", "z", angles[0])
+    R = R @ elementary(algebra, "Rot", "y", angles[1]) @ elementary(algebra, "Rot", "z", angles[2])
+    R = R.block(range(3), range(3))
+    if turned_by is not None:
+        R = algebra.free_pose(turned_by, pair[1]).block(range(3), range(3)) @ R
+    return R
+
+
+def _free(ring: Ring, index: int, slot: Slot, rotations: dict[Pair, Matrix]) -> Scalar:
+    if slot.is_constant:
+        return ring.rational(1 if slot.column == 3 else 0)
+    if not slot.is_name and slot.column < 3 and (slot.frame, slot.reference) in rotations:
+        return rotations[slot.frame, slot.reference].rows[slot.row][slot.column]
+    return ring.symbol(f"target {index}")
+
+
+def target_of_a_configuration(ring: Ring, derivation: Derivation) -> list[Scalar]:
+    """Return the target of any configuration, its joint variables being other symbols than those that are solved for."""
+    arm = derivation.names.arm
+    assert arm is not None
+    others = {joint.symbol: ring.symbol(f"{joint.symbol} given") for joint in arm.joints}
+    return [ring.substitute(value, others) for value in forward_values(derivation, free_algebra(ring, arm))]

@@ -1,0 +1,40 @@
+"""LaTeX as plain text, for words that hold a formula: `\\theta_1 - \\frac{\\pi}{2}` is "θ_1 − π/2"."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+LETTERS = {
+    **dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega".split(),
+               "αβγδεζηθικλμνξπρστυφχψω", strict=True)),
+    **dict(zip("Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega".split(), "ΓΔΘΛΞΠΣΦΨΩ", strict=True)),
+    "varepsilon": "ε", "vartheta": "ϑ", "varphi": "φ", "ell": "ℓ", "infty": "∞", "top": "⊤",
+}  # fmt: skip
+_SIGNS = {
+    "cdot": "·", "times": "×", "pm": "±", "mp": "∓", "leq": "≤", "le": "≤", "geq": "≥", "ge": "≥", "neq": "≠", "ne": "≠",
+    "approx": "≈", "equiv": "≡", "in": "∈", "forall": "∀", "exists": "∃", "because": "∵", "Rightarrow": "⇒", "implies": "⇒",
+    "iff": "⇔", "to": "→", "dots": "…", "ldots": "…", "cdots": "⋯", "vdots": "⋮", "ddots": "⋱", "circ": "°", "prime": "′",
+    "partial": "∂", "sqrt": "√", "quad": " ", "qquad": " ", "sum": "∑", "prod": "∏", "wedge": "∧", "dagger": "†",
+    "dot": "˙", "ddot": "¨", "left": "", "right": "",
+}  # fmt: skip
+_STYLES = re.compile(
+    r"\\(?:math[a-z]+|text[a-z]*|operatorname\*?|boldsymbol|bm|vec|mbox|hbox|displaystyle|textstyle|limits|bf|rm)(?![A-Za-z])"
+)
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}(?:\{[lcr| ]+\})?")
+_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_MACRO = re.compile(r"\\([A-Za-z]+)\s?")
+
+
+@lru_cache(maxsize=4096)
+def plain_text(latex: str) -> str:
+    """Return LaTeX without its commands: nothing of it is lost to a reader but the layout."""
+    text = _ENVIRONMENT.sub(" ", _STYLES.sub("", latex))
+    while (found := _FRACTION.search(text)) is not None:
+        above, below = (f"({part})" if re.search(r"[+\- ]", part.strip()) else part for part in found.groups())
+        text = f"{text[: found.start()]}{above}/{below}{text[found.end() :]}"
+    text = text.replace("\\\\", "; ").replace("&", " ")
+    text = _MACRO.sub(lambda macro: LETTERS.get(macro[1]) or _SIGNS.get(macro[1], f"{macro[1]} "), text)
+    text = re.sub(r"\\[,;:!> ]", " ", text)
+    text = re.sub(r"[\\{}$]", "", text)
+    return re.sub(r"\s+", " ", text).strip()

@@ -1,0 +1,126 @@
+"""Pictures of an arm: at its zero pose with its frames, and at a counterexample where the printed and the true differ."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from markupsafe import Markup
+
+from models.arm import Arm
+from models.skeleton import Skeleton, place_skeleton
+from verification.discrepancy import Drawn
+from verification.report.html.projection import View, choose_view
+from verification.report.html.sketch import Sketch
+from verification.verdict import Record
+
+_SEED = 5  # of the configurations that tell a planar arm from a spatial one
+_TOLD = {
+    "pose": "the pose of frame {0}",
+    "axis": "the axis at frame {0}",
+    "difference": "the vector from frame {0}",
+    "velocity": "the velocity of the origin of frame {0}",
+    "angular velocity": "the angular velocity of frame {0}",
+}
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A picture and the words below it."""
+
+    svg: Markup
+    caption: str
+
+
+class ArmPainter:
+    """Draws one arm, always in the same view."""
+
+    def __init__(self, arm: Arm) -> None:
+        self.arm = arm
+        self.last = max(arm.frames, key=lambda name: (name.isdigit(), int(name) if name.isdigit() else 0))
+        rng = np.random.default_rng(_SEED)
+        poses = [place_skeleton(arm, np.zeros(len(arm.joints)))]
+        poses += [place_skeleton(arm, rng.uniform(0.2, 1.2, len(arm.joints))) for _ in range(3)]
+        points = np.concatenate([np.array(self._points(pose)) for pose in poses])
+        self.view: View = choose_view(points)
+        self.reach = max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-3)
+
+    def at_zero(self) -> Figure:
+        """Return the arm at its zero pose, a triad at each of its frames."""
+        pose = place_skeleton(self.arm, np.zeros(len(self.arm.joints)))
+        sketch = self._sketch(pose, self.reach / 7)
+        for names, frame in _by_place(pose, self.arm.frames):
+            sketch.frame(
+                frame, "frame", names[-1] if len(names) == 1 and names[0] in (self.arm.frames[0], self.last) else ""
+            )
+            sketch.text(frame[:3, 3], "{" + ", ".join(names) + "}", "label")
+        words = f"The arm {self.arm.name} at its zero pose, with its frames {', '.join(self.arm.frames)}"
+        return Figure(Markup(sketch.write(words)), "Zero pose; a triad stands wherever a frame sits.")
+
+    def at_counterexample(self, record: Record) -> Figure | None:
+        """Return the arm at the counterexample of a refuted record, the printed side dashed beside the true one."""
+        q = [record.counterexample.get(joint.symbol) for joint in self.arm.joints]
+        if not q or any(value is None for value in q):
+            return None
+        pose = place_skeleton(self.arm, np.array(q, dtype=float))
+        drawn = record.discrepancy.drawn if record.discrepancy is not None else None
+        size = max(self.reach / 4.5, 1e-3)
+        sketch = self._sketch(pose, size)
+        sketch.frame(pose.frames[self.arm.frames[0]], "frame", self.arm.frames[0])
+        if drawn is None or drawn.frame not in pose.frames:
+            sketch.frame(pose.frames[self.last], "true", self.last)
+            words = f"The arm {self.arm.name} at the counterexample"
+            return Figure(Markup(sketch.write(words)), "The arm at the counterexample.")
+        self._draw_both(sketch, drawn, pose)
+        what = _TOLD[drawn.kind].format(drawn.frame)
+        words = f"The arm {self.arm.name} at the counterexample: {what}, as it is and as printed"
+        return Figure(Markup(sketch.write(words)), f"{what[0].upper()}{what[1:]}: solid as it is, dashed as printed.")
+
+    def _draw_both(self, sketch: Sketch, drawn: Drawn, pose: Skeleton) -> None:
+        true, printed = np.array(drawn.true), np.array(drawn.printed)
+        if drawn.kind == "pose":
+            sketch.line([true[:3, 3], printed[:3, 3]], "apart")
+            sketch.frame(true, "true", drawn.frame)
+            sketch.frame(printed, "printed", f"{drawn.frame}′")
+            return
+        origin = pose.frames[drawn.frame][:3, 3]
+        longest = max(float(np.linalg.norm(true)), float(np.linalg.norm(printed)), 1e-9)
+        size = 1.0 if drawn.kind == "difference" else 2 * sketch.triad / longest
+        for side, kind, word in ((true, "true", "true"), (printed, "printed", "printed")):
+            sketch.arrow(origin, origin + size * side[:, 0], kind, word)
+
+    def _sketch(self, pose: Skeleton, triad: float) -> Sketch:
+        sketch = Sketch(self.view, triad)
+        sketch.line(self._points(pose), "link")
+        for joint in pose.joints:
+            if not self.view.is_planar:
+                reach = 0.4 * triad * np.array(joint.axis)
+                sketch.line([np.array(joint.start) - reach, np.array(joint.start) + reach], "joint-axis")
+            if joint.kind == "prismatic":
+                sketch.line([joint.start, joint.end], "rail")
+        for joint in pose.joints:
+            sketch.dot(joint.start, joint.kind)
+        return sketch
+
+    def _points(self, pose: Skeleton) -> list[np.ndarray]:
+        """The points that the links connect: the base, each joint where it sits and carries, the tool."""
+        points = [pose.frames[self.arm.frames[0]][:3, 3]]
+        for joint in pose.joints:
+            points += [np.array(joint.start), np.array(joint.end)]
+        return [*points, pose.frames[self.last][:3, 3]]
+
+
+def _by_place(pose: Skeleton, names: tuple[str, ...]) -> list[tuple[list[str], np.ndarray]]:
+    """Return the frames by the place of their origins, the last of each place for its axes."""
+    places: dict[tuple[float, ...], tuple[list[str], np.ndarray]] = {}
+    for name in names:
+        frame: np.ndarray = pose.frames[name]
+        key = tuple(np.round(frame[:3, 3], 6) + 0.0)
+        together = places[key][0] if key in places else []
+        places[key] = ([*together, name], frame)
+    return list(places.values())
+
+
+def painter_of(arm: Arm | None) -> ArmPainter | None:
+    """Return the painter of an arm, None without one or where it has no joints to draw."""
+    return ArmPainter(arm) if arm is not None and arm.joints else None

@@ -1,0 +1,129 @@
+"""The folder of a report: written beside its place, then put there in one step, so that it is never half-written."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from models.errors import ArmproofError
+from verification.report.html.site import VERDICTS
+from verification.report.html.templating import GENERATOR
+
+_AT_FDCWD, _RENAME_EXCHANGE = -100, 2
+_OURS = re.compile(rb'<meta name="generator" content="%s">' % GENERATOR.encode())
+_HEAD = 1000  # bytes of a page in which it says whose it is
+
+
+class ReportFolderError(ArmproofError):
+    """The report cannot be written where it was asked for."""
+
+
+@contextmanager
+def new_report(target: Path) -> Iterator[Path]:
+    """Give an empty folder to write a report into; at the end it takes the place of `target`, whole.
+
+    What is interrupted leaves the report that was there before. A report of ours is replaced; any other folder that holds
+    something is not touched.
+
+    Raises:
+        ReportFolderError: `target` is no folder, holds other files, or cannot be written.
+    """
+    target = Path(os.path.realpath(target))
+    _check(target)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        _clear_leftovers(target)
+        part = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=f".{os.getpid()}.part", dir=target.parent))
+    except OSError as error:
+        raise ReportFolderError(f"{target}: the report cannot be written: {error.strerror}") from None
+    try:
+        yield part
+        _check(target)  # it may have changed since
+        part.chmod(0o777 & ~_umask())
+        _put(part, target)
+    except OSError as error:
+        raise ReportFolderError(f"{target}: the report cannot be written: {error.strerror}") from None
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+def _check(target: Path) -> None:
+    """Refuse a place whose replacement would cost anything but a report of ours."""
+    if target.exists() and not target.is_dir():
+        raise ReportFolderError(
+            f"{target}: not a folder; --report takes a folder, new, empty or with an earlier report"
+        )
+    if target == Path.cwd() or target in Path.cwd().parents:
+        raise ReportFolderError(f"{target}: the working folder; --report takes a folder of its own, such as report")
+    if not target.exists():
+        return
+    try:
+        foreign = next((entry.name for entry in sorted(target.iterdir()) if not _is_ours(entry)), None)
+    except OSError as error:
+        raise ReportFolderError(f"{target}: cannot be read: {error.strerror}") from None
+    if foreign is not None:
+        raise ReportFolderError(
+            f"{target}: holds '{foreign}', which is no part of a report; --report takes a folder of its own, new or empty"
+        )
+
+
+def _is_ours(entry: Path) -> bool:
+    if entry.name in (VERDICTS, f"{VERDICTS}.part"):
+        return entry.is_file()
+    if entry.suffix != ".html" or not entry.is_file():
+        return False
+    with entry.open("rb") as page:
+        return bool(_OURS.search(page.read(_HEAD)))
+
+
+def _put(part: Path, target: Path) -> None:
+    """Put the new folder in its place; the old one takes its name and is removed with it."""
+    if not target.exists():
+        part.rename(target)
+    elif not _exchange(part, target):
+        old = part.with_suffix(".old.part")
+        target.rename(old)
+        part.rename(target)
+        shutil.rmtree(old, ignore_errors=True)
+
+
+def _exchange(first: Path, second: Path) -> bool:
+    """Exchange two folders in one step, where the system can."""
+    rename = getattr(ctypes.CDLL(None, use_errno=True), "renameat2", None) if os.name == "posix" else None
+    if rename is None:
+        return False
+    return bool(rename(_AT_FDCWD, os.fsencode(first), _AT_FDCWD, os.fsencode(second), _RENAME_EXCHANGE) == 0)
+
+
+def _clear_leftovers(target: Path) -> None:
+    """Remove what runs that were killed have left beside the target."""
+    for left in target.parent.glob(f".{_literal(target.name)}.*.part"):
+        owner = re.search(r"\.(\d+)(?:\.old)?\.part$", left.name)
+        if owner is not None and not _is_running(int(owner.group(1))):
+            shutil.rmtree(left, ignore_errors=True)
+
+
+def _literal(name: str) -> str:
+    return re.sub(r"([*?[])", r"[\1]", name)
+
+
+def _is_running(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True
+
+
+def _umask() -> int:
+    current = os.umask(0)
+    os.umask(current)
+    return current

@@ -1,0 +1,97 @@
+"""The page of one document: the answer, the errata sheet, every equation, the coverage, the arm, what it was computed with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import groupby
+
+from markupsafe import Markup
+
+from models.arm import Arm
+from models.catalogue import load_arm
+from verification import check, probe
+from verification.document import Document
+from verification.names import read_names
+from verification.report.html import prose
+from verification.report.html.card import arm_card
+from verification.report.html.figures import painter_of
+from verification.report.html.items import Item, ItemWriter
+from verification.report.html.states import STATES, answer, count_states, state_of
+from verification.report.html.templating import render, versions
+from verification.report.totals import passes
+from verification.verdict import DocumentResult, Record
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the document: its title, its items, and how many there are of each state."""
+
+    title: Markup
+    items: tuple[Item, ...]
+    counts: dict[str, int]
+
+
+def render_page(document: Document, result: DocumentResult, index: str = "index.html", *, strict: bool = False) -> str:
+    """Return the page of a document that was checked.
+
+    Args:
+        document: the document as it was read, for its letters and its arm.
+        index: the file name of the page that lists all documents.
+        strict: whether an unchecked equation fails the document.
+    """
+    arm = _arm(document)
+    read = read_names(arm, document.front).reader.read
+    painter = painter_of(arm)
+    writer = ItemWriter(read, painter)
+    pairs = list(writer.items(result))
+    records = [record for _, record in pairs]
+    counts = count_states(records)
+    wrong = [
+        writer.correction(item, record) for item, record in pairs if not record.passes and record.verdict == "refuted"
+    ]
+    errata = [writer.correction(item, record) for item, record in pairs if record.erratum and record.passes]
+    name = str(document.path)
+    return render(
+        "document.html",
+        title=prose.title(result.title, read) if result.title else name,
+        plain_title=prose.plain_title(result.title) if result.title else name,
+        source=prose.title(str(document.front.get("source") or ""), read),
+        path=name,
+        index=index,
+        result=result,
+        passed=passes(result, strict),
+        counts=counts,
+        states=STATES,
+        answer=answer(counts),
+        wrong=wrong,
+        unsettled=[item for item, record in pairs if _is_unsettled(record)],
+        errata=errata,
+        sheet={correction.item.anchor for correction in (*wrong, *errata)},
+        sections=list(_sections(pairs)),
+        card=arm_card(arm, painter, read) if arm is not None and painter is not None else None,
+        versions=versions(),
+        seeds=(check.SEED, probe.SEED),
+        samples=check.SAMPLES,
+        largest=max((r.max_error for r in records if r.max_error is not None and r.samples), default=None),
+    )
+
+
+def _arm(document: Document) -> Arm | None:
+    """Return the document's arm, which checking it has loaded already."""
+    spec = document.front.get("arm")
+    return load_arm(spec, document.path.parent) if spec is not None else None
+
+
+def _is_unsettled(record: Record) -> bool:
+    """Whether an equation needs its author without being refuted: unread, unchecked, or an erratum that holds."""
+    if record.erratum and not record.passes:
+        return True
+    return state_of(record).key in ("unreadable", "unchecked")
+
+
+def _sections(pairs: Iterable[tuple[Item, Record]]) -> Iterable[Section]:
+    for _, group in groupby(pairs, key=lambda pair: pair[0].section_key):
+        inside = list(group)
+        items = tuple(item for item, _ in inside)
+        yield Section(items[0].section or Markup("Before the first heading"), items, count_states(r for _, r in inside))

@@ -1,0 +1,168 @@
+"""The singular configurations of an arm: families, ranks, directions, boundary or inside, exactly."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from models.arm import Arm
+from verification.errors import EvaluationError
+from verification.exact_algebra import ExactAlgebra
+from verification.ring import Ring
+from verification.singularities.decomposition import Decomposer, Lengths
+from verification.singularities.existence import existence
+from verification.singularities.families import Family, SingularityAnalysis, Whole
+from verification.singularities.half_angles import HalfAngles
+from verification.singularities.intersections import Descent
+from verification.singularities.jacobians import ChosenJacobian, choose_jacobian
+from verification.singularities.linear import Rows, eliminate, polynomial_rows
+from verification.singularities.minors import maximal_minors
+from verification.singularities.points import Sampler, joint_unknowns
+from verification.singularities.position import Placement
+from verification.singularities.variety import Variety
+from verification.singularities.writing import condition_scalar, trigonometric_factors, write_condition, write_product
+
+SECONDS = 20.0
+SECONDS_BELOW = 8.0  # for the intersections
+SEED = 2019
+TRIED = 8  # configurations by which a family is found to have real points
+
+
+def analyse_singularities(
+    arm: Arm,
+    frame: str | int | None = None,
+    rows: Sequence[int] | None = None,
+    columns: Sequence[int] | None = None,
+    expressed_in: str | int | None = None,
+    *,
+    seconds: float = SECONDS,
+    rng: np.random.Generator | None = None,
+) -> SingularityAnalysis:
+    """Return where rows and columns of the geometric Jacobian lose rank, [v; ω] = J(q) q̇.
+
+    The determinant (or every minor of the size of the generic rank) is factored in half-angle coordinates, where factors are
+    unique; each irreducible factor that can vanish for positive lengths is a family.
+
+    Args:
+        frame: the frame whose velocity J gives, the tool's if not given.
+        rows: rows of [v; ω], from 1. Without them, those that are not always zero; of an arm with fewer joints than that, the
+            rows of v, or of ω where those of v have not the rank of J.
+        columns: columns, from 1, base to tool; all if not given.
+        expressed_in: the frame in whose axes, the base frame if not given.
+        seconds: how long exact work may take; what is not done by then is said in `message`.
+        rng: for what is confirmed at sampled configurations; without one, a new generator of a fixed seed.
+
+    Raises:
+        ModelError: the arm has no such frame, row or column.
+    """
+    generator = np.random.default_rng(SEED) if rng is None else rng
+    names = (None if frame is None else str(frame), None if expressed_in is None else str(expressed_in))
+    return Analyst(arm, *names, rows, columns, seconds, generator).run()
+
+
+class Analyst:
+    """Carries one analysis from the Jacobian to its families."""
+
+    def __init__(
+        self,
+        arm: Arm,
+        frame: str | None,
+        expressed_in: str | None,
+        rows: Sequence[int] | None,
+        columns: Sequence[int] | None,
+        seconds: float,
+        rng: np.random.Generator,
+    ) -> None:
+        self.started = time.monotonic()
+        self.arm, self.rng = arm, rng
+        self.algebra = ExactAlgebra(Ring(), arm)
+        self.deadline = self.algebra.ring.deadline = self.started + seconds
+        self.chosen: ChosenJacobian = choose_jacobian(self.algebra, frame, rows, columns, expressed_in)
+        self.positive = frozenset(arm.lengths)
+        self.half = HalfAngles(self.algebra.ring, (cell for row in self.chosen.simple.rows for cell in row))
+        self.rows: Rows = polynomial_rows(self.half, self.chosen.simple)
+        constants = {**arm.trace.constants, **arm.lengths}
+        self.sampler = Sampler(self.half, joint_unknowns(arm), constants, tuple(c - 1 for c in self.chosen.columns))
+        self.decomposer = Decomposer(self.half, self.positive, deadline=self.deadline)
+
+    def run(self) -> SingularityAnalysis:
+        """Return the analysis; what cannot be done exactly is a message in it."""
+        chosen = self.chosen
+        result = SingularityAnalysis(
+            self.arm, chosen.frame, chosen.expressed_in, chosen.rows, chosen.columns, chosen.matrix, chosen.axes, chosen.point,
+            0, None, "", (), False, self.sampler, lambda: ((), ""),
+        )  # fmt: skip
+        steps = (self._with_determinant, self._with_families, self._with_positions, self._with_descent)
+        for step in steps:
+            try:
+                result = step(result)
+            except EvaluationError as problem:
+                said = f"{step.__name__.removeprefix('_with_')} beyond exact reach: {problem}"
+                result = replace(result, message=f"{result.message}; {said}" if result.message else said)
+                if not result.complete:
+                    break
+        self.algebra.ring.deadline = math.inf
+        return replace(result, seconds=time.monotonic() - self.started)
+
+    def _with_determinant(self, result: SingularityAnalysis) -> SingularityAnalysis:
+        simple = self.chosen.simple
+        rank = eliminate(Variety(self.half), self.rows).rank
+        if simple.shape != (rank, rank):
+            return replace(result, generic_rank=rank)
+        determinant = simple.determinant()
+        factors = trigonometric_factors(self.half, self.half.polynomial(determinant), self.positive)
+        factored = write_product(determinant, factors) or ""
+        return replace(result, generic_rank=rank, determinant=determinant, factored=factored)
+
+    def _with_families(self, result: SingularityAnalysis) -> SingularityAnalysis:
+        determinant = result.determinant
+        minors = maximal_minors(self.chosen.simple, result.generic_rank) if determinant is None else [determinant]
+        varieties = self.decomposer.decompose([self.half.polynomial(minor) for minor in minors])
+        return replace(result, families=tuple(self._family(variety) for variety in varieties), complete=True)
+
+    def _family(self, variety: Variety) -> Family:
+        solved = [existence(factor, self.arm.joints) for factor in variety.conditions]
+        conditions = [solution.condition for solution in solved]
+        polynomials = [factor.polynomial for factor in variety.conditions]
+        return Family(
+            self.arm,
+            variety,
+            self.sampler,
+            Whole(self.chosen, self.rows),
+            tuple(write_condition(factor) for factor in variety.conditions),
+            tuple(write_condition(factor) for factor in variety.lengths),
+            tuple(solution.solved for solution in solved),
+            None if None in conditions else r" \text{ and } ".join(text for text in conditions if text),
+            not variety.lengths and len(self.sampler.sample(polynomials, self.rng, TRIED)) > 0,
+            tuple(condition_scalar(factor) for factor in variety.conditions),
+            eliminate(variety, self.rows).rank,
+        )
+
+    def _with_positions(self, result: SingularityAnalysis) -> SingularityAnalysis:
+        placement = Placement(self.chosen, self.rows, result.generic_rank, self.sampler, self.positive)
+        placed = tuple(
+            replace(
+                family,
+                position=placement.place(family.variety, self.rng),
+                special=MappingProxyType(placement.special(family.variety)),
+            )
+            for family in result.families
+        )
+        return replace(result, families=placed)
+
+    def _with_descent(self, result: SingularityAnalysis) -> SingularityAnalysis:
+        return replace(result, descend=lambda: self._intersections(result))
+
+    def _intersections(self, result: SingularityAnalysis) -> tuple[tuple[Family, ...], str]:
+        deadline = time.monotonic() + SECONDS_BELOW
+        decomposer = Decomposer(self.half, self.positive, lengths=Lengths.LINEAR, deadline=deadline)
+        families = [family.variety for family in result.families]
+        square = result.determinant is not None
+        descent = Descent(families, self.rows, self.chosen.simple, square, self.sampler, decomposer)
+        found = tuple(self._family(variety) for variety in descent.run())
+        return found, f"not all intersections were followed: {descent.given_up[0]}" if descent.given_up else ""

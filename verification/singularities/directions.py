@@ -1,0 +1,82 @@
+"""What is lost, what is kept and what does nothing on a family, as exact vectors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+
+from verification.matrix import Matrix, column
+from verification.scalar import Scalar
+from verification.singularities.half_angles import Polynomial
+from verification.singularities.jacobians import ChosenJacobian, lost_from_simple
+from verification.singularities.linear import Rows, as_scalars, eliminate
+from verification.singularities.variety import Variety
+
+
+@dataclass(frozen=True, eq=False)
+class Directions:
+    """Rank and directions on a family; columns of scalars, up to a factor."""
+
+    rank: int
+    lost: tuple[Matrix, ...]
+    lost_nearby: tuple[Matrix, ...]
+    kept: tuple[Matrix, ...]
+    kept_columns: tuple[int, ...]
+    null_motions: tuple[Matrix, ...]
+
+
+def directions(variety: Variety, rows: Rows, chosen: ChosenJacobian) -> Directions:
+    """Return the rank on a family, the wrenches that do no work there, independent columns of J, and the null motions.
+
+    `lost_nearby` are the wrenches in the axes and at the point of the simple Jacobian, `lost` those of the Jacobian asked for.
+    """
+    half = variety.half
+    forward = eliminate(variety, rows)
+    lost = [column(as_scalars(half, w)) for w in _newly_lost(variety, rows)]
+    at = Configuration(variety)
+    return Directions(
+        forward.rank,
+        tuple(at(lost_from_simple(chosen, at(w))) for w in lost),
+        tuple(lost),
+        tuple(at(chosen.matrix.block(range(chosen.matrix.shape[0]), [c])) for c in forward.pivots),
+        tuple(chosen.columns[c] for c in forward.pivots),
+        tuple(column(as_scalars(half, n)) for n in forward.null_vectors),
+    )
+
+
+def _newly_lost(variety: Variety, rows: Rows) -> list[tuple[Polynomial, ...]]:
+    """Return left null vectors on the family that, with those of every configuration, span all of them."""
+    transposed = tuple(zip(*rows, strict=True))
+    here = eliminate(variety, transposed).null_vectors
+    always = eliminate(Variety(variety.half), transposed).null_vectors
+    if not always:
+        return list(here)
+    spanned: list[tuple[Polynomial, ...]] = list(always)
+    found: list[tuple[Polynomial, ...]] = []
+    for vector in here:
+        if eliminate(variety, (*spanned, vector)).rank > eliminate(variety, tuple(spanned)).rank:
+            spanned.append(vector)
+            found.append(vector)
+    return found
+
+
+class Configuration:
+    """Substitutes the angles that a family fixes."""
+
+    def __init__(self, variety: Variety) -> None:
+        self._ring = variety.half.ring
+        self._values = dict[str, Scalar]()
+        for factor in variety.factors:
+            found = factor.angle_sum
+            assert found is not None
+            *rest, (angle, sign) = found.signs
+            turned = self._ring.generator(("pi", "")) * self._ring.rational(found.turns) / 2
+            for other, weight in rest:
+                turned = turned - self._ring.symbol(other) * weight
+            self._values[angle] = turned * sign
+
+    def __call__(self, matrix: Matrix) -> Matrix:
+        """Return the matrix on the family."""
+        for angle, value in self._values.items():
+            matrix = matrix.map(partial(self._ring.substitute, values={angle: value}))
+        return matrix

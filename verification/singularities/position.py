@@ -1,0 +1,126 @@
+"""Whether a family bounds what the tool can reach, or lies inside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+
+import numpy as np
+
+from models.bulk import BulkKinematics
+from verification.matrix import Matrix
+from verification.singularities.decomposition import Decomposer, Lengths
+from verification.singularities.factors import Factor, Kind
+from verification.singularities.families import Position
+from verification.singularities.jacobians import ChosenJacobian
+from verification.singularities.linear import Rows, eliminate
+from verification.singularities.points import Sampler
+from verification.singularities.reach import Reach, typical_size
+from verification.singularities.second_order import image_dimension, image_rows, lost_and_signs
+from verification.singularities.variety import Variety
+from verification.singularities.writing import write_condition
+
+TRIED = 16
+MOST_TERMS = 2_000
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Decides for each family where its image lies in the set of what the tool reaches without joint limits.
+
+    Attributes:
+        chosen: the Jacobian. rows: its polynomial form. rank: its generic rank.
+        sampler: evaluates conditions at the arm's lengths. positive: the symbols of the lengths.
+    """
+
+    chosen: ChosenJacobian
+    rows: Rows
+    rank: int
+    sampler: Sampler
+    positive: frozenset[str]
+
+    def place(self, variety: Variety, rng: np.random.Generator) -> Position:
+        """Return where the image of a family lies."""
+        if self.rank < len(self.rows):
+            return Position("not decided", "proved", "J has more rows than its rank: ask for as many rows as that")
+        if not self._is_task():
+            return Position("not decided", "proved", "rows in axes that move are not the motion of anything")
+        codimension = self.rank - image_dimension(variety, self.rows, self.sampler)
+        if codimension >= 2:
+            reason = f"the image of the family has {codimension} dimensions fewer than the task, so it bounds nothing"
+            return Position("inside", "proved", reason)
+        if eliminate(variety, self.rows).rank < self.rank - 1:
+            return Position("not decided", "proved", "more than one direction is lost on an image that could bound")
+        return self._by_sampling(variety, rng)
+
+    def _is_task(self) -> bool:
+        """Whether the rows are the derivative of some coordinates of the pose: in the base's axes, or all of v or of ω."""
+        whole = self.chosen.rows in ((1, 2, 3), (4, 5, 6), (1, 2, 3, 4, 5, 6))
+        return whole or self.chosen.expressed_in == self.chosen.arm.frames[0]
+
+    def special(self, variety: Variety) -> dict[str, Position]:
+        """Return the position under conditions on the lengths, such as a_1 = a_2, under which the image is smaller."""
+        if self.rank < len(self.rows) or variety.chain:
+            return {}
+        found: dict[str, Position] = {}
+        usual = image_dimension(variety, self.rows, self.sampler)
+        for factor in self._length_factors(variety, usual):
+            decomposer = Decomposer(variety.half, self.positive, lengths=Lengths.LINEAR)
+            for narrowed in decomposer.decompose([factor.polynomial], variety):
+                dimension = image_dimension(narrowed, self.rows, self.sampler)
+                if dimension < usual and self.rank - dimension >= 2:
+                    reason = f"the image of the family then has {self.rank - dimension} dimensions fewer than the task"
+                    found[write_condition(factor)] = Position("inside", "proved", reason + ", so it bounds nothing")
+        return found
+
+    def _length_factors(self, variety: Variety, size: int) -> list[Factor]:
+        """Return the relations between lengths that divide every minor of the family's image."""
+        half = variety.half
+        moved = tuple(
+            tuple(variety.substituted(e) for e in row) for row in image_rows(variety, self.rows, self.sampler)
+        )
+        if size == 0 or sum(len(entry) for row in moved for entry in row) > MOST_TERMS:
+            return []
+        minors = []
+        matrix = Matrix(moved)
+        if len(moved) != size:
+            return []
+        minors = [m for m in matrix.minors(size, tuple(range(size))).values() if not m.is_zero()]
+        common = reduce(lambda a, b: a.gcd(b), minors)
+        factors = [Factor(half, f, self.positive) for f, _ in half.factors(common)]
+        return [factor for factor in factors if factor.kind is Kind.LENGTHS]
+
+    def _by_sampling(self, variety: Variety, rng: np.random.Generator) -> Position:
+        """Return where an image of one dimension fewer than the task lies, from the form of second order and a search."""
+        arm = self.chosen.arm
+        q = self.sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
+        if not len(q):
+            return Position("not decided", "confirmed", "no configuration of the family at the arm's own lengths")
+        kinematics = arm.bulk
+        J = np.array(kinematics.jacobian(q, self.chosen.frame))
+        w, signs = lost_and_signs(J, self.chosen.rows, self.chosen.columns, self.rank - 1)
+        if np.isnan(signs).any():
+            return Position(
+                "not decided", "confirmed", "the motion of second order is not clear at some configurations"
+            )
+        if (signs == 0).all():
+            reason = "the form of second order takes both signs: null motions leave to either side"
+            return Position("inside", "confirmed", f"{reason}, at {len(q)} configurations")
+        return self._searched(kinematics, q, w, signs, rng)
+
+    def _searched(
+        self, kinematics: BulkKinematics, q: np.ndarray, w: np.ndarray, signs: np.ndarray, rng: np.random.Generator
+    ) -> Position:
+        size = typical_size(kinematics, self.chosen.frame, self.sampler.draw(rng, 64))
+        reach = Reach(self.chosen.arm, kinematics, self.chosen.frame, self.chosen.rows, self.chosen.columns, size)
+        inside = signs == 0
+        one_sided = ~inside
+        inside[one_sided] = reach.beyond(q[one_sided], -signs[one_sided, None] * w[one_sided], rng)
+        posture = "in this posture the tool stays on one side"
+        tried = f"at {len(q)} configurations"
+        if not inside.any():
+            return Position("boundary", "confirmed", f"{posture}, and no other posture reaches beyond, {tried}")
+        if inside.all():
+            return Position("inside", "confirmed", f"{posture}, but others reach beyond, {tried}")
+        share = f"{int(inside.sum())} of {len(q)} configurations"
+        return Position("boundary in part", "confirmed", f"{posture}; others reach beyond at {share}")
