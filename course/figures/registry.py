@@ -1,0 +1,99 @@
+"""The kinds of figures by name, and which of them an arm has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from types import MappingProxyType
+
+from matplotlib.figure import Figure
+
+from course.figures.errors import FigureError
+from course.figures.labels import arm_title, say
+from course.figures.style import GREY, TEXT, new_figure, styled
+from models.arm import Arm
+
+MODULES = (  # of course/figures/, each with its KIND
+    "sketch",
+    "singular",
+    "postures",
+    "workspace",
+    "manipulability",
+    "quintic",
+    "path",
+    "crossing",
+    "tracking",
+    "rendering",
+)
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of figure.
+
+    Attributes:
+        name: what the command calls it; also the key of its title in the catalogue of words.
+        applies: the reason, in a language, why an arm has no such figure; None if it has one.
+        draw: the figure of an arm in a language.
+        caption: its caption, with the numbers that the figure shows; mathematics between dollars.
+        empty: whether an arm without it gets a figure that says so, rather than none.
+    """
+
+    name: str
+    applies: Callable[[Arm, str], str | None]
+    draw: Callable[[Arm, str], Figure]
+    caption: Callable[[Arm, str], str]
+    empty: bool = False
+
+    def title(self, lang: str) -> str:
+        """Return what the kind is called."""
+        return say(self.name, lang)
+
+
+@cache
+def kinds() -> Mapping[str, Kind]:
+    """Return all kinds by name, in the order in which a course meets them."""
+    found = [import_module(f"course.figures.{module}").KIND for module in MODULES]
+    return MappingProxyType({kind.name: kind for kind in found})
+
+
+def find_kind(name: str) -> Kind:
+    """Return a kind by its name.
+
+    Raises:
+        FigureError: there is no such kind.
+    """
+    try:
+        return kinds()[name]
+    except KeyError:
+        raise FigureError(f"no figure '{name}'; the figures are {', '.join(kinds())}") from None
+
+
+def figures_for(arm: Arm) -> tuple[Kind, ...]:
+    """Return the kinds of which an arm has a figure, one that says that there is nothing to show included."""
+    return tuple(kind for kind in kinds().values() if kind.empty or kind.applies(arm, "en") is None)
+
+
+def draw_kind(kind: Kind, arm: Arm, lang: str = "en") -> Figure:
+    """Return the figure of an arm, or one that says why there is nothing to draw."""
+    reason = kind.applies(arm, lang)
+    return kind.draw(arm, lang) if reason is None else empty_figure(kind, arm, reason, lang)
+
+
+def caption_kind(kind: Kind, arm: Arm, lang: str = "en") -> str:
+    """Return the caption of an arm's figure, or the reason why there is nothing to draw."""
+    reason = kind.applies(arm, lang)
+    return kind.caption(arm, lang) if reason is None else f"{kind.title(lang)}: {arm_title(arm, lang)}. {reason}"
+
+
+@styled()
+def empty_figure(kind: Kind, arm: Arm, reason: str, lang: str = "en") -> Figure:
+    """Return a figure that says why there is nothing to draw."""
+    figure = new_figure("column", 30)
+    figure.text(
+        0.5, 0.66, f"{kind.title(lang)}: {arm_title(arm, lang)}", ha="center", va="center", fontsize=TEXT, wrap=True
+    )
+    figure.text(0.5, 0.33, reason, ha="center", va="center", fontsize=TEXT, color=GREY, wrap=True)
+    return figure

@@ -1,0 +1,82 @@
+"""`armproof handout`: course documents as A4 sheets with the verdicts behind them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from models.errors import ArmproofError
+from verification.batch import Failure
+from verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED
+from verification.cli.documents import check_paths
+from verification.cli.loading import give_up
+from verification.cli.messages import complain
+from verification.verdict import DocumentResult
+
+
+class Format(StrEnum):
+    """The formats of a sheet."""
+
+    pdf = "pdf"
+    html = "html"
+
+
+Documents = Annotated[list[Path], typer.Argument(metavar="DOC", help="Documents or folders.", show_default=False)]
+SheetFormat = Annotated[
+    Format, typer.Option("--format", help="pdf (needs the extra 'print') or html, one file a sheet.")
+]
+Solutions = Annotated[bool, typer.Option("--solutions", help="The teacher's edition: worked solutions and errata.")]
+Draft = Annotated[bool, typer.Option("--draft", help="Print what does not pass as well, with DRAFT across every page.")]
+Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="The folder that the sheets are written into.")]
+Language = Annotated[str | None, typer.Option("--lang", metavar="en|fr", help="By default the document's own.")]
+
+
+def handout(
+    documents: Documents,
+    sheet_format: SheetFormat = Format.pdf,
+    solutions: Solutions = False,
+    draft: Draft = False,
+    out: Out = Path("build/handouts"),
+    lang: Language = None,
+) -> None:
+    """Print documents as A4 sheets with their figures, every equation proved.
+
+    Exit code 0: all are printed; 1: one does not pass, and is printed as a draft only; 2: one cannot be printed.
+    """
+    from course.printing.document import Edition
+    from course.printing.printing import Printer, prepare
+
+    try:
+        printer = Printer(sheet_format.value, out, Edition(draft, solutions, lang))
+        results = check_paths(documents, prepare=lambda paths: prepare(printer, paths))
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except ArmproofError as error:
+        give_up(error)
+    raise typer.Exit(_say_what_was_printed(results, printer.path_of, draft))
+
+
+def _say_what_was_printed(
+    results: Sequence[DocumentResult | Failure], path_of: Callable[[Path], Path], draft: bool
+) -> int:
+    code = 0
+    for result in results:
+        if isinstance(result, Failure):
+            complain([result.message])
+            code = CANNOT_RUN
+        elif result.passed or draft:
+            typer.echo(path_of(Path(result.path)))
+        else:
+            wrong = sum(not record.passes for record in result.records)
+            equations = "1 equation is" if wrong == 1 else f"{wrong} equations are"
+            complain(
+                [
+                    f"{result.path}: not printed: {equations} not proved; armproof verify says which, --draft prints it as a draft"
+                ]
+            )
+            code = max(code, FAILS)
+    return code

@@ -1,0 +1,117 @@
+"""From a checked document to its sheet: front matter, figures, the edition asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from course.printing.editions import for_students, has_solutions, with_solutions
+from course.printing.errors import PrintError
+from course.printing.figures import draw_figures
+from course.printing.inline import InlineReader
+from course.printing.reading import BlockReader
+from course.printing.sheet import Block, Heading, Inline, Sheet, Text, plain
+from course.printing.words import check_language, say
+from models.arm import Arm
+from models.catalogue import load_arm
+from verification.document import Document
+from verification.document.front_matter import split_front_matter
+from verification.document.markdown import markdown_reader
+from verification.document.notebook import notebook_cells
+from verification.document.text import read_text
+from verification.names import read_names
+from verification.verdict import DocumentResult
+
+PRINTED = (".md", ".qmd", ".ipynb")
+
+
+@dataclass(frozen=True)
+class Edition:
+    """What is to be printed: a draft, the solutions, and the language (None: the document's own)."""
+
+    draft: bool = False
+    solutions: bool = False
+    lang: str | None = None
+
+
+def make_sheet(document: Document, result: DocumentResult, edition: Edition, figures: Path) -> Sheet:
+    """Return the sheet of a document that was checked.
+
+    Args:
+        document: the document as read.
+        result: its verdicts.
+        edition: which of the editions.
+        figures: a folder into which the arm's figures are drawn.
+
+    Raises:
+        PrintError: the document does not pass and no draft is asked for; it is of a format that is not printed; a display
+            has no verdict; its language or its figures are unknown.
+    """
+    if not (result.passed or edition.draft):
+        raise PrintError(f"{document.path}: it does not pass, so it is not printed; --draft prints it as a draft")
+    lang = check_language(edition.lang or str(document.front.get("lang") or document.front.get("language") or "en"))
+    spec = document.front.get("arm")
+    arm = load_arm(spec, document.path.parent) if spec is not None else None
+    inline = InlineReader(read_names(arm, document.front).reader.read, document.path.parent)
+    reader = BlockReader(inline, result)
+    blocks = [block for body, first, cell in _bodies(document.path) for block in reader.read(body, first, cell)]
+    reader.close()
+    title, blocks = _titled(document, blocks, inline)
+    warnings = list(reader.warnings)
+    if edition.solutions and not has_solutions(blocks):
+        warnings.append(
+            f"{document.path}: no solution in it: one is a section or a block quote that begins with 'Solution'"
+        )
+    chosen = with_solutions(blocks) if edition.solutions else for_students(blocks)
+    illustrated = _with_figures(chosen, document, arm, lang, inline, figures)
+    source = _inline(str(document.front.get("source") or ""), inline)
+    name = arm.name if arm is not None else ""
+    return Sheet(title, source, lang, name, illustrated, edition.draft, edition.solutions, tuple(warnings))
+
+
+def _bodies(path: Path) -> list[tuple[str, int, int | None]]:
+    """Return the Markdown of a document: each text with its first line, and the notebook's cell."""
+    if path.suffix not in PRINTED:
+        raise PrintError(f"{path}: '{path.suffix}' files are not printed; those that are: {', '.join(PRINTED)}")
+    text = read_text(path)
+    if path.suffix != ".ipynb":
+        _, _, body, first = split_front_matter(path, text)
+        return [(body, first, None)]
+    cells = enumerate(notebook_cells(path, text))
+    return [(_without_front_matter(path, source), 1, number) for number, (kind, source) in cells if kind == "markdown"]
+
+
+def _without_front_matter(path: Path, source: str) -> str:
+    stripped = source.lstrip()
+    if not stripped.startswith("---"):
+        return source
+    _, _, body, first = split_front_matter(path, stripped)
+    return "\n" * (first - 1 + source[: len(source) - len(stripped)].count("\n")) + body
+
+
+def _titled(document: Document, blocks: list[Block], inline: InlineReader) -> tuple[tuple[Inline, ...], list[Block]]:
+    """Return the title, and the blocks without the heading that repeats it."""
+    first = next((block for block in blocks if isinstance(block, Heading)), None)
+    heading = first if first is not None and first.level == 1 else None
+    named = _inline(str(document.front.get("title") or ""), inline)
+    title = heading.parts if heading is not None else named or (Text(document.path.stem),)
+    if heading is not None and (not named or plain(heading.parts) == plain(named)):
+        return title, [block for block in blocks if block is not heading]
+    return named or title, blocks
+
+
+def _inline(text: str, inline: InlineReader) -> tuple[Inline, ...]:
+    tokens = markdown_reader().parseInline(text)
+    return inline.parts(tokens[0].children or []) if tokens else ()
+
+
+def _with_figures(
+    blocks: tuple[Block, ...], document: Document, arm: Arm | None, lang: str, inline: InlineReader, folder: Path
+) -> tuple[Block, ...]:
+    """Return the blocks with the first figure behind the introduction and the others at the end."""
+    drawn = draw_figures(document, arm, lang, lambda text: _inline(text, inline), folder)
+    if not drawn:
+        return blocks
+    at = next((k for k, block in enumerate(blocks) if isinstance(block, Heading) and block.level > 1), len(blocks))
+    rest: tuple[Block, ...] = (Heading(2, (Text(say("figures", lang)),)), *drawn[1:]) if len(drawn) > 1 else ()
+    return (*blocks[:at], drawn[0], *blocks[at:], *rest)

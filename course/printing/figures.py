@@ -1,0 +1,59 @@
+"""The figures of a document: those that its front matter names, or the sketch of its arm."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from course.figures.registry import caption_kind, draw_kind, find_kind
+from course.figures.save import save_figure
+from course.figures.style import MM
+from course.printing.errors import PrintError
+from course.printing.sheet import Inline, Picture
+from models.arm import Arm
+from verification.document import Document
+
+DEFAULT = "sketch"
+
+
+def figure_names(document: Document, arm: Arm | None) -> tuple[str, ...]:
+    """Return the names of a document's figures: `figures: [sketch, singular]`; without the key, the arm's sketch.
+
+    Raises:
+        PrintError: the key holds something else than names, or there is no arm to draw.
+    """
+    named = document.front.get("figures")
+    if named is None and "figures" not in document.front:
+        return (DEFAULT,) if arm is not None and find_kind(DEFAULT).applies(arm, "en") is None else ()
+    names = [] if named is None else [named] if isinstance(named, str) else named
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        raise PrintError(
+            f"{document.at('figures')}: 'figures' is a list of names such as [sketch, singular], not {named!r}"
+        )
+    if names and arm is None:
+        raise PrintError(f"{document.at('figures')}: figures are drawn of an arm, and this document names none")
+    return tuple(dict.fromkeys(names))
+
+
+def draw_figures(
+    document: Document,
+    arm: Arm | None,
+    lang: str,
+    words: Callable[[str], tuple[Inline, ...]],
+    folder: Path,
+) -> list[Picture]:
+    """Draw the figures of a document into a folder, and return them with their captions, in the order named.
+
+    Raises:
+        PrintError: see `figure_names`.
+        FigureError: an unknown figure.
+    """
+    pictures = []
+    for name in figure_names(document, arm):
+        if arm is None:
+            continue
+        kind = find_kind(name)
+        figure = draw_kind(kind, arm, lang)
+        path = save_figure(figure, folder / f"{kind.name}.svg")
+        pictures.append(Picture(path, figure.get_size_inches()[0] / MM, words(caption_kind(kind, arm, lang))))
+    return pictures

@@ -1,0 +1,166 @@
+"""A sheet as one HTML file: MathML, its style and its pictures inside, no script, nothing from the network."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+from collections.abc import Callable, Sequence
+from importlib import resources
+
+from markupsafe import Markup, escape
+
+from course.printing import sheet as s
+from course.printing.proof import proof_line, remark
+from course.printing.words import say
+from verification.latex.mathml.display import Line
+from verification.verdict import Record
+
+_TYPES = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg", ".gif": "gif", ".svg": "svg+xml", ".webp": "webp"}
+_PAGE = 46.0  # em of mathematics on a line of A4
+
+_HTML = Markup("""<!DOCTYPE html>
+<html lang="{lang}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="Armproof">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src '{digest}'">
+<title>{plain_title}</title>
+<style>{style}</style>
+</head>
+<body{kind}>
+{draft}<main>
+<header><h1>{title}</h1>
+{source}{edition}</header>
+{body}
+</main>
+<footer>{proof}</footer>
+</body>
+</html>
+""")
+
+
+class HtmlWriter:
+    """Writes one sheet."""
+
+    def __init__(self, sheet: s.Sheet) -> None:
+        self.sheet = sheet
+        self.lang = sheet.lang
+        self.blocks: dict[type, Callable[..., Markup]] = {
+            s.Heading: self._heading,
+            s.Paragraph: lambda block: Markup("<p>{}</p>").format(self._content(block.parts)),
+            s.Display: self._display,
+            s.Table: self._table,
+            s.Listing: self._list,
+            s.Quote: self._quote,
+            s.Listed: lambda block: Markup("<pre><code>{}</code></pre>").format(block.text.strip("\n")),
+            s.Picture: self._picture,
+            s.Blank: lambda block: Markup('<div class="blank h{}"></div>').format(_tens(block.height)),
+            s.Rule: lambda block: Markup("<hr>"),
+        }
+
+    def page(self) -> str:
+        """Return the whole page."""
+        sheet = self.sheet
+        style = resources.files("course.printing").joinpath("templates", "sheet.css").read_text(encoding="utf-8")
+        digest = f"sha256-{base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()}"
+        draft = Markup('<div class="across" aria-hidden="true">{}</div>\n').format(say("draft", sheet.lang))
+        source = Markup('<p class="source">{}</p>\n').format(self._content(sheet.source))
+        edition = Markup('<p class="edition">{}</p>\n').format(say("edition", sheet.lang))
+        return _HTML.format(
+            lang=sheet.lang,
+            digest=digest,
+            plain_title=s.plain(sheet.title),
+            style=Markup(style),
+            kind=Markup(' class="draft"') if sheet.draft else "",
+            draft=draft if sheet.draft else "",
+            title=self._content(sheet.title),
+            source=source if sheet.source else "",
+            edition=edition if sheet.solutions else "",
+            body=self._body(sheet.blocks),
+            proof=proof_line(sheet),
+        )
+
+    def _body(self, blocks: Sequence[s.Block]) -> Markup:
+        return Markup("\n").join(self.blocks[type(block)](block) for block in blocks)
+
+    # -- blocks -----------------------------------------------------------------------------------------------------
+
+    def _heading(self, block: s.Heading) -> Markup:
+        tag = Markup(f"h{min(6, max(2, block.level))}")
+        return Markup("<{0}>{1}</{0}>").format(tag, self._content(block.parts))
+
+    def _display(self, block: s.Display) -> Markup:
+        note = self._note(block.record)
+        if not block.lines:
+            return Markup('<div class="source-only"><pre><code>{}</code></pre>{}</div>').format(
+                block.record.latex.strip("\n"), note
+            )
+        widest = max((piece.width for line in block.lines for statement in line for piece in statement), default=0.0)
+        fit = 100 if widest <= _PAGE else max(40, int(100 * _PAGE / widest) // 5 * 5)
+        lines = Markup("").join(_line(line) for line in block.lines)
+        return Markup('<div class="display fit{}">{}{}</div>').format(fit, lines, note)
+
+    def _table(self, block: s.Table) -> Markup:
+        def row(tag: str, cells: Sequence[tuple[s.Inline, ...]]) -> Markup:
+            aligned = zip(block.columns, cells, strict=False)
+            return Markup("<tr>{}</tr>").format(
+                Markup("").join(
+                    Markup("<{0} class={1}>{2}</{0}>").format(Markup(tag), side, self._content(cell))
+                    for side, cell in aligned
+                )
+            )
+
+        rows = Markup("\n").join(row("td", cells) for cells in block.rows)
+        return Markup("<div class=table><table><thead>{}</thead>\n<tbody>{}</tbody></table>{}</div>").format(
+            row("th", block.header), rows, self._note(block.record)
+        )
+
+    def _note(self, record: Record | None) -> Markup:
+        note = remark(record, self.lang)
+        return Markup('<p class="note">{}</p>').format(note) if note else Markup("")
+
+    def _list(self, block: s.Listing) -> Markup:
+        items = Markup("\n").join(Markup("<li>{}</li>").format(self._body(item)) for item in block.items)
+        if block.start is None:
+            return Markup("<ul>{}</ul>").format(items)
+        return Markup('<ol start="{}">{}</ol>').format(block.start, items)
+
+    def _quote(self, block: s.Quote) -> Markup:
+        label = Markup('<p class="label">✗ {}</p>').format(say("erratum", self.lang)) if block.kind == "erratum" else ""
+        return Markup('<blockquote class="{}">{}{}</blockquote>').format(block.kind, label, self._body(block.blocks))
+
+    def _picture(self, block: s.Picture) -> Markup:
+        data = base64.b64encode(block.path.read_bytes()).decode()
+        caption = Markup("<figcaption>{}</figcaption>").format(self._content(block.caption)) if block.caption else ""
+        return Markup('<figure><img src="data:image/{};base64,{}" alt="{}">{}</figure>').format(
+            _TYPES[block.path.suffix.lower()], data, s.plain(block.caption), caption
+        )
+
+    # -- words ------------------------------------------------------------------------------------------------------
+
+    def _content(self, parts: Sequence[s.Inline]) -> Markup:
+        return Markup("").join(self._part(part) for part in parts)
+
+    def _part(self, part: s.Inline) -> Markup:
+        if isinstance(part, s.Text):
+            return escape(part.text)
+        if isinstance(part, s.Styled):
+            tag = Markup("strong" if part.kind == "strong" else "em")
+            return Markup("<{0}>{1}</{0}>").format(tag, self._content(part.parts))
+        if isinstance(part, s.Code):
+            return Markup("<code>{}</code>").format(part.text)
+        if isinstance(part, s.Formula):
+            return Markup(" ").join(Markup(f"<math>{piece.markup}</math>") for piece in part.pieces)
+        if isinstance(part, s.Link):
+            return Markup('<a href="{}" rel="noreferrer">{}</a>').format(part.target, self._content(part.parts))
+        return Markup("<br>")
+
+
+def _line(line: Line) -> Markup:
+    statements = ["".join(f'<math display="block">{piece.markup}</math>' for piece in statement) for statement in line]
+    return Markup(f'<div class="line">{"".join(f"<div>{each}</div>" for each in statements)}</div>')
+
+
+def _tens(height: float) -> int:
+    return min(110, max(10, round(height / 10) * 10))

@@ -1,0 +1,90 @@
+"""Print checked documents into a folder: one file a sheet, there as a whole or not at all."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from course.printing.document import Edition, make_sheet
+from course.printing.errors import PrintError
+from course.printing.html_writer import HtmlWriter
+from course.printing.pdf import check_installed, write_pdf
+from course.printing.sheet import Sheet
+from course.printing.words import check_language
+from verification.atomic import write_atomically
+from verification.cli.messages import complain
+from verification.document import Document
+from verification.verdict import DocumentResult
+
+FORMATS = ("pdf", "html")
+
+
+@dataclass(frozen=True)
+class Printer:
+    """Prints the documents that it is given with their verdicts; what does not pass it leaves unless it prints drafts.
+
+    Attributes:
+        format: pdf or html.
+        folder: where the sheets are written.
+        edition: draft, solutions, language.
+    """
+
+    format: str
+    folder: Path
+    edition: Edition
+
+    def __call__(self, document: Document, result: DocumentResult) -> None:
+        """Print a document that passes; raises PrintError where that cannot be done."""
+        if not (result.passed or self.edition.draft):
+            return
+        with tempfile.TemporaryDirectory(prefix="armproof-figures-") as figures:
+            sheet = make_sheet(document, result, self.edition, Path(figures))
+            data = render(sheet, self.format)
+        complain(f"warning: {warning}" for warning in sheet.warnings)
+        target = self.path_of(document.path)
+        try:
+            write_atomically(target, data)
+        except OSError as error:
+            raise PrintError(f"{target}: cannot be written: {error.strerror}") from None
+
+    def path_of(self, document: Path) -> Path:
+        """Return the file that a document is printed into."""
+        return self.folder / f"{document.stem}{'-solutions' if self.edition.solutions else ''}.{self.format}"
+
+
+def render(sheet: Sheet, form: str) -> bytes:
+    """Return a sheet as a file's bytes, pdf or html.
+
+    Raises:
+        PrintError: another format, or Typst is missing for pdf.
+    """
+    if form not in FORMATS:
+        raise PrintError(f"no format '{form}'; a sheet is printed as {' or '.join(FORMATS)}")
+    return write_pdf(sheet) if form == "pdf" else HtmlWriter(sheet).page().encode("utf-8")
+
+
+def prepare(printer: Printer, documents: Sequence[Path]) -> Printer:
+    """Return the printer, once all that does not depend on a document's content is known to be in order.
+
+    Raises:
+        PrintError: Typst is missing for pdf; an unknown language; two documents that would be one file; a folder that cannot be made.
+    """
+    if printer.format == "pdf":
+        check_installed()
+    if printer.edition.lang is not None:
+        check_language(printer.edition.lang)
+    seen: dict[Path, Path] = {}
+    for document in documents:
+        target = printer.path_of(document)
+        if target in seen:
+            raise PrintError(f"{document} and {seen[target]} would both be {target}; print them into different folders")
+        if target.exists() and target.samefile(document):
+            raise PrintError(f"{target}: this is the document itself")
+        seen[target] = document
+    try:
+        printer.folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise PrintError(f"{printer.folder}: cannot be written: {error.strerror}") from None
+    return printer

@@ -1,0 +1,49 @@
+"""What stands behind a sheet: how many of its equations are proved, in one line at its foot."""
+
+from __future__ import annotations
+
+from collections import Counter
+from importlib.metadata import PackageNotFoundError, version
+
+from course.printing.sheet import Sheet
+from course.printing.words import say
+from verification.verdict import Record, Verdict
+
+
+def proof_line(sheet: Sheet) -> str:
+    """Return how many equations on the sheet are proved, and by what; errata are none of them."""
+    counts = Counter(_kind(record) for record in sheet.records if not record.erratum)
+    proved = counts["proved"]
+    key = "no_equation" if not proved else "one_proved" if proved == 1 else "proved"
+    against = say("against", sheet.lang) if sheet.arm and proved else ""
+    first = f"{say(key, sheet.lang, count=proved)}{against}{say('by', sheet.lang, version=armproof_version())}"
+    rest = [say(kind, sheet.lang, count=counts[kind]) for kind in ("confirmed", "unchecked", "failed") if counts[kind]]
+    return "; ".join([first, *rest])
+
+
+def remark(record: Record | None, lang: str) -> str:
+    """Return what is said beside a display of a draft that is not settled; empty for one that is."""
+    if record is None:
+        return ""
+    if record.erratum:
+        return "" if record.passes else say("erratum_holds", lang)
+    words = {Verdict.REFUTED: "refuted", Verdict.UNREADABLE: "unreadable", Verdict.UNCHECKED: "unchecked_one"}
+    return say(words[record.verdict], lang) if record.verdict in words else ""
+
+
+def _kind(record: Record) -> str:
+    kinds = {
+        Verdict.PROVED: "proved",
+        Verdict.CONFIRMED: "confirmed",
+        Verdict.UNCHECKED: "unchecked",
+        Verdict.DEFINED: "defined",
+    }
+    return kinds.get(record.verdict, "failed")
+
+
+def armproof_version() -> str:
+    """Return the version of Armproof that is installed."""
+    try:
+        return version("armproof")
+    except PackageNotFoundError:
+        return ""

@@ -1,0 +1,261 @@
+"""Read a checked document into the blocks of a sheet, each display and each table with its verdict.
+
+The Markdown is read by the reader that the verification uses, in the same order: the k-th display on the sheet is the
+k-th record, and one whose LaTeX is not the record's is an error. So nothing is printed that was not checked.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from markdown_it.token import Token
+from markdown_it.tree import SyntaxTreeNode
+
+from course.printing.errors import PrintError
+from course.printing.inline import InlineReader
+from course.printing.pictures import find_picture
+from course.printing.sheet import (
+    Block,
+    Display,
+    Heading,
+    Inline,
+    Listed,
+    Listing,
+    Paragraph,
+    Picture,
+    Quote,
+    Rule,
+    Table,
+    Text,
+    plain,
+)
+from verification.correction import edits
+from verification.document import Display as Source
+from verification.document.markdown import ADMONITIONS, markdown_reader, without_labels
+from verification.errors import ReadError
+from verification.latex.mathml.display import write_display
+from verification.latex.mathml.marks import WRONG
+from verification.latex.mathml.writer import WIDEST
+from verification.latex.tokens import normalise_unicode
+from verification.tables.array import read_array
+from verification.verdict import DocumentResult, Record, Verdict
+
+_DIRECTIVE = re.compile(r"\s*\{?\s*\.?(?P<name>[\w:-]*)\}?\s*(?P<title>[^\n]*)")
+_ERRATUM = re.compile(r"[#*_\s]*errat(?:um|a)\b", re.IGNORECASE)
+_SOLUTION = re.compile(r"[#*_\s]*(?:worked\s+)?(?:solution|corrigé)s?\b", re.IGNORECASE)
+_MATRIX = 64.0  # em beyond which a matrix's cells are broken into lines: one a little too wide is made smaller instead
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+
+
+class BlockReader:
+    """Reads the Markdown of one document; `warnings` collects what of it is not printed."""
+
+    def __init__(self, inline: InlineReader, result: DocumentResult) -> None:
+        self.inline = inline
+        self.path = Path(result.path)
+        self.records = iter(result.equations)
+        self.tables = {(record.line, record.cell): record for record in result.tables}
+        self.warnings: list[str] = []
+        self.first = 1
+        self.cell: int | None = None
+
+    def read(self, body: str, first: int, cell: int | None = None) -> list[Block]:
+        """Return the blocks of a Markdown text that begins on line `first` of the file or of the cell.
+
+        Raises:
+            PrintError: a display has no verdict of its own.
+        """
+        self.first, self.cell = first, cell
+        tree = SyntaxTreeNode(markdown_reader().parse(without_labels(body)))
+        return list(self._blocks(tree.children))
+
+    def close(self) -> None:
+        """Raise PrintError where a verdict has no display on the sheet."""
+        left = next(self.records, None)
+        if left is not None:
+            raise PrintError(f"{self.path}:{left.line}: this display was checked, and would not be on the sheet")
+
+    # -- blocks -----------------------------------------------------------------------------------------------------
+
+    def _blocks(self, nodes: Iterable[SyntaxTreeNode]) -> Iterator[Block]:
+        for node in nodes:
+            yield from self._block(node)
+
+    def _block(self, node: SyntaxTreeNode) -> Iterator[Block]:
+        if node.type == "heading":
+            yield Heading(int(node.tag[1:]), self.inline.parts(_tokens(node)))
+        elif node.type == "paragraph":
+            yield from self._paragraph(node)
+        elif node.type in ("math_block", "math_block_label"):
+            yield from (self._display(part) for part in node.content.split("$$")[::2])
+        elif node.type == "blockquote":
+            yield self._quote(list(self._blocks(node.children)), _first_words(node))
+        elif node.type in ("bullet_list", "ordered_list"):
+            yield self._list(node)
+        elif node.type == "table":
+            yield self._table(node)
+        elif node.type in ("fence", "colon_fence"):
+            yield from self._fence(node)
+        elif node.type == "code_block":
+            yield Listed(node.content)
+        elif node.type == "hr":
+            yield Rule()
+        elif node.type == "html_block":
+            yield from self._html(node)
+
+    def _paragraph(self, node: SyntaxTreeNode) -> Iterator[Block]:
+        """Yield the paragraph, the displays and pictures in it on lines of their own."""
+        words: list[Token] = []
+        for token in _tokens(node):
+            if token.type == "math_inline_double":
+                yield from self._words(words, leads=True)
+                yield self._display(token.content)
+            elif token.type == "image":
+                yield from self._words(words)
+                yield from self._picture(token, node)
+            elif token.type == "text" and "$$" in token.content:  # opened and never closed: what follows was not read
+                before = token.content[: token.content.index("$$")]
+                yield from self._words([*words, Token("text", "", 0, content=before)])
+                yield self._display(None)
+                return
+            else:
+                words.append(token)
+                continue
+            words = []
+        yield from self._words(words)
+
+    def _words(self, tokens: list[Token], *, leads: bool = False) -> Iterator[Block]:
+        parts = self.inline.parts(tokens)
+        if parts and not all(isinstance(part, Text) and not part.text.strip() for part in parts):
+            ending = parts[-1].text.rstrip() if isinstance(parts[-1], Text) else "x"
+            yield Paragraph(parts, leads or not ending.endswith((".", "!", "?", ".)")))
+
+    def _quote(self, blocks: list[Block], words: str) -> Quote:
+        kinds = (("erratum", _ERRATUM), ("solution", _SOLUTION))
+        kind = next((kind for kind, pattern in kinds if pattern.match(words)), "plain")
+        return Quote(kind, tuple(blocks))  # type: ignore[arg-type]
+
+    def _list(self, node: SyntaxTreeNode) -> Listing:
+        items = tuple(tuple(self._blocks(item.children)) for item in node.children)
+        return Listing(items, int(node.attrs.get("start", 1)) if node.type == "ordered_list" else None)
+
+    def _fence(self, node: SyntaxTreeNode) -> Iterator[Block]:
+        found = _DIRECTIVE.match(node.info)
+        name, title = (found.group("name"), found.group("title")) if found else ("", "")
+        if name == "math":
+            record = next(self.records, None)
+            if record is None or record.latex.strip() not in node.content:
+                raise PrintError(f"{self._place(node)}: this display was not checked")
+            yield self._written(record)
+        elif node.type == "colon_fence" or name in ADMONITIONS:
+            blocks = self._inside(node)
+            heading = [Paragraph((Text(title.strip(" {}")),))] if title.strip(" {}") else []
+            words = f"{name if _ERRATUM.match(name) else title} {node.content}".strip()
+            yield self._quote([*heading, *blocks], words)
+        else:
+            yield Listed(node.content)
+
+    def _inside(self, node: SyntaxTreeNode) -> list[Block]:
+        """Return the blocks in a directive, whose lines are counted from that of its opening."""
+        outer = self.first
+        self.first += (node.map[0] if node.map else 0) + 1
+        blocks = list(self._blocks(SyntaxTreeNode(markdown_reader().parse(node.content)).children))
+        self.first = outer
+        return blocks
+
+    def _html(self, node: SyntaxTreeNode) -> Iterator[Block]:
+        text = _COMMENT.sub("", node.content)
+        if "$$" in text:
+            yield self._display(None)
+        elif text.strip():
+            self.warnings.append(f"{self._place(node)}: HTML is not printed; write it in Markdown")
+
+    def _picture(self, token: Token, node: SyntaxTreeNode) -> Iterator[Block]:
+        target = str(token.attrGet("src") or "")
+        caption = self.inline.parts(token.children or ())
+        found = find_picture(target, self.path.parent)
+        if isinstance(found, Path):
+            yield Picture(found, None, caption)
+            return
+        self.warnings.append(f"{self._place(node)}: the picture '{target[:80]}' is not printed: {found}")
+        if caption:
+            yield Paragraph((Text("["), *caption, Text("]")))
+
+    def _place(self, node: SyntaxTreeNode) -> str:
+        line = self.first + (node.map[0] if node.map else 0)
+        return f"{self.path}:{line}" if self.cell is None else f"{self.path}: cell {self.cell}, line {line}"
+
+    # -- mathematics ------------------------------------------------------------------------------------------------
+
+    def _display(self, latex: str | None) -> Block:
+        """Return the next display with its verdict; `latex` is None where the display never ends."""
+        record = next(self.records, None)
+        if record is None or (latex is not None and _squeezed(latex) != _squeezed(record.latex)):
+            shown = " ".join((latex or "").split())[:60]
+            raise PrintError(f"{self.path}: the display '{shown}' has no verdict, so it is not printed")
+        return self._written(record)
+
+    def _written(self, record: Record) -> Block:
+        if record.verdict is Verdict.UNREADABLE:
+            return Display((), record)
+        spans = [entry.span for entry in record.entries if entry.span is not None] or [
+            (len(normalise_unicode(record.latex[: edit.start])), len(normalise_unicode(record.latex[: edit.end])))
+            for edit in edits(record)
+        ]
+        try:
+            widest = _MATRIX if "\\begin" in record.latex else WIDEST
+            lines = write_display(record.latex, self.inline.read, spans, WRONG if spans else None, widest)
+        except ReadError:
+            array = read_array(Source(record.line, record.latex))
+            if array is None:
+                return Display((), record)
+            cells = [
+                tuple((self.inline.formula(cell),) for cell in row) for row in (array.table.header, *array.table.rows)
+            ]
+            return Table(cells[0], tuple(cells[1:]), ("center",) * len(cells[0]), record)
+        return Display(lines, record)
+
+    def _table(self, node: SyntaxTreeNode) -> Table:
+        rows: list[tuple[tuple[Inline, ...], ...]] = []
+        columns: tuple[str, ...] = ()
+        for part in node.children:
+            for row in part.children:
+                rows.append(tuple(self.inline.parts(_tokens(cell)) for cell in row.children))
+                columns = columns or tuple(_alignment(cell) for cell in row.children)
+        line = self.first + (node.map[0] if node.map else 0)
+        return Table(rows[0], tuple(rows[1:]), columns, self.tables.get((line, self.cell)))
+
+
+def _tokens(node: SyntaxTreeNode) -> list[Token]:
+    """Return the flat inline tokens of a paragraph, a heading or a cell."""
+    found: list[Token] = []
+    for child in node.children:
+        if child.type == "inline" and child.token is not None:
+            found.extend(child.token.children or [])
+    return found
+
+
+def _first_words(node: SyntaxTreeNode) -> str:
+    first = next((each for each in node.walk() if each.type in ("inline", "math_block")), None)
+    return first.content if first is not None and first.type == "inline" else ""
+
+
+def _alignment(cell: SyntaxTreeNode) -> str:
+    found = re.search(r"text-align:\s*(left|center|right)", str(cell.attrs.get("style", "")))
+    return found.group(1) if found else "auto"
+
+
+def _squeezed(latex: str) -> str:
+    return "".join(latex.split())
+
+
+def is_solution(parts: tuple[Inline, ...]) -> bool:
+    """Whether a heading opens a worked solution: "Solution", "Solution 2", "Solution: the pose", "Corrigé"."""
+    return (
+        re.fullmatch(
+            r"(?:worked )?(?:solution|corrigé)s?(?: *\d[\w.]*)?(?: *[.:–—-].*)?", plain(parts).strip(), re.IGNORECASE
+        )
+        is not None
+    )

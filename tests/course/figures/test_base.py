@@ -1,0 +1,176 @@
+"""The base of the figures: style, words, projections, layouts, placement and what legibility finds."""
+
+import re
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from matplotlib import rcParams
+
+from course.figures.errors import FigureError
+from course.figures.fitting import SPACING, arm_view, fit_arm
+from course.figures.labels import LANGUAGES, arm_title, number, say
+from course.figures.layout import lay_out
+from course.figures.legibility import illegible
+from course.figures.placement import LEADER, Label, place_labels
+from course.figures.poses import showing_pose, zero_pose
+from course.figures.projection import axonometric, choose_projection, is_planar, look_along, plane_projection
+from course.figures.style import HIGHEST, MM, WIDTHS, mm_axes, new_figure, styled
+from course.figures.words import WORDS
+from models.arm import Arm
+from models.joint_values import outside_limits
+
+PLACEHOLDER = re.compile(r"\{(\w+)\}")
+
+
+@pytest.fixture(autouse=True)
+def style() -> Iterator[None]:
+    with styled():
+        yield
+
+
+def test_the_style_restores_what_was_set_before() -> None:
+    size = rcParams["font.size"]
+    with styled():
+        rcParams["font.size"] = 99
+    assert rcParams["font.size"] == size
+
+
+@pytest.mark.parametrize("size", WIDTHS)
+def test_figures_are_as_wide_as_a_column_or_a_page(size: str) -> None:
+    assert new_figure(size, 50).get_size_inches() / MM == pytest.approx([WIDTHS[size], 50])  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("arguments", [("poster", 50), ("column", HIGHEST + 1), ("column", 2)])
+def test_sizes_that_no_page_has_are_refused(arguments: tuple[str, float]) -> None:
+    with pytest.raises(FigureError, match=r"column or page|mm high"):
+        new_figure(*arguments)  # type: ignore[arg-type]
+
+
+def test_every_word_stands_in_both_languages_with_the_same_placeholders() -> None:
+    for key, words in WORDS.items():
+        assert len(words) == len(LANGUAGES), key
+        if not key.startswith("arm "):
+            english, french = (sorted(PLACEHOLDER.findall(text)) for text in words)
+            assert english == french, key
+
+
+def test_an_unknown_language_is_told_which_are_known() -> None:
+    with pytest.raises(FigureError, match="'de'; the labels are written in en, fr"):
+        say("target", "de")
+
+
+def test_french_numbers_have_a_comma() -> None:
+    assert (number(0.45, "en"), number(0.45, "fr"), number(0.45, "fr", in_math=True)) == ("0.45", "0,45", "0{,}45")
+
+
+def test_every_arm_of_the_catalogue_has_a_french_title(arm: Arm) -> None:
+    if arm.name not in ("slanted", "box"):
+        assert arm_title(arm, "fr") != arm.title
+
+
+@pytest.mark.parametrize("toward", [(0, 0, 1), (0, -1, 0), (1, 2, 3)])
+def test_projections_are_orthonormal(toward: tuple[float, float, float]) -> None:
+    projection = look_along(np.array(toward))
+    R = np.stack([projection.right, projection.up, projection.toward])
+    assert pytest.approx(np.eye(3), abs=1e-14) == R @ R.T
+    assert np.linalg.det(R) == pytest.approx(1)
+
+
+def test_planar_arms_are_seen_along_their_normal(arm: Arm) -> None:
+    projection = choose_projection(arm)
+    assert projection.planar == is_planar(arm) == (arm.name in ("planar_2r", "planar_3r", "polar_rp"))
+    if projection.planar:
+        q = np.random.default_rng(1).uniform(-1, 1, (5, len(arm.joints)))
+        depths = projection.depth(arm.numeric(q).pose(arm.frames[-1])[:, :3, 3])
+        assert np.ptp(depths) < 1e-12
+    else:
+        assert np.array_equal(projection.toward, axonometric().toward)
+
+
+@pytest.mark.parametrize("arm", ["scara", "planar_2r"], indirect=True)
+def test_arms_with_parallel_axes_have_a_plane(arm: Arm) -> None:
+    projection = plane_projection(arm)
+    assert projection is not None
+    assert projection.toward == pytest.approx([0, 0, 1])
+
+
+@pytest.mark.parametrize("arm", ["rx90"], indirect=True)
+def test_other_arms_have_none(arm: Arm) -> None:
+    assert plane_projection(arm) is None
+
+
+def test_symbols_stand_on_their_axes_and_apart(arm: Arm) -> None:
+    q = showing_pose(arm)
+    spacing = arm_view(arm, q, (120, 90)).metre * SPACING
+    layout = lay_out(arm, q, spacing)
+    for spot, joint in zip(layout.spots, layout.joints, strict=True):
+        beside = np.cross(spot - joint.start, joint.axis)
+        assert np.linalg.norm(beside) < 1e-9
+    assert len(layout.links) == len(arm.joints) + 1
+    if not choose_projection(arm).planar:
+        gaps = np.linalg.norm(np.diff(layout.spots, axis=0), axis=1)
+        assert gaps.min() > 0.3 * spacing
+    off_axis = layout.spots[0] + 0.01 * np.cross(layout.joints[0].axis, [0.6, 0.0, 0.8])
+    assert (
+        np.linalg.norm(np.cross(off_axis - layout.joints[0].start, layout.joints[0].axis)) > 1e-3
+    )  # the check can fail
+
+
+def test_links_join_the_symbols(arm: Arm) -> None:
+    layout = lay_out(arm, showing_pose(arm), 0.02)
+    for link, spot, next_spot in zip(layout.links[1:-1], layout.spots, layout.spots[1:], strict=False):
+        assert np.allclose(link[0], spot, atol=1e-9)
+        assert np.allclose(link[-1], next_spot, atol=1e-9)
+
+
+def test_poses_are_within_the_limits_and_always_the_same(arm: Arm) -> None:
+    q = showing_pose(arm)
+    assert not outside_limits(arm, q).any()
+    assert not outside_limits(arm, zero_pose(arm)).any()
+    showing_pose.cache_clear()
+    assert np.array_equal(showing_pose(arm), q)
+
+
+@pytest.mark.parametrize("arm", ["rx90"], indirect=True)
+def test_an_arm_is_seen_whole(arm: Arm) -> None:
+    figure = new_figure("column", 70)
+    scene = fit_arm(figure, (0, 0, 84, 70), arm, showing_pose(arm), margin=10)
+    layout = lay_out(arm, showing_pose(arm), scene.metres(SPACING))
+    for points in (*layout.links, layout.gripper[None]):
+        at = scene.axes.transData.transform(scene.paper(points)) / figure.dpi / MM
+        assert np.all(at > 9.9)
+        assert np.all(at < np.array([84, 70]) - 9.9)
+
+
+def test_labels_of_one_point_are_placed_beside_each_other() -> None:
+    figure = new_figure("column", 40)
+    axes = mm_axes(figure, 0, 0, 84, 40)
+    axes.set_axis_off()
+    axes.set_xlim(0, 1)
+    axes.set_ylim(0, 1)
+    texts = place_labels(figure, [Label(axes, f"label {k}", (0.5, 0.5)) for k in range(12)])
+    assert illegible(figure) == ()
+    assert any(line.get_gid() == LEADER for line in axes.lines)
+    texts[0].set_position(texts[1].get_position())
+    assert any("overlaps" in problem for problem in illegible(figure))
+
+
+def test_labels_keep_off_the_ink_and_the_edge() -> None:
+    figure = new_figure("column", 30)
+    axes = mm_axes(figure, 0, 0, 84, 30)
+    axes.set_axis_off()
+    axes.set_xlim(0, 84)
+    axes.set_ylim(0, 30)
+    axes.fill_between([40, 60], 0, 30, color="black")
+    (right, corner) = place_labels(figure, [Label(axes, "right", (39, 15), (1, 0)), Label(axes, "corner", (0, 0))])
+    assert right.get_position()[0] < 39
+    assert illegible(figure) == ()
+    corner.set_position((0, 0))
+    assert any("leaves the page" in problem for problem in illegible(figure))
+
+
+def test_small_letters_are_found() -> None:
+    figure = new_figure("column", 30)
+    figure.text(0.5, 0.5, "small", fontsize=6)
+    assert illegible(figure) == ("'small' is 6 pt",)

@@ -1,0 +1,20 @@
+"""Every figure of every arm in both languages can be read: no text overlaps another, leaves the page or is too small."""
+
+import pytest
+
+from course.figures.labels import LANGUAGES
+from course.figures.legibility import illegible
+from course.figures.registry import caption_kind, draw_kind, figures_for, kinds
+from models.arm import Arm
+
+
+@pytest.mark.parametrize("kind", kinds())
+def test_every_figure_can_be_read(arm: Arm, kind: str) -> None:
+    found = kinds()[kind]
+    if found not in figures_for(arm):
+        pytest.skip(str(found.applies(arm, "en")))
+    for lang in LANGUAGES:
+        assert illegible(draw_kind(found, arm, lang)) == ()
+        caption = caption_kind(found, arm, lang)
+        assert caption.count("$") % 2 == 0
+        assert "nan" not in caption
