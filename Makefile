@@ -6,23 +6,21 @@ VENV ?= .venv
 BUILD ?= build
 
 PIP := $(VENV)/bin/python -m pip --disable-pip-version-check
-VERDICTS := $(BUILD)/report/verdicts.json
+REPORT := $(BUILD)/report
 # The stamps live in the environment, so that removing it removes them.
 READY := $(VENV)/.installed
 READY_TO_LINT := $(VENV)/.installed-lint
 
-.PHONY: report test lint format mutation benchmark clean
+.PHONY: report figures test lint format mutation benchmark sweep clean
 
-# Exit code 2 of the command means that it could not run: then the verdicts of the last run stay.
+# Exit code 2 of the command means that it could not run: then the report of the last run stays.
 report: $(READY)
-	@mkdir -p $(dir $(VERDICTS))
-	@$(VENV)/bin/armproof verify course --format json > $(VERDICTS).part; code=$$?; \
-	if [ $$code -gt 1 ]; then rm -f $(VERDICTS).part; exit $$code; fi; \
-	mv $(VERDICTS).part $(VERDICTS)
-	@$(VENV)/bin/armproof verify course
+	@$(VENV)/bin/armproof verify course --report $(REPORT); code=$$?; \
+	if [ $$code -le 1 ]; then echo "The pages: $(REPORT)/index.html"; fi; exit $$code
 
+# One worker a core; the tests of one file share what they load.
 test: $(READY)
-	$(VENV)/bin/python -m pytest
+	$(VENV)/bin/python -m pytest -n auto --dist loadfile
 
 lint: $(READY_TO_LINT)
 	$(VENV)/bin/ruff check
@@ -39,6 +37,18 @@ mutation: $(READY)
 
 benchmark: $(READY)
 	$(VENV)/bin/python -m tests.benchmarks
+
+sweep: $(READY)
+	ARMPROOF_SWEEP=1 $(VENV)/bin/python -m pytest -n auto --dist loadfile
+	$(VENV)/bin/python -m tests.sweeps.singularities
+	$(VENV)/bin/python -m tests.sweeps.inverse
+	$(VENV)/bin/python -m tests.sweeps.tracking
+	$(VENV)/bin/python -m tests.sweeps.correct
+	$(VENV)/bin/python -m tests.sweeps.watch
+	$(VENV)/bin/python -m tests.sweeps.interrupted
+
+figures: $(READY)
+	$(VENV)/bin/armproof figures --out $(BUILD)/figures
 
 # Leaves the environment, which takes minutes to build; `rm -rf .venv` removes it.
 clean:
