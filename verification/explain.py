@@ -26,57 +26,9 @@ def explain_whole(checker: ChainChecker, outcome: Outcome) -> str | None:
         for words, candidate in _candidates(checker, outcome):
             if equal_matrices(candidate, pair.printed):
                 return words
-        return _first_departure(checker, outcome)
     except ArmproofError:
-        return None
-
-
-def _first_departure(checker: ChainChecker, outcome: Outcome) -> str | None:
-    """Compare a wrong pose frame by frame: name the first frame that departs, if one wrong link explains it all.
-
-    With P the printed pose, the link L_k = X_{0,k-1}^{-1} P X_{k,n}^{-1} that P implies must hold no joint variable but
-    its own; where it does so for one k, the frames before k agree and frame k is the first that departs.
-    """
-    pair, true = outcome.pair, outcome.true
-    assert pair is not None and true is not None
-    quantity = checker.quantity_of(true.node)
-    arm = checker.names.arm
-    if arm is None or quantity is None or quantity.kind != "pose" or quantity.rows or pair.printed.shape != (4, 4):
-        return None
-    frames = numbered_frames(arm)
-    if quantity.reference not in frames or quantity.frame not in frames:
-        return None
-    first, last = frames.index(quantity.reference), frames.index(quantity.frame)
-    if last - first < 2 or not _is_rigid(pair.printed):
-        return None
-    pose = checker.exact.quantity
-    for k in range(first + 1, last + 1):
-        before = pose(Quantity("pose", frames[k - 1], quantity.reference))
-        after = pose(Quantity("pose", quantity.frame, frames[k]))
-        link = _inverse_pose(before) @ pair.printed @ _inverse_pose(after)
-        symbol = arm.joints[k - 1].symbol if k - 1 < len(arm.joints) else ""
-        others = {joint.symbol for joint in arm.joints if joint.symbol != symbol}
-        if not any(_symbols_of(cell) & others for row in link.rows for cell in row):
-            return f"frame {frames[k]} is the first that departs from the arm's: the link before it is wrong, the rest is right"
+        pass
     return None
-
-
-def _is_rigid(pose: Matrix) -> bool:
-    """Whether the printed matrix is a pose at all: a slip in one cell spoils the rotation and is no wrong link."""
-    rotation = pose.block(range(3), range(3))
-    product = rotation @ rotation.transpose
-    return all(
-        (cell - (1 if r == c else 0)).is_zero() for r, row in enumerate(product.rows) for c, cell in enumerate(row)
-    )
-
-
-def _symbols_of(value: Scalar) -> set[str]:
-    return {
-        name
-        for part in (value.numerator, value.denominator)
-        for powers, _ in value.ring.terms(part)
-        for _, name in powers
-    }
 
 
 def _candidates(checker: ChainChecker, outcome: Outcome) -> Iterator[tuple[str, Matrix]]:
