@@ -16,6 +16,8 @@ from models.arm import Arm
 from verification.latex.writer import symbol_as_latex
 
 LANGUAGES = ("en", "fr")
+_LONG = 6  # figures of a number that is written with a power of ten
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def check_language(lang: str) -> str:
@@ -46,14 +48,18 @@ def arm_title(arm: Arm, lang: str) -> str:
 
 
 def number(value: float, lang: str, digits: int = 3, *, in_math: bool = False) -> str:
-    """Return a number with that many significant digits: 0.45, in French 0,45; in mathematics 0{,}45."""
+    """Return a number with that many significant digits: 0.45, in French 0,45; in mathematics 0{,}45; 1120, 5·10⁻⁵."""
     check_language(lang)
     if value == 0 or abs(value) < 1e-12:
         return "0"
     text = f"{value:.{digits}g}"
     if "e" in text:
-        mantissa, _, exponent = text.partition("e")
-        text = rf"{mantissa}\times10^{{{int(exponent)}}}" if in_math else f"{mantissa}·10^{int(exponent)}"
+        mantissa, _, power = text.partition("e")
+        exponent = str(int(power))
+        if 0 < int(power) < _LONG:
+            text = f"{float(text):.0f}"
+        else:
+            text = rf"{mantissa}\times10^{{{exponent}}}" if in_math else f"{mantissa}·10{exponent.translate(_RAISED)}"
     text = text.replace("-", "-" if in_math else "−")
     if lang == "fr":
         text = text.replace(".", "{,}" if in_math else ",")

@@ -6,7 +6,7 @@ import numpy as np
 
 from course.figures.task import Task
 from models.inverse_velocity import damped_inverse
-from models.motion.pose_error import pose_error
+from models.motion.pose_error import pose_error, rotations
 
 _CORRECTIONS = 4
 _LARGEST_STEP = 0.4  # rad, m
@@ -28,17 +28,6 @@ def line_poses(X_0: np.ndarray, twists: np.ndarray, s: np.ndarray) -> np.ndarray
     poses[:, :, :3, 3] += s[:, None, None] * twists[:, :3]
     poses[:, :, :3, :3] = rotations(s[:, None, None] * twists[:, 3:]) @ X_0[:, :3, :3]
     return poses
-
-
-def rotations(vectors: np.ndarray) -> np.ndarray:
-    """Return the rotations about vectors (…, 3) by their lengths, (…, 3, 3), by the formula of Rodrigues."""
-    angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
-    x, y, z = np.moveaxis(vectors, -1, 0)
-    zero = np.zeros_like(x)
-    skew = np.stack([np.stack(row, axis=-1) for row in ((zero, -z, y), (z, zero, -x), (-y, x, zero))], axis=-2)
-    sine = np.sinc(angle / np.pi)
-    versine = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2
-    return np.asarray(np.eye(3) + sine * skew + versine * (skew @ skew))
 
 
 def follow(task: Task, q_0: np.ndarray, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -16,6 +16,7 @@ from models.skeleton import place_skeleton
 _TRIED = 160
 _SEED = 2019
 _STEP = np.radians(15)
+_QUARTER = 6  # steps of a right angle
 _MOST = 2.1  # rad
 
 
@@ -61,6 +62,8 @@ def _candidates(arm: Arm, rng: np.random.Generator) -> np.ndarray:
             columns.append(np.full(_TRIED, round(middle, 2) if high - low > 0.05 else middle))
             continue
         steps = np.arange(np.ceil(max(low, -_MOST) / _STEP), np.floor(min(high, _MOST) / _STEP) + 1)
+        if choose_projection(arm).planar and np.any(np.abs(steps) != _QUARTER):
+            steps = steps[np.abs(steps) != _QUARTER]  # there the y axis lies along the link
         if joint.index > 1 and np.any(np.abs(steps) > 1):
             steps = steps[np.abs(steps) > 1]
         columns.append(_STEP * rng.choice(steps if len(steps) else np.array([middle / _STEP]), _TRIED))

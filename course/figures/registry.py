@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
+from textwrap import fill
 from types import MappingProxyType
 
 from matplotlib.figure import Figure
@@ -27,6 +28,8 @@ MODULES = (  # of course/figures/, each with its KIND
     "tracking",
     "rendering",
 )
+
+_LINE = 62  # characters on a line of a column
 
 
 @dataclass(frozen=True)
@@ -85,15 +88,18 @@ def draw_kind(kind: Kind, arm: Arm, lang: str = "en") -> Figure:
 def caption_kind(kind: Kind, arm: Arm, lang: str = "en") -> str:
     """Return the caption of an arm's figure, or the reason why there is nothing to draw."""
     reason = kind.applies(arm, lang)
-    return kind.caption(arm, lang) if reason is None else f"{kind.title(lang)}: {arm_title(arm, lang)}. {reason}"
+    return kind.caption(arm, lang) if reason is None else f"{_title(kind, arm, lang)} {reason}"
 
 
 @styled()
 def empty_figure(kind: Kind, arm: Arm, reason: str, lang: str = "en") -> Figure:
     """Return a figure that says why there is nothing to draw."""
     figure = new_figure("column", 30)
-    figure.text(
-        0.5, 0.66, f"{kind.title(lang)}: {arm_title(arm, lang)}", ha="center", va="center", fontsize=TEXT, wrap=True
-    )
-    figure.text(0.5, 0.33, reason, ha="center", va="center", fontsize=TEXT, color=GREY, wrap=True)
+    title = fill(_title(kind, arm, lang).removesuffix("."), _LINE)
+    figure.text(0.5, 0.75, title, ha="center", va="center", fontsize=TEXT)
+    figure.text(0.5, 0.33, fill(reason, _LINE), ha="center", va="center", fontsize=TEXT, color=GREY)
     return figure
+
+
+def _title(kind: Kind, arm: Arm, lang: str) -> str:
+    return say("figure_of", lang, title=kind.title(lang), arm=arm_title(arm, lang))

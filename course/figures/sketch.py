@@ -30,25 +30,28 @@ _LONGEST = 62.0  # mm, of a link
 _BEYOND = 7.5  # mm from a joint's symbol to the arrow of its turning
 
 
-def sketch(arm: Arm, lang: str = "en") -> Figure:
+def sketch(arm: Arm, lang: str = "en", *, table: bool = True) -> Figure:
     """Return the kinematic sketch of an arm: planar arms in their plane, spatial ones from a fixed side.
 
     Joints and links are drawn in the textbook's symbols at a pose at which they are well seen, with the frames of the arm;
     where these are DH frames, the figure has the table of a_i, α_i, d_i, θ_i, and each is dimensioned in the drawing:
     d along z, a along x, θ about z, α about x. Elsewhere the way from each frame to the next is dimensioned along its axes.
 
+    Args:
+        table: whether the table stands beside the drawing; a lesson that asks for it leaves it out.
+
     Raises:
         FigureError: a language that the labels are not written in.
     """
     check_language(lang)
-    return _draw(arm, lang)
+    return _draw(arm, lang, table)
 
 
 @styled()
-def _draw(arm: Arm, lang: str) -> Figure:
+def _draw(arm: Arm, lang: str, with_table: bool) -> Figure:
     rows = link_rows(arm)
     q = sketch_pose(arm)
-    figure, scene = _page(arm, rows, q, lang)
+    figure, scene = _page(arm, rows if with_table else None, q, lang)
     layout = draw_arm(scene, arm, q)
     draw_frames(scene, {name: layout.frames[name] for name in shown_frames(arm)})
     _draw_joint_variables(scene, arm, layout)

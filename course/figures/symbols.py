@@ -152,18 +152,6 @@ def draw_gripper(scene: Scene, at: np.ndarray, way: np.ndarray, look: Look) -> N
     scene.flat_line(np.array([point + across + ahead, point + across, point - across, point - across + ahead]), **style)
 
 
-def draw_frame(
-    scene: Scene, X_0F: np.ndarray, name: str, *, size: float = 9.0, axes: str = "xyz", labels: bool = True
-) -> None:
-    """Draw a frame (4, 4) as arrows of `size` mm (as seen from their side) with the labels x_i, y_i, z_i; gid "frame i x"."""
-    origin = X_0F[:3, 3]
-    for letter in axes:
-        way = X_0F[:3, "xyz".index(letter)]
-        tip = scene.arrow(origin, scene.metres(size) * way, colour=AXIS_COLOURS[letter], gid=f"frame {name} {letter}")
-        if labels:
-            scene.label(axis_name(letter, name), tip, scene.paper(way), colour=AXIS_COLOURS[letter], gap=0.4)
-
-
 def axis_name(letter: str, frame: str) -> str:
     """Return the name of an axis of a frame: $x_{4}$; a frame with a name of many letters has it upright."""
     index = frame if len(frame) < 3 else rf"\mathrm{{{frame.replace('_', '-')}}}"

@@ -10,9 +10,8 @@ from course.printing.errors import PrintError
 from course.printing.figures import draw_figures
 from course.printing.inline import InlineReader
 from course.printing.reading import BlockReader
-from course.printing.sheet import Block, Heading, Inline, Sheet, Text, plain
+from course.printing.sheet import Block, Heading, Inline, Picture, Sheet, Text, plain
 from course.printing.words import check_language, say
-from models.arm import Arm
 from models.catalogue import load_arm
 from verification.document import Document
 from verification.document.front_matter import split_front_matter
@@ -63,7 +62,8 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
             f"{document.path}: no solution in it: one is a section or a block quote that begins with 'Solution'"
         )
     chosen = with_solutions(blocks) if edition.solutions else for_students(blocks)
-    illustrated = _with_figures(chosen, document, arm, lang, inline, figures)
+    drawn = draw_figures(document, arm, lang, lambda text: _inline(text, inline), figures, edition.solutions)
+    illustrated = _with_figures(chosen, drawn, lang)
     source = _inline(str(document.front.get("source") or ""), inline)
     name = arm.name if arm is not None else ""
     return Sheet(title, source, lang, name, illustrated, edition.draft, edition.solutions, tuple(warnings))
@@ -105,11 +105,8 @@ def _inline(text: str, inline: InlineReader) -> tuple[Inline, ...]:
     return inline.parts(tokens[0].children or []) if tokens else ()
 
 
-def _with_figures(
-    blocks: tuple[Block, ...], document: Document, arm: Arm | None, lang: str, inline: InlineReader, folder: Path
-) -> tuple[Block, ...]:
+def _with_figures(blocks: tuple[Block, ...], drawn: list[Picture], lang: str) -> tuple[Block, ...]:
     """Return the blocks with the first figure behind the introduction and the others at the end."""
-    drawn = draw_figures(document, arm, lang, lambda text: _inline(text, inline), folder)
     if not drawn:
         return blocks
     at = next((k for k, block in enumerate(blocks) if isinstance(block, Heading) and block.level > 1), len(blocks))

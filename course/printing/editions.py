@@ -10,21 +10,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import zip_longest
+from typing import TypeGuard
 
 from course.printing.reading import is_solution
 from course.printing.sheet import Blank, Block, Display, Heading, Listing, Paragraph, Picture, Quote, Table, plain
 
 _LINE = 7.0  # mm of a line in handwriting
-_HIGHEST = 110.0  # mm, less than half a page
+_HIGHEST = 100.0  # mm, so that two with their questions fill a page
 _LONG = 90  # characters a line
 
 
 def with_solutions(blocks: Sequence[Block]) -> tuple[Block, ...]:
-    """Return the blocks with each section that is a solution as one solution."""
-    return tuple(
+    """Return the blocks with each section that is a solution as one solution, on the page of the question before it."""
+    gathered = [
         Quote("solution", tuple(part)) if is_one and len(part) > 1 else block
         for is_one, part in _parts(blocks)
         for block in ([part[0]] if is_one and len(part) > 1 else part)
+    ]
+    return tuple(
+        replace(block, leads=True) if isinstance(block, Paragraph) and _is_solution(after) else block
+        for block, after in zip_longest(gathered, gathered[1:])
     )
 
 
@@ -32,7 +38,7 @@ def for_students(blocks: Sequence[Block]) -> tuple[Block, ...]:
     """Return the blocks without the formulas of errata, and with blank space for each solution."""
     kept: list[Block] = []
     for block in with_solutions(blocks):
-        if isinstance(block, Quote) and block.kind == "solution":
+        if _is_solution(block):
             kept.append(Blank(_height(block.blocks)))
         elif isinstance(block, Quote):
             inside = for_students(block.blocks)
@@ -48,11 +54,15 @@ def for_students(blocks: Sequence[Block]) -> tuple[Block, ...]:
 def has_solutions(blocks: Sequence[Block]) -> bool:
     """Whether a document has a worked solution, by itself or in a list or a quote."""
     for block in with_solutions(blocks):
-        if isinstance(block, Quote) and (block.kind == "solution" or has_solutions(block.blocks)):
+        if isinstance(block, Quote) and (_is_solution(block) or has_solutions(block.blocks)):
             return True
         if isinstance(block, Listing) and any(has_solutions(item) for item in block.items):
             return True
     return False
+
+
+def _is_solution(block: Block | None) -> TypeGuard[Quote]:
+    return isinstance(block, Quote) and block.kind == "solution"
 
 
 def _parts(blocks: Sequence[Block]) -> list[tuple[bool, list[Block]]]:

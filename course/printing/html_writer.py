@@ -163,4 +163,4 @@ def _line(line: Line) -> Markup:
 
 
 def _tens(height: float) -> int:
-    return min(110, max(10, round(height / 10) * 10))
+    return min(100, max(10, round(height / 10) * 10))

@@ -64,6 +64,19 @@ def test_french_numbers_have_a_comma() -> None:
     assert (number(0.45, "en"), number(0.45, "fr"), number(0.45, "fr", in_math=True)) == ("0.45", "0,45", "0{,}45")
 
 
+@pytest.mark.parametrize(
+    ("value", "plain", "in_math"),
+    [
+        (-1118.5, "−1120", "-1120"),
+        (95432.1, "95400", "95400"),
+        (0.0000312, "3.12·10⁻⁵", r"3.12\times10^{-5}"),
+        (2.5e9, "2.5·10⁹", r"2.5\times10^{9}"),
+    ],
+)
+def test_large_and_small_numbers_are_written_without_a_caret(value: float, plain: str, in_math: str) -> None:
+    assert (number(value, "en"), number(value, "en", in_math=True)) == (plain, in_math)
+
+
 def test_every_arm_of_the_catalogue_has_a_french_title(arm: Arm) -> None:
     if arm.name not in ("slanted", "box"):
         assert arm_title(arm, "fr") != arm.title

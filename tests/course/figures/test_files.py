@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.image import imread
 
 from course.figures.errors import FigureError
 from course.figures.save import FORMATS, save_figure
@@ -46,6 +47,17 @@ def test_another_process_at_another_time_gives_the_same_bytes(tmp_path: Path) ->
     assert len(names) == 2 * (len(FORMATS) + 1)
     for name in names:
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes(), name
+
+
+def test_a_trimmed_figure_loses_nothing_but_empty_paper(tmp_path: Path) -> None:
+    figure = sketch(load_arm("scara"))
+    whole, trimmed = (
+        imread(save_figure(figure, tmp_path / f"{flag}.png", trimmed=flag))[..., :3] for flag in (False, True)
+    )
+    assert trimmed.shape[1] == whole.shape[1] and trimmed.shape[0] < whole.shape[0]
+    dark = [(image.min(axis=2) < 0.5).sum() for image in (whole, trimmed)]
+    assert abs(dark[0] - dark[1]) <= 0.02 * dark[0]
+    assert (trimmed[0] > 0.9).all() and (trimmed[-1] > 0.9).all()
 
 
 def test_fonts_are_embedded_as_outlines(tmp_path: Path, figure: Figure) -> None:

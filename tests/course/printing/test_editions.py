@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from course.printing.document import Edition, make_sheet
 from course.printing.errors import PrintError
 from course.printing.proof import proof_line
-from course.printing.sheet import Blank, Display, Heading, Quote, Text, walk
+from course.printing.sheet import Blank, Display, Heading, Paragraph, Picture, Quote, Text, walk
 from verification.check import check_document
 from verification.document import read_document
-from verification.verdict import Verdict
+from verification.verdict import Record, Verdict
 
 RIGHT = r"$$ p_2 = \begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix} $$" + "\n\n"
 WRONG = RIGHT.replace("l_2 S", "l_1 S")
 ERRATUM = "".join(f"> {line}\n" for line in ("**Erratum** (slide 3)", WRONG.strip())) + "\n"
+HANDOUTS = Path(__file__).resolve().parents[3] / "course" / "handouts"
 
 
 def displays(sheet) -> list[Display]:
@@ -31,6 +34,10 @@ def titles(sheet) -> list[str]:
         for part in block.parts
         if isinstance(part, Text)
     ]
+
+
+def records_in(quote: Quote) -> list[Record]:
+    return [block.record for block in walk(quote.blocks) if isinstance(block, Display)]
 
 
 def test_a_document_that_does_not_pass_is_not_printed(document, make):
@@ -79,6 +86,44 @@ def test_a_block_quote_that_begins_with_solution_is_one(document, make):
 @pytest.mark.parametrize("title", ["How many solutions", "Solution set of the system", "Is the solution unique?"])
 def test_a_section_about_solutions_is_none(title: str, document, make):
     assert len(displays(make(document(f"## {title}\n\n{RIGHT}")))) == 1
+
+
+def test_the_space_for_a_solution_stands_on_the_page_of_its_question(document, make):
+    path = document(f"Read.\n\nFind it.\n\n## Solution\n\n{RIGHT}")
+    for solutions in (False, True):
+        other, question = [block for block in make(path, solutions=solutions).blocks if isinstance(block, Paragraph)]
+        assert question.leads and not other.leads
+
+
+@pytest.mark.parametrize("name", ["scara-000", "scara-004", "spatial-rrr-002", "planar-3r-002"])
+def test_the_solutions_of_the_exercises_are_on_the_teachers_sheet_only(name: str, tmp_path):
+    read = read_document(HANDOUTS / f"{name}.md")
+    read.front["figures"] = []
+    result = check_document(read, confirm=False)
+    students, teachers = (make_sheet(read, result, Edition(solutions=flag), tmp_path) for flag in (False, True))
+    count = len(re.findall(r"^#+ Solution$", (HANDOUTS / f"{name}.md").read_text(encoding="utf-8"), re.MULTILINE))
+    assert titles(teachers).count("Solution") == count >= 3
+    assert "Solution" not in titles(students)
+    assert sum(isinstance(block, Blank) for block in students.blocks) == count
+    hidden = [
+        record
+        for block in teachers.blocks
+        if isinstance(block, Quote) and block.kind == "solution"
+        for record in records_in(block)
+    ]
+    assert len(hidden) > len(teachers.records) / 2
+    assert not {id(record) for record in hidden} & {id(record) for record in students.records}
+    assert not teachers.warnings
+
+
+def test_a_figure_of_the_solutions_is_on_the_teachers_sheet_only(document, make):
+    path = document(RIGHT, front="---\ntitle: x\narm: planar_2r\nfigures: [sketch, {solutions: singular}]\n---\n\n")
+
+    def figures(**edition: object) -> list[str]:
+        return [block.path.stem for block in make(path, **edition).blocks if isinstance(block, Picture)]
+
+    assert figures() == ["sketch"]
+    assert figures(solutions=True) == ["sketch", "singular"]
 
 
 def test_a_longer_solution_gets_more_space(document, make):

@@ -190,6 +190,9 @@ def test_a_format_that_is_not_printed_is_named(tmp_path, make):
     [
         ("3", "is a list of names"),
         ("[1, 2]", "is a list of names"),
+        ("[{solutions: 1}]", "is a list of names"),
+        ("[{answers: sketch}]", "is a list of names"),
+        ("[{solutions: none_such}]", "no figure 'none_such'; the figures are"),
         ("[none_such]", "no figure 'none_such'; the figures are"),
     ],
 )
