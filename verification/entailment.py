@@ -31,6 +31,7 @@ TRIED = 32
 CLEARLY = 1e-6  # what an equation must be off at a counterexample, relative to the size of its terms
 MOST_PRODUCTS = 32
 MOST_QUARTERS = 4  # joints of which quarter turns are tried
+SCALES = (1.0, 4.0, 0.25)  # of the lengths: what holds for an arm of any size is refuted by one
 
 
 def check_implication(
@@ -159,8 +160,10 @@ class Entailment:
         Raises:
             Undecided: none was found.
         """
-        found = self._quarter_turns() or self._sampled(variety, premise, conclusion)
-        if found is None:
+        found = self._quarter_turns()
+        for scale in SCALES:
+            found = found or self._sampled(variety, premise, conclusion, scale)
+        if not found:
             raise Undecided("not shown, and no configuration was found that refutes it")
         return found
 
@@ -194,12 +197,14 @@ class Entailment:
                 return {joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in pairs}
         return None
 
-    def _sampled(self, variety: Variety, premise: _System, conclusion: list[_System]) -> dict[str, float] | None:
-        """Return a configuration drawn on a set at which the conclusion is clearly off."""
+    def _sampled(
+        self, variety: Variety, premise: _System, conclusion: list[_System], scale: float
+    ) -> dict[str, float] | None:
+        """Return a configuration drawn on a set at which the conclusion is clearly off, the lengths being scaled."""
         if any(kind not in ("symbol", "sqrt") for kind, _ in self.half.others):
             return None
         rng = np.random.default_rng(2019)
-        sampler = self._sampler(variety)
+        sampler = self._sampler(variety, scale)
         q = sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
         if not len(q):
             return None
@@ -216,7 +221,8 @@ class Entailment:
         place = int(np.argmax(off))
         angles, symbols = self._named
         point = {u.name: float(q[place, k]) for k, u in enumerate(sampler.unknowns) if u.name in angles | symbols}
-        special = {name: value for name, value in sampler.constants.items() if variety.lengths and name in symbols}
+        tells = bool(variety.lengths) or scale != 1.0
+        special = {name: value for name, value in sampler.constants.items() if tells and name in symbols}
         return {**point, **special}
 
     def _clearly_off(self, sampler: Sampler, polynomials: tuple[Polynomial, ...], q: np.ndarray) -> np.ndarray:
@@ -224,12 +230,13 @@ class Entailment:
             return np.zeros(len(q), dtype=bool)
         return (np.abs(sampler.values(polynomials, q)) > CLEARLY * sampler.sizes(polynomials, q)).any(axis=1)
 
-    def _sampler(self, variety: Variety) -> Sampler:
-        """The unknowns of the conditions, with lengths that meet those on them."""
+    def _sampler(self, variety: Variety, scale: float) -> Sampler:
+        """The unknowns of the conditions, with lengths, scaled, that meet those on them."""
         arm = self.checker.names.arm
         constants = {**arm.trace.constants, **arm.lengths} if arm is not None else {}
         for place, name in enumerate(sorted(self.positive - set(constants))):
             constants[name] = 0.5 + 0.3 * place
+        constants |= {name: scale * constants[name] for name in self.positive & set(constants)}
         sampler = Sampler(self.half, unknowns_of(self.half, arm, constants), constants)
         if variety.lengths:
             special = sampler.solved_constants(variety.values)

@@ -32,6 +32,8 @@ PLANAR = {
         (r"\det J = 0 \text{ if } \theta_2 = \pi", Verdict.PROVED),
         (r"\theta_2 = 0 \Rightarrow \det J = 0", Verdict.PROVED),
         (r"\theta_2 = 0 \Rightarrow s_{12} = s_1", Verdict.PROVED),
+        (r"P_x = 2 \Rightarrow P_x^2 = 4", Verdict.PROVED),
+        (r"P_x = 2 \Rightarrow \sin\theta_2 = 0", Verdict.REFUTED),  # this arm is too short for it, others are not
         (r"\det J = 0 \iff \theta_2 = 0", Verdict.REFUTED),  # π is forgotten
         (r"\det J = 0 \Rightarrow \theta_2 = 0", Verdict.REFUTED),
         (r"\det J = 0 \iff \cos\theta_2 = 0", Verdict.REFUTED),
