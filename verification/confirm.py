@@ -20,7 +20,7 @@ SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula a
 
 
 class SecondRoute:
-    """Evaluates equations on the double plant; `enabled` tells whether a proof is confirmed there."""
+    """Evaluates equations on the double plant; `enabled` tells whether a proof is confirmed there that needs no samples."""
 
     def __init__(self, members: Members) -> None:
         self.members = members
@@ -31,7 +31,8 @@ class SecondRoute:
 
     def confirm(self, outcome: Outcome, branches: bool) -> Outcome:
         """Evaluate a proved equation on the double plant as well: the second route must agree."""
-        if not self.enabled:
+        ring = self.exact.ring
+        if not (self.enabled or ring.signs_chosen or ring.arcs):  # signs and branches are decided by the samples alone
             return outcome
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
