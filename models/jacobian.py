@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -20,9 +21,12 @@ def calc_jacobian(plant: Any, context: Any, frame: Any, reference: Any, expresse
     Returns:
         (6, num_velocities) array; columns in the plant's order of velocities.
     """
+    omega_v = plant.CalcJacobianSpatialVelocity(context, _velocities(), frame, np.zeros(3), reference, expressed_in)
+    return np.concatenate([omega_v[3:], omega_v[:3]])
+
+
+@cache  # pydrake looks a name up anew at every import of it, which at each configuration would cost a third of the call
+def _velocities() -> Any:
     from pydrake.multibody.tree import JacobianWrtVariable
 
-    omega_v = plant.CalcJacobianSpatialVelocity(
-        context, JacobianWrtVariable.kV, frame, np.zeros(3), reference, expressed_in
-    )
-    return np.concatenate([omega_v[3:], omega_v[:3]])
+    return JacobianWrtVariable.kV

@@ -41,7 +41,7 @@ class NumericKinematics:
         Raises:
             ModelError: the arm has no such frame.
         """
-        X_WF, X_WR = (self._world_pose(name) for name in self._arm.frame_names(frame, reference))
+        X_WF, X_WR = self._world_poses(*self._arm.frame_names(frame, reference))
         R_RW = X_WR[:, :3, :3].transpose(0, 2, 1)
         X_RF = np.zeros_like(X_WF)
         X_RF[:, :3, :3] = R_RW @ X_WF[:, :3, :3]
@@ -66,21 +66,19 @@ class NumericKinematics:
             self._jacobians[key] = _read_only(self._calc_jacobians(*key))
         return self._jacobians[key]
 
-    def _world_pose(self, frame: str) -> np.ndarray:
-        if frame not in self._poses:
-            self._calc_world_poses()
-        return self._poses[frame]
-
-    def _calc_world_poses(self) -> None:
-        """Compute the world poses of all frames in one pass over the configurations."""
-        plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
-        frames = [self._arm.frame(name) for name in self._arm.frames]
-        poses = np.empty((len(frames), len(self._positions), 4, 4))
-        for k, positions in enumerate(self._positions):
-            plant.SetPositions(context, positions)
-            for i, frame in enumerate(frames):
-                poses[i, k] = frame.CalcPoseInWorld(context).GetAsMatrix4()
-        self._poses = dict(zip(self._arm.frames, poses, strict=True))
+    def _world_poses(self, *names: str) -> list[np.ndarray]:
+        """Return the world poses of frames; those that are new in one pass over the configurations."""
+        new = [name for name in dict.fromkeys(names) if name not in self._poses]
+        if new:
+            plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
+            frames = [self._arm.frame(name) for name in new]
+            poses = np.empty((len(new), len(self._positions), 4, 4))
+            for k, positions in enumerate(self._positions):
+                plant.SetPositions(context, positions)
+                for i, frame in enumerate(frames):
+                    poses[i, k] = frame.CalcPoseInWorld(context).GetAsMatrix4()
+            self._poses.update(zip(new, poses, strict=True))
+        return [self._poses[name] for name in names]
 
     def _calc_jacobians(self, frame: str, expressed_in: str, reference: str) -> np.ndarray:
         plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()

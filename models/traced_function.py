@@ -13,8 +13,6 @@ from models.tracing.from_sympy import FromSympy
 from models.tracing.number import TracedNumber, Untraceable, as_traced, symbol
 from models.tracing.rebuild import rebuild
 
-Arguments = tuple[tuple[Any, ...], dict[str, Any]]
-
 
 class Caller(Protocol):
     """Calls a function with the arguments that it takes, each made from the name of its symbol."""

@@ -1,12 +1,10 @@
-"""Angles in the exact algebra: the cosine and sine of sums of angles, and quotients freed of sines below."""
+"""Angles in the exact algebra: the cosine and sine of sums of angles."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from fractions import Fraction
-
-from flint import fmpq_mpoly
 
 from models.entry import Entry, Generator
 from models.exact import cos_sin_of_pi, cos_sin_of_radians
@@ -95,27 +93,6 @@ class AngleRing(QuotientRing):
         """Return the angle whose cosine and sine are generators: θ, or θ/d where a fraction of it was met."""
         parts = self.denominators.get(name, 1)
         return f"{name}/{parts}" if parts > 1 else name
-
-    def without_sines_below(self, value: Scalar) -> Scalar:
-        """Return the same quotient with a denominator free of sines: d·d̄ is, where d̄ is d with s replaced by −s.
-
-        In that form common factors cancel that s² = 1 − c² hides, such as s in (1 − c²)/s.
-        """
-        value = value.normal()
-        last = self._slots - 1
-        for slot, (kind, _) in enumerate(self._generator_at):
-            if kind != "sin" or not value.denominator.degrees()[last - slot]:
-                continue
-            conjugate = self._conjugate(value.denominator, slot)
-            value = self.scalar(
-                self.multiply(value.numerator, conjugate), self.multiply(value.denominator, conjugate)
-            ).normal()
-        return value
-
-    def _conjugate(self, polynomial: fmpq_mpoly, slot: int) -> fmpq_mpoly:
-        index = self._slots - 1 - slot
-        signed = {exponents: (-c if exponents[index] % 2 else c) for exponents, c in polynomial.terms()}
-        return self._context.from_dict(signed)
 
     def has_arcs(self, value: Scalar) -> bool:
         """Whether the value holds an arc function, so that it is an angle known up to whole turns."""

@@ -108,8 +108,7 @@ class DocumentChecker:
         if self._sampled is None:
             everywhere = np.zeros((SAMPLES, 0)), np.ones(SAMPLES, dtype=bool)
             q, at_random = _configurations(self.arm) if self.arm is not None else everywhere
-            self._sampled = SampledAlgebra(self.exact, q, SEED)
-            self._sampled.random = at_random
+            self._sampled = SampledAlgebra(self.exact, q, SEED, random=at_random)
         return self._sampled
 
     def run(self) -> DocumentResult:

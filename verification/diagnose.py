@@ -65,8 +65,9 @@ class Diagnostician:
                 words.append(consequence)
             entries.extend(found)
             if not counterexample:
-                counterexample = self._probe.counterexample(outcome)
-                discrepancy = discrepancy_of(self.checker, self._probe, outcome)
+                sample = self._probe.worst_sample(outcome)
+                counterexample = self._probe.counterexample(outcome, sample)
+                discrepancy = discrepancy_of(self.checker, self._probe, outcome, sample)
             error = printed_error(self.checker, record.line, outcome, found)
             if error is not None:
                 self.errors.append(error)

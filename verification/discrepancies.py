@@ -17,13 +17,12 @@ from verification.quantities import Quantity
 _TOLERANCE = 1e-9  # of two poses that are the same at every probe
 
 
-def discrepancy_of(checker: ChainChecker, probe: Probe, outcome: Outcome) -> Discrepancy | None:
-    """Return what an equation says at its counterexample; None where it is only known at samples, or too long."""
+def discrepancy_of(checker: ChainChecker, probe: Probe, outcome: Outcome, sample: int) -> Discrepancy | None:
+    """Return what an equation says at its counterexample, a sample of the probe; None where that is not known, or too long."""
     pair = outcome.pair
     if pair is None or outcome.sampled_only or not outcome.wrong or _is_long(pair):
         return None
     try:
-        sample = probe.worst_sample(outcome)
         with np.errstate(all="ignore"):  # what has no value there is found below
             true, printed = (_numbers(probe, side) for side in (pair.true, pair.printed))
     except EvaluationError:
@@ -56,7 +55,7 @@ class _Drawing:
         self.checker = checker
         self.arm = checker.names.arm
         self.sample = sample
-        self.kinematics = self.arm.numeric(probe.samples.q) if self.arm is not None else None
+        self.kinematics = probe.samples.kinematics
 
     def draw(self, outcome: Outcome, true: np.ndarray, printed: np.ndarray) -> Drawn | None:
         if self.arm is None or outcome.true is None or outcome.pair is None or not self.arm.joints:

@@ -42,11 +42,10 @@ class Probe:
             self._samples = SampledAlgebra(self.checker.exact, np.where(np.abs(q) < 0.05, 0.3, q), SEED)
         return self._samples
 
-    def counterexample(self, outcome: Outcome) -> dict[str, float]:
-        """Return the values of joints, lengths and letters (rad, m) at which the printed and the true value differ most."""
+    def counterexample(self, outcome: Outcome, best: int) -> dict[str, float]:
+        """Return the values of joints, lengths and letters (rad, m) at the worst sample."""
         assert outcome.true is not None and outcome.printed is not None
         probe = self.samples
-        best = self.worst_sample(outcome)
         arm = self.names.arm
         values: dict[str, float] = {}
         depends = self._symbols_of(outcome)
@@ -64,7 +63,7 @@ class Probe:
         return values
 
     def worst_sample(self, outcome: Outcome) -> int:
-        """Return which of the configurations (from 0) is the counterexample."""
+        """Return at which of the configurations (from 0) the printed and the true value differ most: the counterexample."""
         with np.errstate(all="ignore"):
             try:
                 worst = self._sampled_difference(outcome, self.samples)

@@ -10,7 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from models.arm import Arm
 from models.exact import angle_value
+from models.numeric import NumericKinematics
 from verification.algebra import Value
 from verification.arm_algebra import ArmAlgebra
 from verification.errors import EvaluationError
@@ -24,8 +26,14 @@ class SampledAlgebra(ArmAlgebra):
     """Arrays over N configurations; the arm's quantities as the double plant gives them."""
 
     def __init__(
-        self, exact: ExactAlgebra, q: np.ndarray, seed: int = 0, overrides: Mapping[str, np.ndarray] | None = None
+        self,
+        exact: ExactAlgebra,
+        q: np.ndarray,
+        seed: int = 0,
+        overrides: Mapping[str, np.ndarray] | None = None,
+        random: np.ndarray | None = None,
     ) -> None:
+        """Take the configurations, (N, n), the values that replace lengths or letters, and which q are drawn at random."""
         super().__init__(exact.arm)
         self.exact = exact
         self.q = q
@@ -33,10 +41,8 @@ class SampledAlgebra(ArmAlgebra):
         self.overrides = dict(overrides or {})
         self.free: dict[str, np.ndarray] = {}
         self.regular = np.ones(len(q), dtype=bool)
-        self.random = np.ones(
-            len(q), dtype=bool
-        )  # which samples are drawn at random, and not at a special configuration
-        self._numeric = self.arm.numeric(q) if self.arm is not None else None
+        self.random = np.ones(len(q), dtype=bool) if random is None else random
+        self.kinematics = _kinematics(self.arm, len(q), q.tobytes()) if self.arm is not None else None
 
     @property
     def samples(self) -> int:
@@ -170,8 +176,8 @@ class SampledAlgebra(ArmAlgebra):
         finite = np.isfinite(q).all(axis=1)
         q[~finite] = 0.0  # as where an arccosine has no value: the plant takes finite joint values only
         self.regular &= finite
-        moved = SampledAlgebra(self.exact, q, self.seed, overrides)
-        moved.free, moved.regular, moved.random = self.free, self.regular, self.random
+        moved = SampledAlgebra(self.exact, q, self.seed, overrides, self.random)
+        moved.free, moved.regular = self.free, self.regular
         return moved
 
     def whole(self, quantity: Quantity) -> Matrix:
@@ -186,12 +192,17 @@ class SampledAlgebra(ArmAlgebra):
         )
 
     def pose(self, frame: str, reference: str) -> Matrix:
-        assert self._numeric is not None
-        return _from_stack(self._numeric.pose(frame, reference))
+        assert self.kinematics is not None
+        return _from_stack(self.kinematics.pose(frame, reference))
 
     def jacobian(self, frame: str, expressed_in: str) -> Matrix:
-        assert self.arm is not None and self._numeric is not None
-        return _from_stack(self._numeric.jacobian(frame, expressed_in, self.arm.frames[0]))
+        assert self.arm is not None and self.kinematics is not None
+        return _from_stack(self.kinematics.jacobian(frame, expressed_in, self.arm.frames[0]))
+
+
+@lru_cache(maxsize=8)  # some megabytes each; the same come again in an arm's next display or document
+def _kinematics(arm: Arm, samples: int, q: bytes) -> NumericKinematics:
+    return arm.numeric(np.frombuffer(q).reshape(samples, len(arm.joints)))
 
 
 @lru_cache(maxsize=512)

@@ -1,4 +1,4 @@
-"""How far one pose is from another: the distance of the origins and the angle between the axes."""
+"""How far one pose is from another: the distance of the origins and the angle between the axes; and the way back."""
 
 from __future__ import annotations
 
@@ -24,6 +24,17 @@ def pose_error(X_desired: np.ndarray, X: np.ndarray) -> np.ndarray:
     R = X_desired[..., :3, :3] @ np.swapaxes(X[..., :3, :3], -1, -2)
     step = X_desired[..., :3, 3] - X[..., :3, 3]
     return np.concatenate([step, _rotation_vector(R)], axis=-1)
+
+
+def rotations(vectors: np.ndarray) -> np.ndarray:
+    """Return the rotations about vectors (…, 3) by their lengths, (…, 3, 3), by the formula of Rodrigues."""
+    angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
+    x, y, z = np.moveaxis(vectors, -1, 0)
+    zero = np.zeros_like(x)
+    skew = np.stack([np.stack(row, axis=-1) for row in ((zero, -z, y), (z, zero, -x), (-y, x, zero))], axis=-2)
+    sine = np.sinc(angle / np.pi)
+    versine = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2
+    return np.asarray(np.eye(3) + sine * skew + versine * (skew @ skew))
 
 
 def read_pose(X: object, name: str) -> np.ndarray:

@@ -233,21 +233,6 @@ def test_a_quotient_has_the_value_of_what_was_written(x: Tree, y: Tree) -> None:
     np.testing.assert_allclose(evaluated(exact(ring, x) / exact(ring, y)), numeric(x) / below, rtol=1e-6, atol=1e-6)
 
 
-@given(trees, trees)
-def test_a_denominator_can_be_freed_of_sines(x: Tree, y: Tree) -> None:
-    ring = Ring()
-    above, below = exact(ring, x), exact(ring, y)
-    assume(not below.is_zero())
-    free = ring.without_sines_below(above / below)
-    assert (free * below - above).is_zero()
-    assert not any(kind == "sin" for powers, _ in ring.terms(free.denominator) for kind, _ in powers)
-
-
-def test_a_factor_that_a_square_hides_cancels() -> None:
-    x = Letters()
-    assert x.ring.without_sines_below((1 - x.c1**2) / x.s1).denominator.is_one()
-
-
 @pytest.mark.parametrize("zero", [lambda x: x.c1 - x.c1, lambda x: x.c1**2 + x.s1**2 - 1])
 def test_a_division_by_zero_in_any_disguise_is_refused(zero: Any) -> None:
     x = Letters()

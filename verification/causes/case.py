@@ -75,13 +75,6 @@ class Case:
         """The size 1 + |obtained| by which differences are scaled."""
         return np.asarray(1 + np.abs(self.obtained))
 
-    def is_obtained(self, values: np.ndarray) -> bool:
-        """Whether a matrix is what was obtained, at every configuration."""
-        if values.shape != self.obtained.shape:
-            return False
-        first = np.abs(values[0] - self.obtained[0]) <= TOLERANCE * self.size[0]
-        return bool(first.all()) and bool((np.abs(values - self.obtained) <= TOLERANCE * self.size).all())
-
     def selected(self, whole: np.ndarray) -> np.ndarray:
         """Return what the quantity names of a 4×4 pose, or of a 6×n Jacobian, at each configuration."""
         quantity = self.quantity

@@ -13,7 +13,6 @@ import numpy as np
 from models.arm import Arm
 from models.errors import ArmproofError
 
-_VECTOR = "vector"
 _ANGLES, _SLIDES = ("theta", "th", "t", "q"), ("d", "q", "r")
 
 

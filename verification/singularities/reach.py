@@ -8,6 +8,7 @@ import numpy as np
 
 from models.arm import Arm
 from models.bulk import BulkKinematics
+from models.motion.pose_error import pose_error, rotations
 
 STARTS = 32
 STEPS = 60
@@ -44,7 +45,7 @@ class Reach:
         step[:, [row - 1 for row in self.rows]] = direction * STEP_BEYOND * self.size
         poses = np.array(self.kinematics.pose(q, self.frame))
         poses[:, :3, 3] += step[:, :3]
-        poses[:, :3, :3] = _rotations(step[:, 3:]) @ poses[:, :3, :3]
+        poses[:, :3, :3] = rotations(step[:, 3:]) @ poses[:, :3, :3]
         targets = np.repeat(poses, STARTS, axis=0)
         starts = self._starts(q, rng)
         return np.asarray(self._reached(starts, targets).reshape(len(q), STARTS).any(axis=1))
@@ -77,32 +78,8 @@ class Reach:
         return np.asarray(np.linalg.norm(error, axis=1) < TOLERANCE * max(self.size, 1.0))
 
     def _error(self, q: np.ndarray, targets: np.ndarray) -> np.ndarray:
-        poses = self.kinematics.pose(q, self.frame)
-        turned = targets[:, :3, :3] @ poses[:, :3, :3].transpose(0, 2, 1)
-        error = np.concatenate([targets[:, :3, 3] - poses[:, :3, 3], _rotation_vectors(turned)], axis=1)
+        error = pose_error(targets, self.kinematics.pose(q, self.frame))
         return error[:, [row - 1 for row in self.rows]]
-
-
-def _rotations(vectors: np.ndarray) -> np.ndarray:
-    """Return exp of rotation vectors, (N, 3, 3) (Rodrigues)."""
-    angle = np.linalg.norm(vectors, axis=1)[:, None, None]
-    K = _skew(vectors / np.maximum(angle[:, :, 0], 1e-300))
-    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * (K @ K)
-
-
-def _skew(v: np.ndarray) -> np.ndarray:
-    K = np.zeros((len(v), 3, 3))
-    K[:, 0, 1], K[:, 0, 2], K[:, 1, 2] = -v[:, 2], v[:, 1], -v[:, 0]
-    return K - K.transpose(0, 2, 1)
-
-
-def _rotation_vectors(R: np.ndarray) -> np.ndarray:
-    """Return the rotation vectors of rotations, (N, 3); near half a turn any that points the right way."""
-    axis = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1) / 2
-    sine = np.linalg.norm(axis, axis=1)
-    angle = np.arctan2(sine, (np.trace(R, axis1=1, axis2=2) - 1) / 2)
-    scale = np.where(sine > 1e-9, angle / np.maximum(sine, 1e-300), 1.0)
-    return np.asarray(axis * scale[:, None])
 
 
 def typical_size(kinematics: BulkKinematics, frame: str, q: np.ndarray) -> float:
