@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -34,10 +35,14 @@ def is_expression(value: Any) -> bool:
 
 
 class FromSympy:
-    """Turns SymPy expressions into traced numbers; equal subexpressions become one node."""
+    """Turns SymPy expressions into traced numbers; equal subexpressions become one node.
 
-    def __init__(self) -> None:
+    `rename` gives the name of a symbol that is the user's own; without it only those of `variable` are known.
+    """
+
+    def __init__(self, rename: Callable[[str], str] | None = None) -> None:
         self._known: dict[Any, TracedNumber] = {}
+        self._rename = rename
 
     def variable(self, name: str) -> Any:
         """Return the SymPy symbol that stands for a symbol."""
@@ -53,6 +58,8 @@ class FromSympy:
 
     def _convert(self, expression: Any) -> TracedNumber:
         name = type(expression).__name__
+        if expression.is_Symbol and self._rename is not None:
+            return symbol(self._rename(str(expression.name)))
         if expression.is_Rational:
             return constant(Fraction(int(expression.p), int(expression.q)))
         if expression.is_Float:

@@ -33,10 +33,14 @@ class Figure:
 
 
 class ArmPainter:
-    """Draws one arm, always in the same view."""
+    """Draws one arm, always in the same view.
 
-    def __init__(self, arm: Arm) -> None:
+    `claimed` is what a side that is not the arm's is called: "printed" in a document, "yours" in a student's answer.
+    """
+
+    def __init__(self, arm: Arm, claimed: str = "printed") -> None:
         self.arm = arm
+        self.claimed = claimed
         self.last = max(arm.frames, key=lambda name: (name.isdigit(), int(name) if name.isdigit() else 0))
         rng = np.random.default_rng(_SEED)
         poses = [place_skeleton(arm, np.zeros(len(arm.joints)))]
@@ -73,8 +77,13 @@ class ArmPainter:
             return Figure(Markup(sketch.write(words)), "The arm at the counterexample.")
         self._draw_both(sketch, drawn, pose)
         what = _TOLD[drawn.kind].format(drawn.frame)
-        words = f"The arm {self.arm.name} at the counterexample: {what}, as it is and as printed"
-        return Figure(Markup(sketch.write(words)), f"{what[0].upper()}{what[1:]}: solid as it is, dashed as printed.")
+        words = f"The arm {self.arm.name} at the counterexample: {what}, as it is and {self._dashed()}"
+        return Figure(
+            Markup(sketch.write(words)), f"{what[0].upper()}{what[1:]}: solid as it is, dashed {self._dashed()}."
+        )
+
+    def _dashed(self) -> str:
+        return "as printed" if self.claimed == "printed" else "as you have it"
 
     def _draw_both(self, sketch: Sketch, drawn: Drawn, pose: Skeleton) -> None:
         true, printed = np.array(drawn.true), np.array(drawn.printed)
@@ -86,7 +95,7 @@ class ArmPainter:
         origin = pose.frames[drawn.frame][:3, 3]
         longest = max(float(np.linalg.norm(true)), float(np.linalg.norm(printed)), 1e-9)
         size = 1.0 if drawn.kind == "difference" else 2 * sketch.triad / longest
-        for side, kind, word in ((true, "true", "true"), (printed, "printed", "printed")):
+        for side, kind, word in ((true, "true", "true"), (printed, "printed", self.claimed)):
             sketch.arrow(origin, origin + size * side[:, 0], kind, word)
 
     def _sketch(self, pose: Skeleton, triad: float) -> Sketch:
@@ -121,6 +130,6 @@ def _by_place(pose: Skeleton, names: tuple[str, ...]) -> list[tuple[list[str], n
     return list(places.values())
 
 
-def painter_of(arm: Arm | None) -> ArmPainter | None:
+def painter_of(arm: Arm | None, claimed: str = "printed") -> ArmPainter | None:
     """Return the painter of an arm, None without one or where it has no joints to draw."""
-    return ArmPainter(arm) if arm is not None and arm.joints else None
+    return ArmPainter(arm, claimed) if arm is not None and arm.joints else None

@@ -18,7 +18,7 @@ GENERATOR = "Armproof"
 
 def render(template: str, **values: Any) -> str:
     """Return a page; every value is escaped unless it is Markup."""
-    return _environment().get_template(template).render(**values, **_every_page())
+    return _environment().get_template(template).render(**values, **every_page())
 
 
 @lru_cache(maxsize=1)
@@ -40,10 +40,16 @@ def _environment() -> Environment:
 
 
 @lru_cache(maxsize=1)
-def _every_page() -> dict[str, Any]:
-    style, script = _resource("style.css"), _resource("script.js")
+def every_page() -> dict[str, Any]:
+    """Return the style, the script and the policy that base.html wants."""
+    style, script = sketch_style() + _resource("style.css"), _resource("script.js")
     policy = f"default-src 'none'; style-src '{_digest(style)}'; script-src '{_digest(script)}'; base-uri 'none'; form-action 'none'"
     return {"style": Markup(style), "script": Markup(script), "policy": policy, "generator": GENERATOR}
+
+
+def sketch_style() -> str:
+    """Return the style of the drawings of an arm, in the colours --ink, --good, --x and so on of whoever shows them."""
+    return _resource("sketch.css")
 
 
 def _resource(name: str) -> str:
