@@ -200,7 +200,7 @@ def _dropped_factors(node: n.Node) -> Iterator[Change]:
         factors = (*node.factors[:k], *node.factors[k + 1 :])
         operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
         smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
-        yield smaller, "factor", f"factor {k + 1} does not belong"
+        yield smaller, "factor", f"the {_nth(k + 1)} factor does not belong"
 
 
 def _dropped_terms(node: n.Node) -> Iterator[Change]:
@@ -208,7 +208,7 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
         return
     for k in range(len(node.terms)):
         terms = (*node.terms[:k], *node.terms[k + 1 :])
-        yield replace(node, terms=terms), "term", f"term {k + 1} does not belong"
+        yield replace(node, terms=terms), "term", f"the {_nth(k + 1)} term does not belong"
 
 
 def _numbers(root: n.Node) -> Iterator[Edit]:
@@ -296,3 +296,9 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
 
 def _show(name: n.Name) -> str:
     return name.text or name.key
+
+
+def _nth(number: int) -> str:
+    """Return 1 as "first": "factor 2" would be read as the number."""
+    names = ("first", "second", "third", "fourth", "fifth", "sixth")
+    return names[number - 1] if number <= len(names) else f"{number}th"

@@ -22,6 +22,9 @@ from verification.scalar import Scalar
 from verification.values import Identity
 from verification.verdict import Verdict
 
+# What a proof says that takes θ_2 for the angle of the table, θ_2 − π/2, and not for the joint variable.
+TABLE_ANGLES = "with the joint angles read as those of the DH table, offsets included"
+
 
 class Equality:
     """Compares a member with the true one: exactly, then by what decimals, table angles and samples allow."""
@@ -70,7 +73,7 @@ class Equality:
         outcome.message = best[0].note
         if self._holds_of_table_angles(outcome):
             outcome.verdict, outcome.wrong = Verdict.PROVED, []
-            outcome.message = "with the joint angles read as those of the DH table, offsets included"
+            outcome.message = TABLE_ANGLES
             return outcome
         if holds_to_its_decimals(self.route, outcome, branches):
             return outcome

@@ -194,9 +194,7 @@ def test_a_wrong_angle_is_refuted_without_the_double_plant_too(judge: Judge, ang
     assert judge(rf"\theta_1 = {angle}", confirm=False).verdict is Verdict.REFUTED
 
 
-@pytest.mark.parametrize(
-    "false", [r"\sqrt{1 - \sin^2\theta_1} = \cos\theta_1", r"\arctan(\tan\theta_1) = \theta_1"]
-)
+@pytest.mark.parametrize("false", [r"\sqrt{1 - \sin^2\theta_1} = \cos\theta_1", r"\arctan(\tan\theta_1) = \theta_1"])
 def test_a_sign_or_a_branch_is_decided_by_samples_whether_or_not_proofs_are_confirmed(judge: Judge, false: str) -> None:
     assert judge(false).verdict is judge(false, confirm=False).verdict is Verdict.REFUTED
 
