@@ -1,0 +1,120 @@
+"""Tasks that ask for a choice or for numbers: predictions, ranks, the number of postures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from course.feedback.answer import is_function
+from course.feedback.outcome import Feedback, Outcome
+from models.errors import ArmproofError
+
+_TOLERANCE = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """One or several of stated options.
+
+    Attributes:
+        options: each option's key and its words.
+        right: the key of the right option, or the keys of them all.
+        because: what to say of a wrong option that is chosen, by key.
+        missing: what to say of a right option that is not, by key.
+    """
+
+    options: Mapping[str, str]
+    right: str | frozenset[str]
+    because: Mapping[str, str] = field(default_factory=dict)
+    missing: Mapping[str, str] = field(default_factory=dict)
+
+    def judge(self, answer: Any) -> Feedback:
+        """Return what becomes of a key, or of a list of keys."""
+        if is_function(answer) or not isinstance(answer, str | Iterable):
+            return Feedback(Outcome.ERROR, f"the answer is one of {self._keys()}, or a list of them")
+        chosen = frozenset(_keys_in(answer))
+        right = frozenset([self.right]) if isinstance(self.right, str) else self.right
+        if unknown := sorted(chosen - set(self.options)):
+            return Feedback(Outcome.ERROR, f"there is no option '{unknown[0]:.30}'; the options are {self._keys()}")
+        if chosen == right:
+            return Feedback(Outcome.PROVED, "")
+        if isinstance(self.right, str) and len(chosen) > 1:
+            return Feedback(Outcome.WRONG, f"one of them is asked for, not {len(chosen)}")
+        for key in sorted(chosen - right):
+            if key in self.because:
+                return Feedback(Outcome.WRONG, self.because[key])
+        if left_out := [self.missing[key] for key in sorted(right - chosen) if key in self.missing]:
+            return Feedback(Outcome.WRONG, left_out[0])
+        if chosen < right:
+            return Feedback(Outcome.WRONG, "what is named is right, but there is more")
+        return Feedback(Outcome.WRONG, f"{', '.join(sorted(chosen - right))}: that is not so")
+
+    def signature(self, answer: Any) -> str:
+        """Return the chosen keys in order, by which two answers are told apart."""
+        return ",".join(sorted(_keys_in(answer)))
+
+    def _keys(self) -> str:
+        return ", ".join(repr(key) for key in self.options)
+
+
+@dataclass(frozen=True, eq=False)
+class Number:
+    """A number, or several in order; exact ones are compared exactly up to rounding, one part in a million.
+
+    Attributes:
+        value: the right number or numbers.
+        unit: theirs.
+        labels: what each of them is.
+    """
+
+    value: float | tuple[float, ...]
+    unit: str = "–"
+    labels: tuple[str, ...] = ()
+
+    def judge(self, answer: Any) -> Feedback:
+        """Return what becomes of a number or a list of numbers."""
+        right = np.atleast_1d(np.array(self.value, dtype=float))
+        try:
+            given = np.atleast_1d(np.array(_numbers(answer), dtype=float)).ravel()
+        except (TypeError, ValueError, ArmproofError):
+            return Feedback(Outcome.ERROR, f"the answer is {_counted(len(right))}, not {answer!r:.40}")
+        if given.shape != right.shape:
+            return Feedback(Outcome.WRONG, f"the answer is {_counted(len(right))}, not {len(given)}")
+        wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
+        if not wrong.any():
+            return Feedback(Outcome.PROVED, "")
+        told = ", ".join(f"{self._label(k)} is not {given[k]:g}" for k in np.flatnonzero(wrong).tolist())
+        return Feedback(Outcome.WRONG, told)
+
+    def signature(self, answer: Any) -> np.ndarray:
+        """Return the numbers, by which two answers are told apart."""
+        return np.atleast_1d(np.array(_numbers(answer), dtype=float)).ravel()
+
+    def _label(self, index: int) -> str:
+        if index < len(self.labels):
+            return self.labels[index]
+        return "the number" if np.ndim(self.value) == 0 else f"number {index + 1}"
+
+
+def _keys_in(answer: Any) -> list[str]:
+    if isinstance(answer, str):
+        return [part.strip() for part in answer.split(",") if part.strip()]
+    return [str(item).strip() for item in answer]
+
+
+def _numbers(answer: Any) -> Any:
+    """Return numbers as they are, and those of a text, of SymPy or of a function without arguments by their value."""
+    if is_function(answer):
+        return answer()
+    if isinstance(answer, str):
+        return [float(part) for part in answer.replace(";", ",").split(",")]
+    if isinstance(answer, list | tuple):
+        return [float(item) for item in answer]
+    return answer
+
+
+def _counted(count: int) -> str:
+    return "one number" if count == 1 else f"{count} numbers"

@@ -1,0 +1,230 @@
+"""An answer as a claim: "what is asked = the answer", checked as a display of a handout is."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from course.feedback.errors import AnswerError, LessonError
+from course.feedback.outcome import Feedback, Outcome, Row
+from models.arm import Arm
+from verification.angle_ring import AngleFraction
+from verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
+from verification.document import Display, Document
+from verification.equality import TABLE_ANGLES
+from verification.errors import ReadError, TooComplex
+from verification.evaluate import Evaluator
+from verification.latex import nodes as n
+from verification.latex.writer import symbol_as_latex
+from verification.matrix import Matrix
+from verification.report.html.figures import Figure, painter_of
+from verification.sampled_algebra import SampledAlgebra
+from verification.scalar import Scalar
+from verification.verdict import Record, Verdict, WrongEntry
+
+ASKED = r"\Xi"  # the name that what is asked has in the claim; no course uses it
+_FILE = Path("answer")
+_TELLING = re.compile(r"^(?:entry \(\d+, \d+\): )?is .*, should be .*$", re.DOTALL)
+MOST_PLACES = 4
+UNEQUAL = "the formula is not equal to what is asked"
+SAMPLES = 200
+SEED = 11
+_JOINTS = {"revolute": (-2.6, 2.6), "prismatic": (0.1, 0.9)}
+
+
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """What a formula is compared with.
+
+    Attributes:
+        front: the front matter under which both are read.
+        given: displays that come before: names with a meaning.
+        truth: the right formula as LaTeX; empty where the front matter binds ASKED to a quantity of the arm.
+        unit: of an entry, by row and column (from 0).
+        names: quantities of the arm that an answer may name.
+    """
+
+    front: Mapping[str, Any]
+    given: tuple[str, ...] = ()
+    truth: str = ""
+    unit: Callable[[int, int], str] = field(default=lambda row, column: "–")
+    names: bool = False
+
+    def judge(self, latex: str) -> Feedback:
+        """Return what becomes of a formula."""
+        if problem := self._refused(latex):
+            return Feedback(Outcome.WRONG, problem)
+        record = self.record(latex)
+        if record.verdict is Verdict.PROVED:
+            if record.message == TABLE_ANGLES:
+                return Feedback(
+                    Outcome.WRONG, "that is so for the angles of the table; the joint variable differs by its offset"
+                )
+            return Feedback(Outcome.PROVED, "proved for all values")
+        if record.verdict is Verdict.CONFIRMED:
+            return Feedback(Outcome.CONFIRMED, record.message or f"equal at {record.samples:,} configurations")
+        if record.verdict is Verdict.REFUTED:
+            return Feedback(
+                Outcome.WRONG,
+                sentence(record.message, record.entries),
+                self._rows(record),
+                record.counterexample,
+                self._picture(record),
+            )
+        if record.verdict is Verdict.DEFINED and latex.strip() in map(symbol_as_latex, self.letters):
+            return Feedback(Outcome.WRONG, UNEQUAL)  # a letter alone takes the meaning of what is asked
+        if record.verdict is Verdict.DEFINED:
+            return Feedback(Outcome.ERROR, f"the answer is made of names that mean nothing here; {self._letters()}")
+        return Feedback(Outcome.ERROR, f"{without_asked(record.message)}; {self._letters()}")
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """The letters that an answer is made of."""
+        arm = self.arm
+        own = [*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles] if arm is not None else []
+        return tuple(dict.fromkeys([*self.front.get("symbols", {}), *own]))
+
+    def _letters(self) -> str:
+        return f"the letters are {', '.join(self.letters)}" if self.letters else "the letters are those of the task"
+
+    def record(self, latex: str) -> Record:
+        """Return the verdict on "asked = answer".
+
+        Raises:
+            LessonError: the claim itself cannot be read.
+        """
+        result = check_document(self._document(latex), confirm=False)
+        for record in result.equations[:-1]:
+            if record.verdict not in (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED):
+                raise LessonError(f"the task itself cannot be read: {record.latex}: {record.message}")
+        return result.equations[-1]
+
+    def values(self, latex: str) -> np.ndarray:
+        """Return a formula at the samples, (N, rows, columns); raises ArmproofError where it cannot be evaluated."""
+        node = self._checker.names.reader.read_expression(latex)
+        self._allow_time()
+        with np.errstate(all="ignore"):
+            value = Evaluator(self._checker.names, self.samples).evaluate(node)
+        rows = value.rows if isinstance(value, Matrix) else ((value,),)
+        cells = [[np.broadcast_to(cell, (SAMPLES,)) for cell in row] for row in rows]
+        return np.moveaxis(np.array(cells, dtype=float), -1, 0)
+
+    @cached_property
+    def samples(self) -> SampledAlgebra:
+        """The algebra of values at random: of the joints, and of letters that have none of their own."""
+        rng = np.random.default_rng(SEED)
+        joints = self.arm.joints if self.arm is not None else ()
+        columns = [rng.uniform(*_JOINTS[joint.kind], SAMPLES) for joint in joints]
+        return SampledAlgebra(self._checker.exact, np.array(columns).reshape(len(joints), SAMPLES).T, SEED)
+
+    @cached_property
+    def _checker(self) -> DocumentChecker:
+        """A checker that has read all but the answer."""
+        document = self._document("")
+        checker = DocumentChecker(document, self.arm, {}, confirm=False)
+        for display in document.displays[:-1]:
+            checker.check_display(display)
+        return checker
+
+    @cached_property
+    def arm(self) -> Arm | None:
+        """The arm of the claim, None for a general one."""
+        return load_arm_of(self._document(""))
+
+    def _document(self, latex: str) -> Document:
+        truth = [f"{ASKED} = {self.truth}"] if self.truth else []
+        lines = [*self.given, *truth, f"{ASKED} = {latex}"]
+        return Document(
+            _FILE, dict(self.front), tuple(Display(k + 1, line, section="") for k, line in enumerate(lines)), ()
+        )
+
+    def _refused(self, latex: str) -> str:
+        """Return how the size of an answer differs from what is asked, if it does.
+
+        Raises:
+            AnswerError: it cannot be read, or names what is asked instead of working it out.
+        """
+        checker = self._checker.checker
+        try:
+            node = self._checker.names.reader.read_expression(latex)
+        except ReadError as error:
+            raise AnswerError(f"the formula cannot be read at character {error.offset + 1}: {error}") from None
+        for name in n.walk(node):
+            if isinstance(name, n.Name) and (
+                name.key == "Xi" or (not self.names and checker.quantity_of(name) is not None)
+            ):
+                shown = latex[name.span[0] : name.span[1]]
+                raise AnswerError(f"work the entries out: the answer may not name {shown} of the arm itself")
+        return self._size_problem(node)
+
+    def _size_problem(self, node: n.Node) -> str:
+        self._allow_time()
+        try:
+            sides = [self._checker.checker.member(side) for side in (self._asked, node)]
+        except (AngleFraction, TooComplex):  # the verdict meets it too: it begins again with half the angle, or says so
+            return ""
+        if not all(side.known and isinstance(side.value, Matrix | Scalar) for side in sides):
+            return ""
+        asked, given = (side.value.size if isinstance(side.value, Matrix) else "a scalar" for side in sides)
+        return "" if asked == given else f"the result is {given}, what is asked is {asked}"
+
+    def _allow_time(self) -> None:
+        self._checker.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+
+    @cached_property
+    def _asked(self) -> n.Node:
+        return self._checker.names.reader.read_expression(ASKED)
+
+    def _rows(self, record: Record) -> tuple[Row, ...]:
+        if record.discrepancy is None:
+            return ()
+        pairs = zip(record.entries, record.discrepancy.values, strict=False)
+        return tuple(
+            Row(
+                place(entry.row, entry.column),
+                true,
+                printed,
+                self.unit((entry.row or 1) - 1, (entry.column or 1) - 1),
+            )
+            for entry, (printed, true) in pairs
+        )
+
+    def _picture(self, record: Record) -> Figure | None:
+        if record.discrepancy is None or record.discrepancy.drawn is None:
+            return None
+        painter = painter_of(self.arm, "yours")
+        return painter.at_counterexample(record) if painter is not None else None
+
+
+def place(row: int | None, column: int | None) -> str:
+    """Return an entry's place (from 1) as the student reads it."""
+    return "value" if row is None or column is None else f"({row}, {column})"
+
+
+def without_asked(message: str) -> str:
+    """Return a message without the name that a claim gives to what is asked."""
+    return message.replace(ASKED, "what is asked").replace("Xi", "what is asked")
+
+
+def sentence(message: str, entries: Sequence[WrongEntry]) -> str:
+    """Return what is wrong in words, without giving the right term away."""
+    if not entries and message:
+        return without_asked(message)
+    told = [part for part in message.split("; ") if not _TELLING.match(part) and "should be" not in part]
+    if told and (told[0] or len(told) > 1):
+        return without_asked("; ".join(told))
+    places = [place(entry.row, entry.column) for entry in entries]
+    if not places or places == ["value"]:
+        return UNEQUAL
+    if len(places) == 1:
+        return f"entry {places[0]} is wrong, the others are right"
+    if len(places) <= MOST_PLACES:
+        return f"the entries {', '.join(places)} are wrong, the others are right"
+    return f"{len(places)} entries are wrong"

@@ -1,0 +1,189 @@
+"""A task that asks for a formula in named letters: a link matrix, a determinant, one joint of an inverse, a coefficient."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from course.feedback.answer import as_latex, is_function
+from course.feedback.claim import ASKED, Claim, place
+from course.feedback.errors import AnswerError, LessonError
+from course.feedback.outcome import NOTHING, Feedback, Outcome, Row
+from models.errors import ArmproofError
+from models.guarded_call import CallError, Guard
+from models.traced_function import trace_function
+from verification.python.latex import write_matrix
+from verification.python.returned import NotAttempted, NotNumbers, read_returned
+
+SECONDS = 2.0  # that a function may run
+FEW = 8  # samples by which two answers are told apart
+_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Formula:
+    """A formula, a scalar or a matrix.
+
+    Attributes:
+        latex: the right one; with an arm it may name the arm's quantities, `\\det J_v`.
+        arguments: the letters it is made of, in the order in which a function takes them.
+        arm: the arm whose joints, lengths and quantities the letters are; none for a general formula.
+        given: names with a meaning, such as {"D": r"\\frac{…}{…}"}; an answer may use them, and a function takes those that
+            stand among the arguments as they are.
+        quantities, symbols, transforms: as in a document's front matter.
+        unit: of the entries.
+        names: whether an answer may name quantities of the arm.
+    """
+
+    latex: str
+    arguments: tuple[str, ...]
+    arm: Any = None
+    given: Mapping[str, str] = field(default_factory=dict)
+    quantities: Mapping[str, Any] = field(default_factory=dict)
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    transforms: str = "upper"
+    unit: str = "–"
+    names: bool = False
+
+    @cached_property
+    def claim(self) -> Claim:
+        """What an answer is compared with."""
+        front: dict[str, Any] = {"transforms": self.transforms, "quantities": dict(self.quantities)}
+        if self.arm is not None:
+            front["arm"] = self.arm
+        front["symbols"] = {**self._free(), **self.symbols}
+        given = tuple(f"{_as_latex(name)} = {value}" for name, value in self.given.items())
+        return Claim(front, given, self.latex, lambda row, column: self.unit, self.names)
+
+    def _free(self) -> dict[str, str]:
+        """Bind each argument that is no symbol of the arm as a free letter."""
+        from models.catalogue import load_arm
+
+        arm = load_arm(self.arm) if self.arm is not None else None
+        known = {joint.symbol for joint in arm.joints} | {*arm.lengths, *arm.angles} if arm is not None else set()
+        return {name: "free" for name in self.arguments if name not in known and name not in self.given}
+
+    def judge(self, answer: Any) -> Feedback:
+        """Return what becomes of an answer: a function of the arguments, or a formula."""
+        return self._judge_function(answer) if is_function(answer) else self.claim.judge(as_latex(answer))
+
+    def signature(self, answer: Any) -> np.ndarray:
+        """Return the values of an answer at the samples, by which two answers are told apart."""
+        if not is_function(answer):
+            return self.claim.values(as_latex(answer))[:FEW]
+        with Guard(SECONDS) as guard:
+            calls = [guard.call(lambda k=k: answer(*self._arguments(k))) for k in range(FEW)]  # type: ignore[misc]
+        if any(call.error is not None for call in calls):
+            raise AnswerError("the answer has no values")
+        return np.array([read_returned(call.value, 1)[0] for call in calls])
+
+    # -- functions -----------------------------------------------------------------------------------------------------
+
+    def _judge_function(self, function: Callable[..., Any]) -> Feedback:
+        problem = self._cannot_be_called(function)
+        if problem:
+            return Feedback(Outcome.ERROR, problem)
+        with Guard(SECONDS) as guard:
+            first = guard.call(lambda: function(*self._arguments(self._with_value[0])))
+            if (stopped := _stopped(first.value, first.error)) is not None:
+                return stopped
+            traced = guard.call(lambda: write_matrix(self._trace(function)))
+            if traced.error is None:
+                return self.claim.judge(traced.value)
+            return self._compare(function, guard, traced.error.message)
+
+    def _trace(self, function: Callable[..., Any]) -> np.ndarray:
+        def call(function: Callable[..., Any], make: Callable[[str], Any]) -> Any:
+            return function(*(make(name) for name in self.arguments))
+
+        return np.array(trace_function(function, call), dtype=object)
+
+    def _cannot_be_called(self, function: Callable[..., Any]) -> str:
+        try:
+            inspect.signature(function).bind(*self.arguments)
+        except TypeError:
+            name = getattr(function, "__name__", "the function")
+            return f"{name} is to take {len(self.arguments)} arguments: {', '.join(self.arguments)}"
+        except ValueError:  # a function written in C
+            pass
+        return ""
+
+    def _arguments(self, sample: int) -> list[float]:
+        return [float(self._values[name][sample]) for name in self.arguments]
+
+    @cached_property
+    def _values(self) -> dict[str, np.ndarray]:
+        """The values of the arguments at the samples."""
+        try:
+            return {name: self.claim.values(_as_latex(name))[:, 0, 0] for name in self.arguments}
+        except ArmproofError as problem:
+            raise LessonError(f"the arguments of the task have no values: {problem}") from None
+
+    @cached_property
+    def _true(self) -> np.ndarray:
+        return self.claim.values(ASKED)
+
+    @cached_property
+    def _with_value(self) -> list[int]:
+        """The samples at which what is asked has a value."""
+        good = np.flatnonzero(np.isfinite(self._true).all(axis=(1, 2)))
+        if not len(good):
+            raise LessonError(f"the formula of the task has a value nowhere: {self.latex}")
+        return [int(k) for k in good]
+
+    def _compare(self, function: Callable[..., Any], guard: Guard, reason: str) -> Feedback:
+        """Compare a function that cannot be traced with the formula, value by value."""
+        for k in self._with_value:
+            true = self._true[k]
+            call = guard.call(lambda k=k: function(*self._arguments(k)))  # type: ignore[misc]
+            if (stopped := _stopped(call.value, call.error)) is not None:
+                return stopped
+            (obtained,) = read_returned(call.value, 1)
+            if obtained.size != true.size:
+                rows, columns = true.shape
+                return Feedback(
+                    Outcome.WRONG, f"the result has {obtained.size} numbers, what is asked is {rows}×{columns}"
+                )
+            wrong = ~(np.abs(obtained.reshape(true.shape) - true) <= _TOLERANCE * (1 + np.abs(true)))
+            if wrong.any():
+                return Feedback(
+                    Outcome.WRONG, "the values differ from what is asked",
+                    self._rows(true, obtained.reshape(true.shape), wrong),
+                    dict(zip(self.arguments, self._arguments(k), strict=True)),
+                )  # fmt: skip
+        return Feedback(
+            Outcome.CONFIRMED, f"equal at {len(self._with_value)} random values; not proved, since {reason}"
+        )
+
+    def _rows(self, true: np.ndarray, obtained: np.ndarray, wrong: np.ndarray) -> tuple[Row, ...]:
+        return tuple(
+            Row(place(r + 1, c + 1) if true.size > 1 else "value", float(true[r, c]), float(obtained[r, c]), self.unit)
+            for r, c in np.argwhere(wrong).tolist()
+        )
+
+
+def _stopped(value: Any, error: CallError | None) -> Feedback | None:
+    """Return the feedback on a call that gave no numbers; None where it gave some."""
+    if error is not None:
+        if error.type == "NotImplementedError":
+            return NOTHING
+        where = f" in line {error.line}" if error.line else ""
+        return Feedback(Outcome.ERROR, f"{error.type}{where}: {error.message}", error=error)
+    try:
+        read_returned(value, 1)
+    except NotAttempted:
+        return NOTHING
+    except NotNumbers as problem:
+        return Feedback(Outcome.ERROR, str(problem))
+    return None
+
+
+def _as_latex(name: str) -> str:
+    from verification.latex.writer import symbol_as_latex
+
+    return name if "\\" in name else symbol_as_latex(name)

@@ -1,0 +1,173 @@
+"""A lesson: its tasks by name, and how far a student has come."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import pkgutil
+import re
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+
+from markupsafe import Markup
+
+from course.feedback.errors import LessonError
+from course.feedback.notebook import show_figures
+from course.feedback.outcome import Feedback, Outcome
+from course.feedback.progress import keep_progress, reached, read_progress
+from course.feedback.task import Task
+from course.feedback.text import MARKS
+
+PACKAGE = "course.tasks"
+
+
+@dataclass(eq=False)
+class Lesson:
+    """A lesson of the course; each of its tasks is an attribute: `lesson.jacobian.check(answer)`.
+
+    Attributes:
+        number: its place in the course.
+        name: a Python identifier.
+        title: as students read it.
+        objectives: three lines.
+        tasks: in their order.
+        source: what it was taken from.
+    """
+
+    number: int
+    name: str
+    title: str
+    objectives: tuple[str, ...]
+    tasks: tuple[Task, ...]
+    source: str = ""
+    _results: dict[str, Feedback] = field(default_factory=dict, repr=False)
+    _reached: dict[str, Outcome] = field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        names = [task.name for task in self.tasks]
+        for name in [self.name, *names]:
+            if not name.isidentifier():
+                raise LessonError(f"'{name}' is no Python identifier, and so no name of a lesson or task")
+        for name in names:
+            if names.count(name) > 1 or hasattr(type(self), name) or name in self.__dataclass_fields__:
+                raise LessonError(f"lesson '{self.name}': the task name '{name}' is taken")
+        for task in self.tasks:
+            task.lesson, task.on_feedback = self.name, self._keep
+
+    def __getattr__(self, name: str) -> Task:
+        for task in self.__dict__.get("tasks", ()):
+            if task.name == name:
+                return task  # type: ignore[no-any-return]
+        known = ", ".join(task.name for task in self.__dict__.get("tasks", ()))
+        raise AttributeError(f"lesson '{self.__dict__.get('name')}' has no task '{name}'; its tasks are {known}")
+
+    def __dir__(self) -> list[str]:
+        return sorted([*super().__dir__(), *(task.name for task in self.tasks)])
+
+    def results(self) -> dict[str, Feedback]:
+        """Return the last feedback on each task that was checked in this process."""
+        return dict(self._results)
+
+    def progress(self) -> dict[str, Outcome]:
+        """Return where each task stands, in the order of the lesson, checks before this process included."""
+        kept = read_progress(self.name)
+        known = {**kept, **self._reached}
+        return {task.name: known.get(task.name, Outcome.NOT_ATTEMPTED) for task in self.tasks}
+
+    def _keep(self, feedback: Feedback) -> None:
+        before = self.progress()[feedback.task]
+        self._results[feedback.task] = feedback
+        self._reached[feedback.task] = reached(before, feedback.outcome)
+        keep_progress(feedback)
+
+    def __repr__(self) -> str:
+        states = self.progress()
+        lines = [
+            f"{self.number} · {self.title}",
+            *(f"  – {line}" for line in self.objectives),
+            "",
+            self._solved(states),
+        ]
+        width = max((len(name) for name in states), default=0)
+        titles = {task.name: task.title for task in self.tasks}
+        lines += [f"  {MARKS[state]} {name.ljust(width)}  {titles[name]}" for name, state in states.items()]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        from course.feedback.html import block
+
+        states = self.progress()
+        titles = {task.name: task.title for task in self.tasks}
+        objectives = Markup("").join(Markup("<li>{}</li>").format(line) for line in self.objectives)
+        tasks = Markup("").join(
+            Markup('<li><span aria-hidden="true">{}</span> <code>{}</code> {} – {}</li>').format(
+                MARKS[state], name, titles[name], state.value
+            )
+            for name, state in states.items()
+        )
+        content = Markup(
+            '<p class="ap-head"><strong>{} · {}</strong></p><ul>{}</ul><p>{}</p><ul style="list-style:none;padding-left:0">{}</ul>'
+        ).format(self.number, self.title, objectives, self._solved(states), tasks)
+        return str(block("open", content))
+
+    def _solved(self, states: dict[str, Outcome]) -> str:
+        solved = sum(state in (Outcome.PROVED, Outcome.CONFIRMED) for state in states.values())
+        return f"{solved} of {len(states)} tasks solved"
+
+
+_opened: dict[str, Lesson] = {}
+
+
+def open_lesson(name: str, folder: str | Path | None = None) -> Lesson:
+    """Return a lesson by its name; opened again it is the same one.
+
+    Args:
+        folder: where a teacher's own lessons are: `<folder>/tasks/<name>.py` has its tasks.
+
+    Raises:
+        LessonError: there is no such lesson, or its tasks are declared wrongly.
+    """
+    show_figures()
+    if folder is not None:
+        key = str(Path(folder).resolve() / name)
+        if key not in _opened:
+            _opened[key] = _read_own(name, Path(folder))
+        return _opened[key]
+    if name not in lesson_names():
+        raise LessonError(f"no lesson '{name}'; the lessons are {', '.join(lesson_names())}")
+    if name not in _opened:
+        _opened[name] = importlib.import_module(f"{PACKAGE}.{name}").LESSON
+    return _opened[name]
+
+
+def lessons() -> tuple[Lesson, ...]:
+    """Return the lessons of the course in their order."""
+    return tuple(sorted((open_lesson(name) for name in lesson_names()), key=lambda lesson: lesson.number))
+
+
+def results() -> dict[str, dict[str, Feedback]]:
+    """Return the last feedback on each task that was checked in this process, by lesson and task."""
+    return {lesson.name: lesson.results() for lesson in _opened.values()}
+
+
+@lru_cache(maxsize=1)
+def lesson_names() -> tuple[str, ...]:
+    """Return the names of the course's lessons."""
+    package = importlib.import_module(PACKAGE)
+    return tuple(sorted(module.name for module in pkgutil.iter_modules(package.__path__)))
+
+
+def _read_own(name: str, folder: Path) -> Lesson:
+    file = folder / "tasks" / f"{name}.py"
+    if not re.fullmatch(r"[A-Za-z_]\w*", name) or not file.is_file():
+        own = ", ".join(sorted(path.stem for path in (folder / "tasks").glob("*.py"))) or "none"
+        raise LessonError(f"no lesson '{name}' in {folder}: there is no file {file}; the lessons there: {own}")
+    spec = importlib.util.spec_from_file_location(f"armproof_own_lessons.{name}", file)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    lesson = getattr(module, "LESSON", None)
+    if not isinstance(lesson, Lesson):
+        raise LessonError(f"{file}: it is to declare LESSON = Lesson(…)")
+    return lesson

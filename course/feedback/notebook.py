@@ -1,0 +1,29 @@
+"""What a lesson changes in the notebook that opens it: figures are shown as SVG, the vectors that the handouts print."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def show_figures() -> None:
+    """Have the notebook at hand, if any, show matplotlib's figures that pyplot does not know; elsewhere nothing is changed."""
+    ipython = sys.modules.get("IPython")
+    shell: Any = ipython.get_ipython() if ipython is not None else None
+    if shell is None:
+        return
+    formatter = shell.display_formatter.formatters["image/svg+xml"]
+    formatter.for_type_by_name("matplotlib.figure", "Figure", as_svg)
+
+
+def as_svg(figure: Figure) -> str:
+    """Return a figure as SVG, in the style of the course."""
+    from course.figures.save import save_figure
+
+    with tempfile.TemporaryDirectory() as folder:
+        return save_figure(figure, Path(folder) / "figure.svg", trimmed=True).read_text(encoding="utf-8")

@@ -1,0 +1,99 @@
+"""A student's answer drawn over the arm as Drake has it: a pose, an origin, or the velocity that a joint gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from course.feedback.errors import AnswerError
+from models.arm import Arm
+from models.errors import ArmproofError
+from models.guarded_call import Guard
+from verification.discrepancy import Discrepancy, Drawn, Rows
+from verification.python.arguments import constants_of, read_layout
+from verification.python.asked import read_asked
+from verification.python.returned import NotAttempted, fit, read_returned
+from verification.report.html.figures import Figure, painter_of
+from verification.verdict import Record, Verdict
+
+SECONDS = 0.5
+
+
+def draw_answer(
+    arm: Arm, asked: Mapping[str, Any], function: Callable[..., Any], at: Mapping[str, float]
+) -> Figure | None:
+    """Return the arm at a configuration with the function's result beside the true one; None where it cannot be drawn."""
+    painter = painter_of(arm, "yours")
+    if painter is None:
+        return None
+    try:
+        drawn = _drawn(arm, asked, function, at)
+    except ArmproofError:
+        return None
+    if drawn is None:
+        return None
+    discrepancy = Discrepancy(1, (), drawn)
+    return painter.at_counterexample(Record(1, "", Verdict.REFUTED, counterexample=dict(at), discrepancy=discrepancy))
+
+
+def _drawn(arm: Arm, asked: Mapping[str, Any], function: Callable[..., Any], at: Mapping[str, float]) -> Drawn | None:
+    (one,) = read_asked(arm, asked)
+    quantity = one.quantity
+    if quantity.kind not in ("pose", "origin", "jacobian") or quantity.reference != arm.frames[0]:
+        return None
+    numeric = arm.numeric(np.array([[at[joint.symbol] for joint in arm.joints]]))
+    obtained = call_at(arm, function, at)
+    pose = np.array(numeric.pose(quantity.frame)[0])
+    if quantity.kind == "jacobian":
+        true = numeric.jacobian(quantity.frame)[0]
+        return _velocity(quantity, true, obtained)
+    claimed = pose.copy()
+    if quantity.kind == "pose" and not quantity.rows:
+        if (fitted := fit(obtained, (4, 4))) is None:
+            return None
+        claimed = fitted.values
+    else:
+        rows = [row - 1 for row in quantity.rows] if quantity.rows else [0, 1, 2]
+        flat = obtained.ravel()
+        if quantity.kind == "pose" or len(flat) < len(rows) or max(rows) > 2:
+            return None
+        claimed[rows, 3] = flat[: len(rows)]
+    return Drawn("pose", quantity.frame, _rows(pose), _rows(claimed))
+
+
+def _velocity(quantity: Any, true: np.ndarray, obtained: np.ndarray) -> Drawn | None:
+    """Return the velocity of the first column that is wrong, linear or angular as its first wrong row."""
+    rows = [row - 1 for row in quantity.rows] if quantity.rows else list(range(6))
+    columns = [column - 1 for column in quantity.columns] if quantity.columns else list(range(true.shape[1]))
+    whole = true[np.ix_(rows, columns)]
+    if obtained.shape != whole.shape:
+        return None
+    wrong = np.argwhere(~(np.abs(obtained - whole) <= 1e-9))
+    row, column = wrong[0] if len(wrong) else (0, 0)
+    part = list(range(3)) if rows[row] < 3 else list(range(3, 6))
+    claimed = true[:, columns[column]].copy()
+    claimed[rows] = obtained[:, column]
+    kind = "velocity" if rows[row] < 3 else "angular velocity"
+    return Drawn(kind, quantity.frame, _rows(true[part, columns[column]][:, None]), _rows(claimed[part][:, None]))
+
+
+def call_at(arm: Arm, function: Callable[..., Any], at: Mapping[str, float]) -> np.ndarray:
+    """Return what a function of the joint values gives at a configuration; raises AnswerError where that is no array."""
+    layout = read_layout(arm, function)
+    values = {**constants_of(arm), **at}
+    passed = [symbol for symbol in layout.lengths if symbol not in layout.defaults]
+    positional, named = layout.arguments(lambda name: float(values[name]), passed)
+    with Guard(SECONDS) as guard:
+        call = guard.call(lambda: function(*positional, **named))
+    if call.error is not None and call.error.type == "NotImplementedError":
+        raise NotAttempted(call.error.message)
+    if call.error is not None:
+        raise AnswerError(call.error.message)
+    (obtained,) = read_returned(call.value, 1)
+    return obtained
+
+
+def _rows(matrix: np.ndarray) -> Rows:
+    return tuple(tuple(float(cell) for cell in row) for row in matrix)

@@ -1,0 +1,92 @@
+"""A task that asks for a quantity of an arm: a pose, an origin, a Jacobian."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from course.feedback.answer import as_latex, is_function
+from course.feedback.claim import ASKED, Claim, place, sentence
+from course.feedback.outcome import OF_FUNCTION, Feedback, Row
+from course.feedback.picture import call_at, draw_answer
+from models.arm import Arm
+from models.catalogue import load_arm
+from verification.python import check_function
+from verification.python.asked import read_asked
+from verification.python.function_check import FunctionVerdict
+from verification.python.telling import unit_of
+
+FEW = 8  # samples by which two answers are told apart
+
+
+@dataclass(frozen=True, eq=False)
+class Quantity:
+    """A quantity of an arm, as a document's front matter writes it.
+
+    Attributes:
+        arm: the name of an arm, or a DH table as in a document's front matter.
+        quantity: {"pose": 4}, {"jacobian": 4, "rows": [1, 2, 3]}, …
+        symbols: letters that an answer in LaTeX may use for the arm's.
+        transforms: which index of T^i_j names the reference frame in such an answer.
+        names: whether an answer may name other quantities of the arm (a product of link matrices).
+    """
+
+    arm: Any
+    quantity: Mapping[str, Any]
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    transforms: str = "upper"
+    names: bool = False
+
+    @cached_property
+    def loaded(self) -> Arm:
+        """The arm."""
+        return load_arm(self.arm)
+
+    @cached_property
+    def claim(self) -> Claim:
+        """What a formula is compared with."""
+        front = {
+            "arm": self.arm,
+            "symbols": dict(self.symbols),
+            "transforms": self.transforms,
+            "quantities": {ASKED: dict(self.quantity)},
+        }
+        (asked,) = read_asked(self.loaded, self.quantity)
+        return Claim(
+            front, unit=lambda row, column: unit_of(self.loaded, asked.quantity, row, column), names=self.names
+        )
+
+    def judge(self, answer: Any) -> Feedback:
+        """Return what becomes of an answer: a function of the joint values, or a formula."""
+        return self._judge_function(answer) if is_function(answer) else self.claim.judge(as_latex(answer))
+
+    def signature(self, answer: Any) -> np.ndarray:
+        """Return the values of an answer at the samples, by which two answers are told apart."""
+        if not is_function(answer):
+            return self.claim.values(as_latex(answer))[:FEW]
+        q = self.claim.samples.q[:FEW]
+        return np.array(
+            [call_at(self.loaded, answer, dict(zip(self._symbols, row, strict=True))) for row in q.tolist()]
+        )
+
+    @cached_property
+    def _symbols(self) -> list[str]:
+        return [joint.symbol for joint in self.loaded.joints]
+
+    def _judge_function(self, function: Callable[..., Any]) -> Feedback:
+        check = check_function(self.loaded, function, dict(self.quantity))
+        rows = tuple(Row(place(row.row, row.column), row.expected, row.obtained, row.unit) for row in check.table)
+        message = (
+            check.message if check.verdict is not FunctionVerdict.REFUTED else sentence(check.message, check.entries)
+        )
+        picture = None
+        if not check.is_right and check.counterexample:
+            picture = draw_answer(self.loaded, self.quantity, function, check.counterexample)
+        return Feedback(
+            OF_FUNCTION[check.verdict], message, rows, check.counterexample, picture,
+            check.notes, check.error, check.printed,
+        )  # fmt: skip

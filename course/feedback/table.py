@@ -1,0 +1,144 @@
+"""A task that asks for the Denavit–Hartenberg table of an arm, row by row."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from course.feedback.answer import as_latex, is_function, is_missing
+from course.feedback.errors import AnswerError
+from course.feedback.outcome import NOTHING, Feedback, Outcome
+from models.arm import Arm
+from models.catalogue import load_arm
+from verification.check import check_document
+from verification.document import Document
+from verification.document import Table as Printed
+from verification.verdict import Record, Verdict
+
+COLUMNS = {
+    "classic": (r"\theta_i", "d_i", "a_i", r"\alpha_i"),
+    "modified": (r"\alpha_{i-1}", "a_{i-1}", "d_i", r"\theta_i"),
+}
+_TURN = 6.3  # rad: no constant angle of a table is larger
+ORDER = {"classic": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "d", "theta")}
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """The Denavit–Hartenberg table of an arm.
+
+    Attributes:
+        arm: the name of the arm.
+        convention: "classic" (θ, d, a, α) or "modified" (α_{i-1}, a_{i-1}, d, θ), the order of a row that is a list.
+        symbols: letters that an answer may use for the arm's.
+    """
+
+    arm: Any
+    convention: str
+    symbols: Mapping[str, str] = field(default_factory=dict)
+
+    @cached_property
+    def loaded(self) -> Arm:
+        """The arm."""
+        return load_arm(self.arm)
+
+    def judge(self, answer: Any) -> Feedback:
+        """Return what becomes of a table: a list of rows, each {"a": …, "alpha": …, "d": …, "theta": …} or a list in order."""
+        rows = self._rows(answer)
+        if not rows:
+            return NOTHING
+        if len(rows) != len(self.loaded.joints):
+            return Feedback(
+                Outcome.WRONG, f"a table has one row a joint: {len(self.loaded.joints)} rows, not {len(rows)}"
+            )
+        if degrees := self._in_degrees(answer):
+            return Feedback(Outcome.WRONG, degrees)
+        record = self._record(rows)
+        if record.verdict is Verdict.PROVED:
+            return Feedback(Outcome.PROVED, "every row leads from one frame of the arm to the next")
+        if record.verdict is Verdict.REFUTED:
+            return Feedback(Outcome.WRONG, self._sentence(record))
+        return Feedback(Outcome.ERROR, record.message or "the table cannot be read")
+
+    def signature(self, answer: Any) -> str:
+        """Return a table as one text, by which two answers are told apart."""
+        return r" \\ ".join(" & ".join(row) for row in self._rows(answer)).replace(" ", "")
+
+    def _record(self, rows: Sequence[Sequence[str]]) -> Record:
+        header = ("i", *COLUMNS[self.convention])
+        cells = tuple((str(k + 1), *row) for k, row in enumerate(rows))
+        front = {"arm": self.arm, "symbols": dict(self.symbols)}
+        result = check_document(Document(Path("answer"), front, (), (Printed(1, header, cells),)), confirm=False)
+        if not result.tables:
+            return Record(1, "", Verdict.UNREADABLE, message="the rows are no Denavit–Hartenberg table")
+        return result.tables[0]
+
+    def _in_degrees(self, answer: Any) -> str:
+        """Say which number in a column of angles is one of degrees."""
+        for number, row in enumerate(answer if isinstance(answer, list | tuple) else ()):
+            cells = row if isinstance(row, Mapping) else dict(zip(ORDER[self.convention], row, strict=False))
+            for name in ("alpha", "theta"):
+                value = cells.get(name)
+                if isinstance(value, int | float) and abs(value) > _TURN:
+                    return (
+                        f"row {number + 1}: {name} = {value:g} is in degrees; angles are in radians, -pi/2 or -np.pi/2"
+                    )
+        return ""
+
+    def _sentence(self, record: Record) -> str:
+        """Name the row and the parameter that are wrong, not their values."""
+        names = [*("i",), *ORDER[self.convention]]
+        told = [
+            f"row {entry.row}: {names[(entry.column or 1) - 1]} is wrong"
+            + (f" ({entry.change})" if entry.change else "")
+            for entry in record.entries[:4]
+        ]
+        return "; ".join(dict.fromkeys(told)) or record.message
+
+    def _rows(self, answer: Any) -> list[tuple[str, ...]]:
+        if isinstance(answer, str):
+            answer = _rows_of(answer)
+        if is_function(answer):
+            answer = answer()
+            if is_missing(answer):
+                return []
+        if not isinstance(answer, list | tuple):
+            raise AnswerError(f"a table is a list of rows, not a {type(answer).__name__}")
+        return [self._row(row, number + 1) for number, row in enumerate(answer)]
+
+    def _row(self, row: Any, number: int) -> tuple[str, ...]:
+        order = ORDER[self.convention]
+        if isinstance(row, Mapping):
+            missing = [name for name in order if name not in row]
+            if missing:
+                raise AnswerError(f"row {number} has no '{missing[0]}'; a row has {', '.join(order)}")
+            row = [row[name] for name in order]
+        if not isinstance(row, list | tuple) or len(row) != len(order):
+            raise AnswerError(f"row {number} is to hold {len(order)} entries: {', '.join(order)}")
+        return tuple(_cell(cell) for cell in row)
+
+
+def _cell(cell: Any) -> str:
+    """Return a cell as LaTeX: the names of symbols may be written plainly, as in "theta_1 - pi/2"."""
+    if not isinstance(cell, str):
+        return as_latex(cell)
+    for letter in ("theta", "alpha", "pi"):
+        cell = cell.replace(f"\\{letter}", letter).replace(letter, f"\\{letter} ")
+    return cell.strip()
+
+
+def _rows_of(text: str) -> list[list[str]]:
+    """Return the rows of a LaTeX array or a Markdown table without its header."""
+    body = text.strip().strip("$")
+    if "\\begin" in body:
+        body = body.split("}", 2)[-1] if "\\begin{array}" in body else body.split("}", 1)[-1]
+        body = body.rsplit("\\end", 1)[0].replace("\\hline", "")
+        rows = [line.split("&") for line in body.split("\\\\") if line.strip()]
+    else:
+        rows = [line.strip().strip("|").split("|") for line in body.splitlines() if line.strip()]
+        rows = [row for row in rows if not set("".join(row)) <= set("-: ")]
+    cells = [[cell.strip().strip("$").strip() for cell in row] for row in rows]
+    return [row[-4:] for row in cells if not any("_i" in cell or "_{i" in cell for cell in row)]

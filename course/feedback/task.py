@@ -1,0 +1,159 @@
+"""A task of a lesson: what it asks, the ladder of hints, the right answers, and the wrong ones that are known."""
+
+from __future__ import annotations
+
+import inspect
+import textwrap
+import time
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from typing import Any, Protocol
+
+import numpy as np
+
+from course.feedback.answer import WithSympy, as_latex, is_function, is_missing
+from course.feedback.errors import AnswerError
+from course.feedback.outcome import NOTHING, Feedback, Outcome
+from course.feedback.shown import Shown
+from models.errors import ArmproofError
+
+
+class Question(Hashable, Protocol):
+    """What a task asks."""
+
+    def judge(self, answer: Any) -> Feedback:
+        """Return what becomes of an answer."""
+
+    def signature(self, answer: Any) -> Any:
+        """Return an array or a text by which two answers are told apart, whatever their form."""
+
+
+@dataclass(frozen=True, eq=False)
+class Wrong:
+    """A wrong answer that students give.
+
+    Attributes:
+        answer: in any of the forms.
+        words: what the feedback on it says, at least in part.
+        own: whether `words` is the sentence to be shown for every answer that is equal to this one; without it the general
+            diagnosis finds the words.
+    """
+
+    answer: Any
+    words: str
+    own: bool = False
+
+
+@dataclass(eq=False)
+class Task:
+    """A task.
+
+    Attributes:
+        name: its name in the lesson, a Python identifier.
+        title: in a few words.
+        text: what is asked, as Markdown with mathematics between dollars.
+        asks: a Quantity, Formula, Table, Number or Choice.
+        hints: a ladder, from a nudge to nearly the answer.
+        right: right answers in several forms; the first is the solution that is shown.
+        wrong: wrong answers, from real mistakes.
+        lesson: the name of its lesson, given when the lesson takes it.
+    """
+
+    name: str
+    title: str
+    text: str
+    asks: Question
+    hints: tuple[str, ...]
+    right: tuple[Any, ...]
+    wrong: tuple[Wrong, ...] = ()
+    lesson: str = ""
+    on_feedback: Callable[[Feedback], None] = field(default=lambda feedback: None, repr=False)
+    _given: int = field(default=0, repr=False)
+
+    def check(self, answer: Any = ...) -> Feedback:
+        """Return what becomes of an answer: a function, a SymPy expression, LaTeX, numbers; `...` is no answer yet."""
+        started = time.perf_counter()
+        feedback = self._judge(answer)
+        feedback = replace(feedback, task=self.name, lesson=self.lesson, seconds=time.perf_counter() - started)
+        self.on_feedback(feedback)
+        return feedback
+
+    def hint(self) -> Shown:
+        """Return the next hint of the ladder; after the last one, the last again."""
+        index = min(self._given, len(self.hints) - 1)
+        self._given += 1
+        if index < 0:
+            return Shown("There is no hint for this task.")
+        more = (
+            ""
+            if index + 1 < len(self.hints)
+            else f" There are no more; `lesson.{self.name}.solution()` shows the answer."
+        )
+        return Shown(f"**Hint {index + 1} of {len(self.hints)}.** {self.hints[index]}{more}")
+
+    def solution(self) -> Shown:
+        """Return the solution: the first of the right answers, and the first formula among them."""
+        parts = [f"**{self.title}: solution.**"]
+        functions = [answer for answer in self.right if is_function(answer)]
+        formulas = [answer for answer in self.right if isinstance(answer, str)]
+        if formulas and not hasattr(self.asks, "options"):
+            parts.append(f"$$ {as_latex(formulas[0])} $$")
+        if functions:
+            parts.append(f"```python\n{textwrap.dedent(inspect.getsource(functions[0])).strip()}\n```")
+        if len(parts) == 1:
+            parts.append(f"`{self.right[0]!r}`")
+        return Shown("\n\n".join(parts))
+
+    def show(self, answer: Any = ..., **at: float) -> Shown | Any:
+        """Return the answer drawn over the arm as Drake has it, at a configuration given by joint symbols; or why it is not.
+
+        Every joint that is not named has a value of its own, none of them zero.
+        """
+        from course.feedback.portrait import show_answer
+
+        return show_answer(self, answer, at)
+
+    def _judge(self, answer: Any) -> Feedback:
+        if isinstance(answer, WithSympy):
+            answer = answer.value()
+        if is_missing(answer):
+            return NOTHING
+        try:
+            feedback = self.asks.judge(answer)
+        except AnswerError as problem:
+            return Feedback(Outcome.ERROR, str(problem))
+        if feedback.outcome is Outcome.WRONG and (own := self._own_words(answer)):
+            return replace(feedback, message=own)
+        return feedback
+
+    def _own_words(self, answer: Any) -> str:
+        """Return the sentence of the known wrong answer that this one is equal to."""
+        own = [wrong for wrong in self.wrong if wrong.own]
+        if not own:
+            return ""
+        try:
+            given = self.asks.signature(answer)
+        except ArmproofError:
+            return ""
+        return next((wrong.words for wrong in own if _are_equal(given, _signature_of(self.asks, wrong))), "")
+
+    def __repr__(self) -> str:
+        return f"{self.title}\n\n{self.text}\n\nlesson.{self.name}.check(answer), .hint(), .solution()"
+
+    def _repr_markdown_(self) -> str:
+        return f"**{self.title}.** {self.text}"
+
+
+@lru_cache(maxsize=4096)
+def _signature_of(asks: Question, wrong: Wrong) -> Any:
+    try:
+        return asks.signature(wrong.answer)
+    except ArmproofError:
+        return None
+
+
+def _are_equal(one: Any, other: Any) -> bool:
+    if isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
+        return one.size == other.size and np.allclose(one.ravel(), other.ravel(), rtol=1e-8, atol=1e-9, equal_nan=True)
+    return type(one) is type(other) and bool(one == other)

@@ -1,0 +1,187 @@
+"""A task takes an answer in whatever form it is given, and says what is wrong in it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from course.feedback import AnswerError, Choice, Formula, Number, Outcome, Quantity, Table, Task, WithSympy, Wrong
+from course.feedback.answer import as_latex
+
+L_1, L_2, T_1, T_2 = sp.symbols("l_1 l_2 theta_1 theta_2")
+
+
+def tool(q: Any, l_1: Any, l_2: Any) -> Any:
+    return [l_1 * np.cos(q[0]) + l_2 * np.cos(q[0] + q[1]), l_1 * np.sin(q[0]) + l_2 * np.sin(q[0] + q[1])]
+
+
+def at_the_arms_lengths(theta_1: float, theta_2: float) -> list[float]:
+    lengths = POSITION.loaded.lengths
+    return tool([theta_1, theta_2], lengths["l_1"], lengths["l_2"])
+
+
+POSITION = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
+REACH = Formula(
+    r"\arccos D", ("x", "y", "l_1", "l_2"), given={"D": r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}"}, unit="rad"
+)
+COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
+DETERMINANT = Formula(
+    r"\det J_v",
+    ("theta_1", "theta_2", "l_1", "l_2"),
+    arm="planar_2r",
+    quantities={"J_v": {"jacobian": 2, "rows": [1, 2]}},
+)
+POINT = sp.Matrix([L_1 * sp.cos(T_1) + L_2 * sp.cos(T_1 + T_2), L_1 * sp.sin(T_1) + L_2 * sp.sin(T_1 + T_2)])
+LATEX = r"\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}"
+
+
+def task(asks: Any, *wrong: Wrong) -> Task:
+    return Task("name", "Title", "Text", asks, ("nudge", "method"), (), wrong)
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer"),
+    [
+        (POSITION, tool),
+        (POSITION, at_the_arms_lengths),
+        (POSITION, POINT),
+        (POSITION, WithSympy(lambda _: sp.expand_trig(POINT))),
+        (POSITION, [POINT[0], POINT[1]]),
+        (POSITION, LATEX),
+        (POSITION, f"$$ p = {LATEX} $$"),
+        (COSINE, r"\frac{x^2 + y^2 - (l_1^2 + l_2^2)}{2 l_1 l_2}"),
+        (COSINE, lambda x, y, l_1, l_2: (x**2 + y**2 - l_1**2 - l_2**2) / (2 * l_1 * l_2)),
+        (COSINE, lambda x, y, a, b: ((x * x + y * y) / a - a - b * b / a) / (2 * b)),
+        (REACH, r"\arccos D"),
+        (REACH, lambda x, y, a, b: math.acos((x * x + y * y - a * a - b * b) / (2 * a * b))),
+        (DETERMINANT, "l_1 l_2 s_2"),
+        (DETERMINANT, lambda t1, t2, a, b: a * b * (math.sin(t1 + t2) * math.cos(t1) - math.cos(t1 + t2) * math.sin(t1))),
+        (Table("planar_2r", "classic"), [("theta_1", 0, "l_1", 0), {"a": "l_2", "alpha": 0, "d": 0, "theta": "theta_2"}]),
+        (Table("planar_2r", "classic"), r"\begin{array}{cccc} \theta_1 & 0 & l_1 & 0 \\ \theta_2 & 0 & l_2 & 0 \end{array}"),
+        (Number(2), 2),
+        (Number((1.0, math.pi)), [1, math.pi]),
+        (Choice({"a": "one", "b": "two"}, "b"), " b "),
+        (Choice({"a": "one", "b": "two", "c": "three"}, frozenset("ab")), ["b", "a"]),
+    ],
+)  # fmt: skip
+def test_every_form_of_a_right_answer_is_proved(asks: Any, answer: Any) -> None:
+    assert task(asks).check(answer).outcome is Outcome.PROVED
+
+
+def test_what_branches_on_values_is_confirmed_and_says_so() -> None:
+    def branching(x: float, y: float, a: float, b: float) -> float:
+        return (x * x + y * y - a * a - b * b) / (2 * a * b) if x > 0 else 0.0
+
+    feedback = task(COSINE).check(branching)
+    assert feedback.outcome is Outcome.CONFIRMED
+    assert "not proved" in feedback.message
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer", "words"),
+    [
+        (POSITION, lambda q: tool(np.deg2rad(q), 0.45, 0.33), ""),
+        (POSITION, LATEX.replace("S_{12}", "S_2"), "entry (2, 1): index 1 is missing"),
+        (POSITION, LATEX.replace("+ l_2 C", "- l_2 C"), "entry (1, 1): wrong sign"),
+        (COSINE, r"\frac{x^2 + y^2 + l_1^2 - l_2^2}{2 l_1 l_2}", ""),
+        (COSINE, lambda x, y, a, b: x * x if x > 0 else y, "values differ"),
+        (DETERMINANT, lambda t1, t2, a, b: a * b * math.cos(t2), "cosine for sine"),
+        (Table("planar_2r", "classic"), [("theta_1", 0, "l_2", 0), ("theta_2", 0, "l_1", 0)], "a"),
+        (Table("planar_2r", "classic"), [("theta_1", 0, "l_1", 0)], "2 rows"),
+        (Number(2), 3, "is not 3"),
+        (Number((1.0, 2.0)), 1, "2 numbers"),
+        (Choice({"a": "one", "b": "two"}, "b", {"a": "one is too few"}), "a", "one is too few"),
+        (Choice({"a": "one", "b": "two", "c": "three"}, frozenset("ab")), "a", "there is more"),
+    ],
+)
+def test_a_wrong_answer_is_told_why(asks: Any, answer: Any, words: str) -> None:
+    feedback = task(asks).check(answer)
+    assert feedback.outcome is Outcome.WRONG
+    assert words in feedback.message
+    assert "should be" not in feedback.message
+
+
+@pytest.mark.parametrize("asks", [POSITION, COSINE, Table("planar_2r", "classic"), Number(1), Choice({"a": ""}, "a")])
+@pytest.mark.parametrize("nothing", [None, ..., "", " … ", [], [None, None]])
+def test_no_answer_is_not_attempted(asks: Any, nothing: Any) -> None:
+    assert task(asks).check(nothing).outcome is Outcome.NOT_ATTEMPTED
+
+
+@pytest.mark.parametrize("asks", [POSITION, COSINE])
+def test_a_stub_is_not_attempted(asks: Any) -> None:
+    def stub(*values: Any) -> None:
+        raise NotImplementedError
+
+    assert task(asks).check(stub).outcome is Outcome.NOT_ATTEMPTED
+    assert task(asks).check(lambda *values: None).outcome is Outcome.NOT_ATTEMPTED
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer", "words"),
+    [
+        (POSITION, "p_2", "may not name p_2"),
+        (POSITION, r"T^0_2 + \Xi", "may not name"),
+        (DETERMINANT, r"\det J_v", "may not name J_v"),
+        (POSITION, r"\frac{l_1", "cannot be read at character"),
+        (POSITION, "k_7 l_1", "the letters are theta_1, theta_2, l_1, l_2"),
+        (POSITION, {"x": 1}, "is no formula"),
+        (POSITION, "x" * 30_000, "too long"),
+        (POSITION, np.zeros((2, 2, 2)), "not an array of shape"),
+        (COSINE, lambda x, y: x, "4 arguments: x, y, l_1, l_2"),
+        (COSINE, lambda x, y, a, b: x / 0, "ZeroDivisionError in line"),
+        (COSINE, lambda x, y, a, b: "text", ""),
+        (Table("planar_2r", "classic"), [("theta_1", 0)], "row 1 is to hold 4 entries: theta, d, a, alpha"),
+        (Table("planar_2r", "classic"), [{"a": 0}], "row 1 has no 'theta'"),
+        (Number(1), "one", "is one number"),
+        (Choice({"a": "one", "b": "two"}, "b"), "z", "the options are 'a', 'b'"),
+    ],
+)
+def test_what_cannot_be_judged_says_what_is_expected(asks: Any, answer: Any, words: str) -> None:
+    feedback = task(asks).check(answer)
+    assert feedback.outcome is Outcome.ERROR
+    assert words in feedback.message
+
+
+def test_a_loop_without_end_is_stopped() -> None:
+    def loop(x: float, y: float, a: float, b: float) -> float:
+        while True:
+            x += 1
+
+    feedback = task(COSINE).check(loop)
+    assert feedback.outcome is Outcome.ERROR
+    assert "did not end" in feedback.message
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        lambda q, l_1, l_2: tool([q[0], q[1] - q[0]], l_1, l_2),
+        r"\begin{bmatrix} l_2 C_2 + l_1 C_1 \\ l_1 S_1 + l_2 S_2 \end{bmatrix}",
+        sp.Matrix([L_1 * sp.cos(T_1) + L_2 * sp.cos(T_2), L_1 * sp.sin(T_1) + L_2 * sp.sin(T_2)]),
+    ],
+)
+def test_a_known_mistake_is_told_in_its_own_words_in_every_form(answer: Any) -> None:
+    known = Wrong(
+        r"\begin{bmatrix} l_1 C_1 + l_2 C_2 \\ l_1 S_1 + l_2 S_2 \end{bmatrix}", "add the angles up", own=True
+    )
+    assert task(POSITION, known).check(answer).message == "add the angles up"
+    assert task(POSITION, known).check(LATEX.replace("l_1", "l_2")).message != "add the angles up"
+
+
+@pytest.mark.parametrize(
+    "hostile", [r"\input{/etc/passwd}", "\\write18{rm}", "{" * 2000, "^" * 500, "__import__('os')"]
+)
+def test_a_hostile_text_is_refused_and_nothing_is_executed(hostile: str) -> None:
+    assert task(POSITION).check(hostile).outcome is Outcome.ERROR
+
+
+def test_a_formula_of_a_function_is_read_back_as_it_was() -> None:
+    assert as_latex([[1, sp.Rational(1, 2)], [T_1, -1]]) == (
+        r"\begin{bmatrix} 1 & \frac{1}{2} \\ \theta_1 & -1 \end{bmatrix}"
+    )
+    with pytest.raises(AnswerError, match="no formula"):
+        as_latex(object())

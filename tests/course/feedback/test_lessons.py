@@ -1,0 +1,127 @@
+"""Lessons are opened by name, remember what was solved, and are shown in a notebook and in a terminal."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from course.feedback import Lesson, LessonError, Number, Outcome, Quantity, Task, Wrong, open_lesson
+from course.feedback.progress import VARIABLE, read_progress
+from models.catalogue import load_arm
+
+OWN = """
+from course.feedback import Lesson, Number, Task
+LESSON = Lesson(1, "mine", "Mine", ("One",), (Task("two", "Two", "1 + 1?", Number(2), ("Count.",), (2,)),))
+"""
+
+
+@pytest.fixture
+def lesson(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Lesson:
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "new" / "progress.json"))
+    return make()
+
+
+def make() -> Lesson:
+    pose = Task(
+        "tool", "The <tool>", "Where is $p_2$?", Quantity("planar_2r", {"origin": 2}), ("Look.", "Add."),
+        (r"\begin{bmatrix} l_1 c_1 + l_2 c_{12} \\ l_1 s_1 + l_2 s_{12} \\ 0 \end{bmatrix}",),
+    )  # fmt: skip
+    return Lesson(3, "sample", "A sample", ("See.",), (Task("two", "Two", "1 + 1?", Number(2), (), (2,)), pose))
+
+
+def test_a_right_answer_stays_solved_in_the_next_kernel(lesson: Lesson) -> None:
+    lesson.two.check(3)
+    assert make().progress()["two"] is Outcome.WRONG
+    lesson.two.check(2)
+    lesson.two.check(5)
+    assert make().progress() == {"two": Outcome.PROVED, "tool": Outcome.NOT_ATTEMPTED}
+    assert lesson.results()["two"].outcome is Outcome.WRONG  # what is graded is the last answer
+    assert "1 of 2 tasks solved" in repr(make())
+
+
+def test_a_broken_progress_file_is_no_progress(lesson: Lesson, tmp_path: Path) -> None:
+    lesson.two.check(2)
+    for content in ("{", "[]", '{"sample": {"two": "won"}}', '{"sample": 3}'):
+        (tmp_path / "new" / "progress.json").write_text(content, encoding="utf-8")
+        assert read_progress("sample") == {}
+    lesson.two.check(2)
+    assert json.loads((tmp_path / "new" / "progress.json").read_text())["sample"] == {"two": "correct (proved)"}
+
+
+def test_without_a_file_progress_is_kept_in_the_process(lesson: Lesson, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(VARIABLE, "")
+    lesson.two.check(2)
+    assert lesson.progress()["two"] is Outcome.PROVED
+    assert make().progress()["two"] is Outcome.NOT_ATTEMPTED
+
+
+def test_hints_are_a_ladder(lesson: Lesson) -> None:
+    assert ["Look" in str(lesson.tool.hint()), "Add" in str(lesson.tool.hint())] == [True, True]
+    assert "solution()" in str(lesson.tool.hint())
+    assert "no hint" in str(lesson.two.hint())
+
+
+def test_the_solution_shows_formula_and_number(lesson: Lesson) -> None:
+    assert "$$ \\begin{bmatrix}" in lesson.tool.solution()._repr_markdown_()
+    assert "2" in str(lesson.two.solution())
+
+
+def test_feedback_is_escaped_and_drawn_in_a_notebook(lesson: Lesson) -> None:
+    feedback = lesson.tool.check(lambda theta_1, theta_2: [0.1, 0.2, 0.0])
+    page = feedback._repr_html_()
+    assert feedback.picture is not None
+    assert "<svg" in page
+    assert "wrong" in page
+    assert "The &lt;tool&gt;" in lesson._repr_html_()
+    evil = Lesson(1, "evil", "<script>alert(1)</script>", ("<b>",), lesson.tasks)
+    assert "<script>" not in evil._repr_html_()
+    assert "<script>" not in lesson.tool.check("<script>alert(1)</script>")._repr_html_()
+
+
+def test_a_picture_is_drawn_on_request_where_there_is_one(lesson: Lesson) -> None:
+    arm = load_arm("planar_2r")
+    right = lesson.tool.show(lambda q: arm.numeric([q]).pose("2")[0, :3, 3], theta_1=0.3)
+    assert "<svg" in right._repr_html_()
+    assert "no answer yet" in str(lesson.tool.show())
+    assert "no answer yet" in str(lesson.tool.show(lambda q: None))
+    assert "cannot be drawn" in str(lesson.tool.show(lambda q: 1 / 0))
+    assert "only a function" in str(lesson.two.show(3))
+
+
+def test_a_task_is_an_attribute_and_an_unknown_one_lists_the_known(lesson: Lesson) -> None:
+    assert "tool" in dir(lesson)
+    with pytest.raises(AttributeError, match="no task 'tol'; its tasks are two, tool"):
+        lesson.tol  # noqa: B018
+
+
+@pytest.mark.parametrize("name", ["two words", "check-it", "results", "title"])
+def test_a_name_that_cannot_be_an_attribute_is_refused(name: str) -> None:
+    with pytest.raises(LessonError, match=r"taken|identifier"):
+        Lesson(1, "sample", "", (), (Task(name, "", "", Number(1), (), ()),))
+
+
+def test_lessons_of_the_course_are_found_by_name() -> None:
+    assert open_lesson("scara_jacobian") is open_lesson("scara_jacobian")
+    with pytest.raises(LessonError, match=r"no lesson 'scara'; the lessons are .*scara_jacobian"):
+        open_lesson("scara")
+
+
+def test_a_teachers_own_lesson_is_opened_from_a_folder(tmp_path: Path) -> None:
+    (tmp_path / "tasks").mkdir()
+    (tmp_path / "tasks" / "mine.py").write_text(OWN, encoding="utf-8")
+    assert open_lesson("mine", folder=tmp_path).two.check("2").is_right
+    with pytest.raises(LessonError, match="the lessons there: mine"):
+        open_lesson("other", folder=tmp_path)
+    (tmp_path / "tasks" / "empty.py").write_text("", encoding="utf-8")
+    with pytest.raises(LessonError, match="LESSON = Lesson"):
+        open_lesson("empty", folder=tmp_path)
+
+
+def test_a_hidden_wrong_answer_is_no_right_one() -> None:
+    known = Wrong(3, "three is one too many", own=True)
+    task: Any = Task("two", "Two", "", Number(2), (), (2,), (known,))
+    assert task.check(3).message == "three is one too many"
+    assert task.check(2).is_right

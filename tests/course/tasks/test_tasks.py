@@ -1,0 +1,47 @@
+"""Every task of the course knows its right answers from its wrong ones, in several forms."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.feedback import Choice, Formula, Number, Outcome, Quantity, Task, lessons
+from course.feedback.answer import is_function
+
+TASKS = [pytest.param(task, id=f"{lesson.name}-{task.name}") for lesson in lessons() for task in lesson.tasks]
+EVERY_TASK = pytest.mark.parametrize("task", TASKS)
+
+
+@pytest.fixture(autouse=True)
+def no_progress(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ARMPROOF_PROGRESS", "")
+
+
+@EVERY_TASK
+def test_every_right_answer_is_proved(task: Task) -> None:
+    feedback = [task.check(answer) for answer in task.right]
+    assert [str(each) for each in feedback if each.outcome is not Outcome.PROVED] == []
+
+
+@EVERY_TASK
+def test_every_wrong_answer_gets_its_own_message(task: Task) -> None:
+    told = [task.check(wrong.answer) for wrong in task.wrong]
+    assert [str(each) for each in told if each.outcome is not Outcome.WRONG] == []
+    missing = [(wrong.words, each.message) for wrong, each in zip(task.wrong, told, strict=True)
+               if not wrong.words or wrong.words not in each.message]  # fmt: skip
+    assert missing == []
+    assert len({each.message for each in told}) >= 4, "mistakes that are told in the same words"
+
+
+@EVERY_TASK
+def test_every_task_has_forms_mistakes_and_a_ladder(task: Task) -> None:
+    assert len(task.right) >= 3
+    assert len(task.wrong) >= 4
+    assert len(task.hints) >= 2
+    assert not task.check().is_right
+    forms = {"function" if is_function(answer) else type(answer) for answer in task.right}
+    if not isinstance(task.asks, Choice | Number):
+        assert len(forms) >= 2, "one form only"
+    if isinstance(task.asks, Formula | Quantity):
+        assert {"function", str} <= forms
+    assert str(task.hint())
+    assert str(task.solution())
