@@ -1,4 +1,4 @@
-"""Commands that other rooms add: the entry points of the group "armproof.commands", each a function for the application.
+"""Commands that other rooms add: the entry points of the group "armproof.commands", each a function or a typer.Typer of several.
 
 The package verification/ imports nothing of course/; what is installed beside it is found here by name, and loaded only
 when the command is called for.
@@ -38,8 +38,12 @@ class Group(TyperGroup):
         return as_command(name, found.load())
 
 
-def as_command(name: str, function: Callable[..., Any]) -> Any:
-    """Return a function with typer's annotations as a command (of the click that this typer brings)."""
+def as_command(name: str, found: Callable[..., Any] | typer.Typer) -> Any:
+    """Return a function with typer's annotations, or a group of them, as a command (of the click that this typer brings)."""
+    if isinstance(found, typer.Typer):
+        group = get_command(found)
+        group.name = name
+        return group
     alone = typer.Typer(add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
-    alone.command(name)(function)
+    alone.command(name)(found)
     return get_command(alone)

@@ -1,0 +1,84 @@
+"""Write notebooks: those of the students beside their sources, the instructor's edition and nbgrader's elsewhere."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+from course.authoring.editions import instructor_notebook, student_notebook
+from course.authoring.errors import AuthoringError
+from course.authoring.lesson_source import LessonSource, read_lesson_source
+from course.authoring.nbgrader import nbgrader_notebook
+from course.authoring.places import Place
+from verification.atomic import write_atomically
+
+Files = dict[Path, bytes]
+
+
+def student_files(place: Place, sources: Sequence[Path]) -> Files:
+    """Return the students' notebooks of sources, by their path."""
+    return {place.notebook(source): student_notebook(lesson) for source, lesson in _read(sources)}
+
+
+def instructor_files(out: Path, sources: Sequence[Path]) -> Files:
+    """Return the instructor's edition: DIR/08_scara_jacobian.ipynb."""
+    return {out / f"{source.stem}.ipynb": instructor_notebook(lesson) for source, lesson in _read(sources)}
+
+
+def nbgrader_files(out: Path, sources: Sequence[Path]) -> Files:
+    """Return nbgrader's source version, an assignment a lesson: DIR/08_scara_jacobian/08_scara_jacobian.ipynb."""
+    return {out / source.stem / f"{source.stem}.ipynb": nbgrader_notebook(lesson) for source, lesson in _read(sources)}
+
+
+def _read(sources: Sequence[Path]) -> Iterator[tuple[Path, LessonSource]]:
+    for source in sources:
+        yield source, read_lesson_source(source)
+
+
+def stale(files: Files) -> list[Path]:
+    """Return the files that are missing or hold something else."""
+    return [path for path, data in files.items() if not _holds(path, data)]
+
+
+def orphans(place: Place) -> list[Path]:
+    """Return the notebooks of a place that no source gives."""
+    expected = {place.notebook(source) for source in place.sources()}
+    return sorted(path for path in place.notebooks.glob("*.ipynb") if path not in expected)
+
+
+def refuse_worked_in(files: Files) -> None:
+    """Raise AuthoringError where a file that would be written anew has been run: somebody's answers may be in it."""
+    for path in stale(files):
+        if _was_run(path):
+            raise AuthoringError(
+                f"{path}: somebody has worked in this notebook; move it away, or build with --force to lose what is in it"
+            )
+
+
+def _was_run(path: Path) -> bool:
+    """Whether a notebook has outputs or counts of execution, which none has that was built."""
+    try:
+        cells = json.loads(path.read_bytes())["cells"]
+        return any(cell.get("outputs") or cell.get("execution_count") is not None for cell in cells)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return False
+
+
+def write_stale(files: Files, write: Callable[[Path, bytes], None] = write_atomically) -> list[Path]:
+    """Write those files that are missing or hold something else, each as a whole or not at all; return them."""
+    written = stale(files)
+    for path in written:
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write(path, files[path])
+        except OSError as error:
+            raise AuthoringError(f"{path}: cannot be written: {error.strerror}") from None
+    return written
+
+
+def _holds(path: Path, data: bytes) -> bool:
+    try:
+        return path.read_bytes() == data
+    except OSError:
+        return False

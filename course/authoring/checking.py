@@ -1,0 +1,167 @@
+"""Check lessons: source, equations, answers, and both editions in a kernel."""
+
+from __future__ import annotations
+
+import signal
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import replace
+from functools import partial
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+from course.authoring.answers import check_answers, count_answers
+from course.authoring.building import stale, student_files
+from course.authoring.editions import solved_cells, student_cells
+from course.authoring.errors import SourceError
+from course.authoring.kernel import Run, run_cells
+from course.authoring.lesson_source import LessonSource, read_lesson_source
+from course.authoring.places import Place
+from course.authoring.report import Report
+from course.authoring.tasks import load_tasks
+from models.errors import ArmproofError
+from verification.verdict import DocumentResult, Record, Verdict
+
+PROVED, NOT_ATTEMPTED = "correct (proved)", "not attempted"
+REBUILD = "armproof lesson build"
+
+
+def check_lessons(place: Place, sources: Sequence[Path], processes: int) -> Iterator[Report]:
+    """Yield the report of each lesson, in their order, several at once."""
+    check = partial(check_lesson, place)
+    if min(processes, len(sources)) <= 1:
+        yield from map(check, sources)
+        return
+    with _start_pool(min(processes, len(sources))) as pool:
+        futures = [pool.submit(check, source) for source in sources]
+        for source, future in zip(sources, futures, strict=True):
+            try:
+                yield future.result()
+            except BrokenProcessPool:  # by this lesson or another: Drake aborts on some models
+                yield _check_alone(check, source)
+
+
+def _check_alone(check: Callable[[Path], Report], source: Path) -> Report:
+    with _start_pool(1) as pool:
+        try:
+            return pool.submit(check, source).result()
+        except BrokenProcessPool:
+            fault = f"{source}: the process that checked it ended; Drake may have aborted on its arm"
+            return Report(source, (fault,), cannot_run=True)
+
+
+def _start_pool(processes: int) -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(processes, mp_context=get_context("spawn"), initializer=_ignore_interrupts)
+
+
+def _ignore_interrupts() -> None:
+    """Leave interrupts to the parent."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def check_lesson(place: Place, source: Path) -> Report:
+    """Return all that is wrong with a lesson; no exception but an interrupt leaves this function."""
+    try:
+        return _check(place, source)
+    except SourceError as error:
+        return Report(source, (str(error),), cannot_run=True)
+    except ArmproofError as error:
+        message = str(error)
+        where = "" if message.startswith(str(source)) else f"{source}: "
+        return Report(source, (where + message,), cannot_run=True)
+    except Exception as error:
+        fault = f"{source}: internal error, please report it: {type(error).__name__}: {error}"
+        return Report(source, (fault,), cannot_run=True)
+
+
+def _check(place: Place, source: Path) -> Report:
+    lesson = read_lesson_source(source)
+    tasks = load_tasks(place, lesson)
+    result = _verify(source)
+    solved = run_cells(lesson.name, list(solved_cells(lesson)), place)
+    blank = run_cells(lesson.name, list(student_cells(lesson)), place)
+    names = [task.name for task in tasks.tasks]
+    problems = [
+        *_of_build(place, source),
+        *_of_tasks(place, lesson, names),
+        *_of_equations(result),
+        *check_answers(place, lesson, tasks),
+        *_of_run(lesson, solved, names, PROVED, "solved"),
+        *_of_run(lesson, blank, names, NOT_ATTEMPTED, "the student's notebook"),
+    ]
+    right, wrong = count_answers(tasks)
+    report = Report(source, tuple(problems), tasks=len(names), right=right, wrong=wrong)
+    return replace(
+        report,
+        verdicts=dict(Counter(record.verdict.value for record in result.records)),
+        seconds=solved.seconds,
+        student_seconds=blank.seconds,
+        check_seconds=tuple(_seconds(solved.results))[1:],
+    )
+
+
+def _verify(source: Path) -> DocumentResult:
+    from verification.check import verify
+
+    return verify(source)
+
+
+def _seconds(results: Mapping[str, Mapping[str, Any]]) -> Iterator[float]:
+    """Yield the times of the checks, in the order in which they were made."""
+    for feedback in results.values():
+        if isinstance(seconds := feedback.get("seconds"), float):
+            yield seconds
+
+
+def _of_build(place: Place, source: Path) -> Iterator[str]:
+    for path in stale(student_files(place, [source])):
+        what = "is not what the source gives" if path.exists() else "is missing"
+        yield f"{path}: {what}; write it with: {REBUILD}"
+
+
+def _of_tasks(place: Place, lesson: LessonSource, names: Sequence[str]) -> Iterator[str]:
+    """Yield the tasks that are never checked, and the checks of no task."""
+    checked = {check.task for check in lesson.checks}
+    for name in names:
+        if name not in checked:
+            yield f"{lesson.path}:1: the task '{name}' is never checked; expected a cell with lesson.{name}.check(…)"
+    for check in lesson.checks:
+        if check.task not in names:
+            yield f"{lesson.path}:{check.line}: no task '{check.task}'; the tasks are {', '.join(names)}"
+
+
+def _of_equations(result: DocumentResult) -> Iterator[str]:
+    for record in result.records:
+        if record.passes and record.verdict is not Verdict.UNCHECKED:
+            continue
+        what = "an erratum that is not refuted" if record.erratum else record.verdict.value
+        yield f"{result.path}:{record.line}: {what}: {_words(record)}"
+
+
+def _words(record: Record) -> str:
+    text = " ".join(record.latex.split())
+    return record.message or (text if len(text) <= 60 else text[:57] + "…")
+
+
+def _of_run(lesson: LessonSource, run: Run, names: Sequence[str], expected: str, edition: str) -> Iterator[str]:
+    """Yield where an edition stopped, else the tasks that did not come out as they should."""
+    if run.fault is not None:
+        is_source = edition == "solved"
+        where = lesson.place(run.fault.cell, (run.fault.line or 1) if is_source else 1)
+        inside = "" if is_source or run.fault.line is None else f", line {run.fault.line} of its cell"
+        yield f"{where}: {edition}{inside}: {run.fault.message}"
+        return
+    lines = {check.task: check.line for check in lesson.checks}
+    for name in names:
+        if name not in lines or name not in run.results:
+            if name in lines:
+                yield f"{lesson.path}:{lines[name]}: {edition}: the task '{name}' has no result"
+            continue
+        outcome = run.results[name]
+        if outcome["outcome"] != expected:
+            told = f": {outcome['message']}" if outcome["message"] else ""
+            hint = "; is its answer outside ### BEGIN SOLUTION?" if expected == NOT_ATTEMPTED else ""
+            yield f"{lesson.path}:{lines[name]}: {edition}: the task '{name}' is {outcome['outcome']}, expected {expected}{told}{hint}"

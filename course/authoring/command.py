@@ -1,0 +1,198 @@
+"""`armproof lesson`: list, build, check and begin lessons; the site of the course."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+from typer.core import TyperGroup
+
+from course.authoring import options as o
+from models.errors import ArmproofError
+from verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
+from verification.cli.loading import give_up
+from verification.cli.messages import complain
+from verification.cli.plugins import as_command
+
+if TYPE_CHECKING:
+    from course.authoring.building import Files
+    from course.authoring.places import Place
+
+
+class LessonGroup(TyperGroup):
+    """The commands of this module, and `site`, which is loaded when it is asked for."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Return the names of the commands."""
+        return [*super().list_commands(ctx), "site"]
+
+    def get_command(self, ctx: Any, name: str) -> Any:
+        """Return a command by its name; None if there is none."""
+        if name != "site":
+            return super().get_command(ctx, name)
+        from course.site.command import site
+
+        return as_command(name, site)
+
+
+lesson = typer.Typer(
+    cls=LessonGroup,
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    help="Lessons: list, build, check and begin them; the site of the course.",
+)
+
+
+@lesson.command("list")
+def list_lessons(folder: o.Folder = None) -> None:
+    """List the lessons: number, name, title, tasks, arms."""
+    from course.authoring.listing import described
+    from course.authoring.table import rows
+    from verification.report.lines import write_lines
+
+    try:
+        place = _place(folder)
+        found = [described(place, source) for source in place.named(())]
+    except ArmproofError as error:
+        give_up(error)
+    write_lines(rows([("", "name", "title", "tasks", "arms"), *found]))
+
+
+@lesson.command()
+def build(
+    names: o.Names = None,
+    check: o.Only = False,
+    instructor: o.Instructor = False,
+    nbgrader: o.Nbgrader = False,
+    out: o.Out = None,
+    force: o.Force = False,
+    folder: o.Folder = None,
+) -> None:
+    """Write the students' notebooks from the solved sources, or another edition into a folder.
+
+    Only what changed is written, and over no notebook that somebody has worked in. Exit code 0: all is up to date; 1: with --check, something is not; 2: a source is malformed.
+    """
+    from course.authoring.building import orphans, refuse_worked_in, stale, write_stale
+    from course.authoring.table import relative
+
+    try:
+        place = _place(folder)
+        files = _files(place, names or [], instructor, nbgrader, out)
+        if not (check or force):
+            refuse_worked_in(files)
+        old = stale(files) if check else write_stale(files)
+        lost = [] if names or out else orphans(place)
+    except ArmproofError as error:
+        complain([relative(str(error))])
+        raise typer.Exit(CANNOT_RUN) from None
+    for path in old:
+        typer.echo(relative(f"{path}: out of date" if check else str(path)))
+    complain(relative(f"{path}: no source gives this notebook; remove it") for path in lost)
+    if not old:
+        complain([f"{len(files)} notebook{'' if len(files) == 1 else 's'} up to date"])
+    raise typer.Exit(FAILS if check and (old or lost) else PASSES)
+
+
+@lesson.command("check")
+def check_command(
+    names: o.Names = None, jobs: o.Jobs = None, report_format: o.ReportFormat = o.Format.text, folder: o.Folder = None
+) -> None:
+    """Check lessons: every task proved in the solved source and not attempted in the student's notebook, every equation, every answer.
+
+    Exit code 0: all pass; 1: one does not; 2: one cannot be checked.
+    """
+    from course.authoring.kernel import require_jupyter
+
+    try:
+        require_jupyter()
+        place = _place(folder)
+        sources = place.named(names or [])
+        code = _check(place, sources, jobs or _cores(), report_format)
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except ArmproofError as error:
+        give_up(error)
+    raise typer.Exit(code)
+
+
+@lesson.command()
+def new(
+    name: o.Name, arm: o.OfArm = None, document: o.OfDocument = None, title: o.Title = "", folder: o.Folder = None
+) -> None:
+    """Begin a lesson: a source, its tasks and its notebook, for an arm and perhaps a document.
+
+    It passes `armproof lesson check` as it is written. Exit code 0: it is written; 2: it cannot be.
+    """
+    from course.authoring.new import new_lesson
+    from course.authoring.table import relative
+
+    try:
+        place = _place_for_writing(folder)
+        written = new_lesson(place, name, arm, document, title)
+    except ArmproofError as error:
+        complain([relative(str(error))])
+        raise typer.Exit(CANNOT_RUN) from None
+    for path in written:
+        typer.echo(relative(str(path)))
+    more = f" --folder {folder}" if folder is not None else ""
+    complain([f"check it with: armproof lesson check {name}{more}"])
+
+
+def _place(folder: Path | None) -> Place:
+    from course.authoring.places import place_of
+
+    return place_of(folder)
+
+
+def _place_for_writing(folder: Path | None) -> Place:
+    """Return where a new lesson goes: the folder named, which need not be there, else the course of the working folder."""
+    from course.authoring.errors import AuthoringError
+    from course.authoring.places import COURSE, Place
+
+    if folder is not None and not folder.exists():
+        return Place(folder)
+    if folder is None and Path("course").resolve() != COURSE.root:
+        raise AuthoringError(
+            "where are your lessons to be? Say --folder DIR; the course itself is not in the working folder"
+        )
+    return _place(folder)
+
+
+def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out: Path | None) -> Files:
+    from course.authoring.building import instructor_files, nbgrader_files, student_files
+    from course.authoring.errors import AuthoringError
+
+    if instructor and nbgrader:
+        raise AuthoringError("--instructor and --nbgrader are two editions; build one at a time")
+    if not (instructor or nbgrader):
+        if out is not None:
+            raise AuthoringError(
+                "--out is for --instructor or --nbgrader; students' notebooks stand beside the sources"
+            )
+        return student_files(place, place.named(names))
+    if out is None:
+        raise AuthoringError("an edition with solutions is written into a folder of its own: --out DIR")
+    if out.resolve() == place.notebooks.resolve():
+        raise AuthoringError(f"{out}: the students' notebooks are here; solutions are written elsewhere")
+    return (nbgrader_files if nbgrader else instructor_files)(out, place.named(names))
+
+
+def _check(place: Place, sources: list[Path], processes: int, report_format: o.Format) -> int:
+    """Write the reports as they come; return the exit code."""
+    from course.authoring.checking import check_lessons
+    from course.authoring.writing import write_json, write_text
+
+    write = write_json if report_format is o.Format.json else write_text
+    reports = write(check_lessons(place, sources, processes), sources)
+    if any(report.cannot_run for report in reports):
+        return CANNOT_RUN
+    return PASSES if all(report.passes for report in reports) else FAILS
+
+
+def _cores() -> int:
+    import os
+
+    return min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1, 4)

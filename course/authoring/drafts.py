@@ -1,0 +1,131 @@
+"""A task in the making: what is asked, its right answers from the exact trace, and slips as its wrong ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from course.authoring.answers import progress_left_alone
+from course.authoring.code import written
+from course.authoring.exact_text import ExactText, write_quantity
+from course.authoring.slips import slips
+from models.arm import Arm
+from verification.quantities import numbered_frames
+
+if TYPE_CHECKING:
+    from course.feedback import Formula, Quantity, Task
+
+WRONG = 4
+TRIED = 24  # slips, until there are enough that get words of their own
+LONGEST_FORM = 600  # characters: a form beside others is longer than that for nobody's good
+LONGEST_POSE = 260  # characters: a longer one is asked for its origin alone
+
+
+@dataclass(frozen=True)
+class Draft:
+    """A task before it is written into a module.
+
+    Attributes:
+        name, title, text: as in the task.
+        asks: what it asks, and `asks_text`, the Python that says so.
+        latex: the right answer as it is shown; `others` in other forms.
+        exact: the same as Python, where it can be written.
+        wrong: wrong answers in LaTeX, and what the feedback says of each.
+    """
+
+    name: str
+    title: str
+    text: str
+    asks: Quantity | Formula
+    asks_text: str
+    latex: str
+    others: tuple[str, ...] = ()
+    exact: ExactText | None = None
+    wrong: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def has_function(self) -> bool:
+        """Whether the answer is also written as a Python function of q."""
+        return self.exact is not None and self.exact.python is not None
+
+
+def drafts_of_arm(arm: Arm, spec: Any) -> list[Draft]:
+    """Return a task on the forward kinematics and one on the Jacobian of an arm; `spec` is how it is named."""
+    name = numbered_frames(arm)[-1]
+    last = int(name) if name.isdigit() else name
+    pose = write_quantity(arm, {"pose": last})
+    if pose is not None and len(pose.latex) <= LONGEST_POSE:
+        title, what = "Forward kinematics", f"the pose ${{}}^0T_{last}$ of frame {last} in frame 0, a 4 × 4 matrix"
+        asked: dict[str, Any] = {"pose": last}
+    else:
+        title, what = "The position of the tool", f"the origin $p_{last}$ of frame {last} in frame 0"
+        asked = {"origin": last}
+    forward = draft_of_quantity(arm, spec, asked, next(iter(asked)), title, f"Give {what}.")
+    text = f"Give the geometric Jacobian of frame {last} in frame 0, rows $[v;\\ \\omega]$."
+    jacobian = draft_of_quantity(arm, spec, {"jacobian": last}, "jacobian", "The geometric Jacobian", text)
+    return [draft for draft in (forward, jacobian) if draft is not None]
+
+
+def draft_of_quantity(
+    arm: Arm, spec: Any, asked: Mapping[str, Any], name: str, title: str, text: str, printed: str = "", **front: Any
+) -> Draft | None:
+    """Return a task that asks for a quantity of an arm; None where it is too long to be typed.
+
+    Args:
+        printed: the right answer as a document prints it.
+        front: `symbols` and `transforms` of the document.
+    """
+    from course.feedback import Quantity
+
+    exact = write_quantity(arm, asked)
+    if exact is None:
+        return None
+    said = "".join(f", {key}={written(value)}" for key, value in front.items() if value)
+    question = Quantity(spec, dict(asked), **front)
+    long = exact.expanded_latex if len(exact.expanded_latex) <= LONGEST_FORM or exact.python is None else ""
+    forms = dict.fromkeys(form for form in (printed, exact.latex, long) if form)
+    first, *others = forms
+    draft = Draft(name, title, text, question, f"Quantity(ARM, {written(asked)}{said})", first, tuple(others), exact)
+    return completed(draft, arm)
+
+
+def completed(draft: Draft, arm: Arm) -> Draft | None:
+    """Return a draft with those of its other forms that are accepted and with wrong answers; None if it is not proved itself."""
+    from course.feedback import Outcome
+
+    task = as_task(draft)
+    with progress_left_alone():
+        if task.check(draft.latex).outcome is not Outcome.PROVED:
+            return None
+        others = tuple(form for form in draft.others if task.check(form).outcome is Outcome.PROVED)
+        return replace(draft, others=others, wrong=tuple(_wrong_answers(task, draft, arm)))
+
+
+def as_task(draft: Draft) -> Task:
+    """Return the task that a draft stands for, without hints and answers."""
+    from course.feedback import Task
+
+    return Task(draft.name, draft.title, draft.text, draft.asks, (), (draft.latex, *draft.others))
+
+
+def _wrong_answers(task: Task, draft: Draft, arm: Arm) -> Iterator[tuple[str, str]]:
+    """Yield slips in the right answer and what is said of them, those with a sentence of their own first."""
+    from course.feedback import Outcome
+
+    found: dict[str, str] = {}
+    for number, latex in enumerate(slips(draft.latex, arm)):
+        if number >= TRIED or _own(found.values()) >= WRONG:
+            break
+        feedback = task.check(latex)
+        if feedback.outcome is Outcome.WRONG and feedback.message and feedback.message not in found.values():
+            found[latex] = feedback.message
+    yield from sorted(found.items(), key=lambda item: _is_general(item[1]))[:WRONG]
+
+
+def _own(messages: Sequence[str] | Any) -> int:
+    return sum(not _is_general(message) for message in messages)
+
+
+def _is_general(message: str) -> bool:
+    return "the others are right" in message or "is not equal" in message

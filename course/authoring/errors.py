@@ -1,0 +1,19 @@
+"""Errors of lesson sources."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from models.errors import ArmproofError
+
+
+class AuthoringError(ArmproofError):
+    """A lesson cannot be built, checked or begun: no such lesson, a bad name, a folder that cannot be written."""
+
+
+class SourceError(AuthoringError):
+    """A lesson's source is malformed: says where, what stands there, and what was expected."""
+
+    def __init__(self, path: Path, line: int, message: str) -> None:
+        super().__init__(f"{path}:{line}: {message}")
+        self.line = line

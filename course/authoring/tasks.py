@@ -1,0 +1,64 @@
+"""The tasks of a lesson, as its module declares them, and the line of each."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from course.authoring.errors import SourceError
+from course.authoring.lesson_source import LessonSource
+from course.authoring.places import Place
+
+if TYPE_CHECKING:
+    from course.feedback import Lesson
+
+
+def tasks_file(place: Place, name: str) -> Path:
+    """Return the module of a lesson's tasks."""
+    return place.tasks / f"{name}.py"
+
+
+def load_tasks(place: Place, source: LessonSource) -> Lesson:
+    """Return the lesson that the tasks' module declares; raises SourceError where that cannot be done."""
+    from course.feedback import LessonError, open_lesson
+
+    file = tasks_file(place, source.name)
+    if not file.is_file():
+        raise SourceError(source.path, 1, f"the lesson has no tasks; expected the file {file}")
+    try:
+        lesson = open_lesson(source.name, folder=None if place.is_course else place.root)
+    except LessonError as error:
+        raise SourceError(file, 1, str(error)) from None
+    except Exception as error:
+        raise SourceError(file, _line_of(error, file), f"{type(error).__name__}: {error}") from None
+    for what, declared, named in (("name", lesson.name, source.name), ("number", lesson.number, source.number)):
+        if declared != named:
+            raise SourceError(
+                file, 1, f"declares the {what} {declared}; expected {named}, as the file {source.path.name} says"
+            )
+    return lesson
+
+
+def task_lines(file: Path) -> dict[str, int]:
+    """Return the line on which each task is declared: `Task(name="…"` with the name written out."""
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    return {
+        keyword.value.value: node.lineno
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Task"
+        for keyword in node.keywords
+        if keyword.arg == "name" and isinstance(keyword.value, ast.Constant) and isinstance(keyword.value.value, str)
+    }
+
+
+def _line_of(error: Exception, file: Path) -> int:
+    """Return the line of a file in which an exception was raised, 1 where it was not there."""
+    if isinstance(error, SyntaxError):
+        return error.lineno or 1
+    line, trace = 1, error.__traceback__
+    while trace is not None:
+        if trace.tb_frame.f_code.co_filename == str(file):
+            line = trace.tb_lineno
+        trace = trace.tb_next
+    return line
