@@ -1,0 +1,108 @@
+"""What grading asks of the course: which lessons and tasks there are, and what the checks of a run have found.
+
+Only what `Task.check` itself returns counts, of the tasks that were declared before the run: a Feedback made by hand, or a lesson
+made by the student, does not. See `integrity` for what was changed during the run.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import importlib
+from collections.abc import Callable, Collection
+from pathlib import Path
+from typing import Any
+
+from course.grading.errors import GradingError
+
+_PRELOADED = (
+    "numpy", "matplotlib.pyplot", "pydrake.math", "pydrake.multibody.plant", "pydrake.symbolic", "models.catalogue",
+    "course.feedback",
+)  # fmt: skip
+OWN_FOLDER = ".."  # as the notebooks that `armproof lesson build` makes say
+_OF_STUDENTS = ("sympy",)  # where it is installed
+Result = dict[str, Any]
+
+
+class Recorder:
+    """Keeps what the checks of the tasks given return."""
+
+    def __init__(self, tasks: dict[int, tuple[str, Any]]) -> None:
+        self._tasks = tasks
+        self._found: dict[tuple[str, str], Result] = {}
+
+    def results(self) -> list[Result]:
+        """Return the last check of each task."""
+        return list(self._found.values())
+
+    def wrap(self, check: Callable[..., Any]) -> Callable[..., Any]:
+        """Return `Task.check` as it is, but for the record that is kept."""
+
+        @functools.wraps(check)
+        def recorded(task: Any, *arguments: Any, **named: Any) -> Any:
+            feedback = check(task, *arguments, **named)
+            lesson, asks = self._tasks.get(id(task), ("", None))
+            if lesson and task.asks is asks and not {"check", "_judge"} & set(vars(task)):
+                words = {"outcome": str(feedback.outcome), "message": str(feedback.message)}
+                self._found[lesson, task.name] = {"lesson": lesson, "task": task.name, **words}
+            return feedback
+
+        return recorded
+
+
+def preload() -> None:
+    """Import what lessons and students use, so that no submission waits for it; backend and threads are the environment's."""
+    for name in _PRELOADED:
+        importlib.import_module(name)
+    for name in _OF_STUDENTS:
+        with contextlib.suppress(ImportError):
+            importlib.import_module(name)
+
+
+def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[str, Any]], Callable[[], list[Result]]]:
+    """Return the catalogue of lessons and tasks, and what returns the results of the checks from now on.
+
+    Args:
+        used: names of lessons of which the first right answer of each task is judged beforehand: what that computes once,
+            no submission computes again.
+        own: the folder of a teacher's own lessons, or nothing.
+        base: the folder of the runs' folders, in which a notebook finds them as `open_lesson(name, folder="..")`.
+
+    Raises:
+        ArmproofError: a lesson is declared wrongly, or there is none in the folder.
+    """
+    from course.feedback import Task, lessons
+
+    named = {lesson.name: lesson for lesson in lessons()} | (_own_lessons(Path(own), base) if own else {})
+    course = sorted(named.values(), key=lambda lesson: lesson.number)
+    for lesson in course:
+        for task in lesson.tasks if lesson.name in used else ():
+            with contextlib.suppress(Exception):
+                task.asks.judge(task.right[0])
+    recorder = Recorder({id(task): (lesson.name, task.asks) for lesson in course for task in lesson.tasks})
+    Task.check = recorder.wrap(Task.check)  # type: ignore[method-assign]
+    return [
+        {
+            "name": lesson.name,
+            "number": lesson.number,
+            "title": lesson.title,
+            "tasks": [{"name": task.name, "title": task.title} for task in lesson.tasks],
+        }
+        for lesson in course
+    ], recorder.results
+
+
+def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
+    """Return a teacher's own lessons by name, opened from where the notebooks will look for them."""
+    from course.feedback import lesson as opened
+    from course.feedback import open_lesson
+
+    names = sorted(
+        path.stem for path in (folder / "tasks").glob("*.py") if path.stem.isidentifier() and path.stem != "__init__"
+    )
+    if not names:
+        raise GradingError(f"{folder}: no lessons of your own: there is no tasks/<name>.py in it")
+    found = {name: open_lesson(name, folder) for name in names}
+    for name, lesson in found.items():
+        opened._opened[str(Path(base).resolve() / name)] = lesson
+    return found

@@ -1,0 +1,69 @@
+"""`armproof grade`: a class's notebooks, each run in a process of its own."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from course.grading.errors import GradingError
+from models.errors import ArmproofError
+from verification.cli.app import CANNOT_RUN, INTERRUPTED
+from verification.cli.loading import give_up
+from verification.cli.messages import complain
+from verification.cli.progress import Progress
+
+Folder = Annotated[
+    Path, typer.Argument(metavar="FOLDER", help="Notebooks, one a student, or a folder of them for each.")
+]
+Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="The folder that the results are written into.")]
+Jobs = Annotated[
+    int | None,
+    typer.Option("--jobs", "-j", min=1, max=256, metavar="N", help="Submissions at once; by default one a core.",
+                 show_default=False),
+]  # fmt: skip
+Seconds = Annotated[float, typer.Option("--seconds", min=1, max=3600, metavar="S", help="Seconds for each submission.")]
+Memory = Annotated[int, typer.Option("--memory", min=64, max=65536, metavar="MB", help="Memory for each, in MB.")]
+
+Own = Annotated[
+    Path | None,
+    typer.Option("--folder", metavar="DIR", help="Lessons of your own, beside the course's.", show_default=False),
+]
+
+
+def grade(
+    folder: Folder,
+    out: Out = Path("build/grades"),
+    jobs: Jobs = None,
+    seconds: Seconds = 60,
+    memory: Memory = 1024,
+    own: Own = None,
+) -> None:
+    """Grade a class's notebooks: results as tables, and a page a student.
+
+    Exit code 0: all are graded; 1: some need a look; 2: nothing can be graded.
+    """
+    if os.name != "posix":
+        give_up(GradingError("armproof grade needs Linux or macOS: no other system can run a student's code apart"))
+    from course.grading.grading import grade as grade_all
+    from course.grading.limits import MEGABYTE, Limits
+    from course.grading.pages import GRADES, write_grades
+    from course.grading.submissions import find_submissions
+    from course.grading.summary import summarise
+    from verification.report.html.folder import new_report
+
+    try:
+        submissions = find_submissions(folder)
+        with new_report(out, GRADES) as part, Progress(len(submissions), "submissions") as progress:
+            grades = grade_all(submissions, Limits(seconds, memory * MEGABYTE), jobs, progress.advance, own)
+            write_grades(part, grades)
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except ArmproofError as error:
+        give_up(error)
+    except OSError as error:
+        complain([f"grading cannot go on: {error.strerror}"])
+        raise typer.Exit(CANNOT_RUN) from None
+    raise typer.Exit(summarise(grades, out))

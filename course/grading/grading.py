@@ -1,0 +1,102 @@
+"""Grade a class: each submission read, run and judged; several at once."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from course.grading.client import Client
+from course.grading.errors import GradingError
+from course.grading.judging import judge
+from course.grading.limits import Limits
+from course.grading.notebook import Notebook, UnreadableError, read_notebook
+from course.grading.results import Graded, Status
+from course.grading.sandbox.places import lies_in_readable
+from course.grading.submissions import Submission
+from course.grading.text import clean
+
+
+@dataclass(frozen=True)
+class Grades:
+    """The results of a class, in the order of its submissions, and which protections were in force."""
+
+    graded: tuple[Graded, ...]
+    held: dict[str, bool]
+    limits: Limits
+
+
+def grade(
+    submissions: Sequence[Submission],
+    limits: Limits,
+    jobs: int | None = None,
+    advance: Callable[[], None] = lambda: None,
+    own: Path | None = None,
+) -> Grades:
+    """Grade submissions.
+
+    Args:
+        submissions: the class's notebooks.
+        limits: for each of them.
+        jobs: how many at once; by default one a core.
+        advance: called after each.
+        own: the folder of a teacher's own lessons.
+
+    Raises:
+        GradingError: the course cannot be loaded, or the submissions lie where every submission may read.
+    """
+    for submission in submissions[:1]:
+        if (place := lies_in_readable(submission.path)) is not None:
+            raise GradingError(
+                f"{clean(str(submission.path))}: every submission may read {place}, where Python and the course are; "
+                "put the class's folder somewhere else"
+            )
+    count = min(jobs or default_jobs(), max(len(submissions), 1))
+    read = {each: _read(each) for each in submissions}
+    used = {lesson for notebook in read.values() if isinstance(notebook, Notebook) for lesson in notebook.lessons}
+    with Client(count, limits, used, own) as client:
+        pool = ThreadPoolExecutor(count)
+        try:
+            waiting = {pool.submit(_grade, each, read[each], client, limits): each for each in submissions}
+            done = {}
+            for future in as_completed(waiting):
+                done[waiting[future]] = future.result()
+                advance()
+            for each in [each for each, found in done.items() if found.starved]:
+                done[each] = _grade(each, read[each], client, limits)
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+        return Grades(mark_repeated([done[each] for each in submissions]), client.held, limits)
+
+
+def mark_repeated(graded: Sequence[Graded]) -> tuple[Graded, ...]:
+    """Add a remark to each submission of a student who handed in a lesson more than once."""
+    counts = Counter((each.submission.student, lesson) for each in graded for lesson in each.lessons)
+    return tuple(
+        replace(each, remarks=(*each.remarks, "another notebook of this student is on the same lesson"))
+        if any(counts[each.submission.student, lesson] > 1 for lesson in each.lessons)
+        else each
+        for each in graded
+    )
+
+
+def default_jobs() -> int:
+    """Return the number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _read(submission: Submission) -> Notebook | str:
+    """Return a submission's notebook, or why there is none."""
+    try:
+        return read_notebook(submission.path)
+    except UnreadableError as problem:
+        return clean(str(problem))
+
+
+def _grade(submission: Submission, notebook: Notebook | str, client: Client, limits: Limits) -> Graded:
+    if isinstance(notebook, str):
+        return Graded(submission, Status.UNREADABLE, notebook)
+    return judge(submission, notebook, client.run(notebook.cells), client.catalogue, limits)

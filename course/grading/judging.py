@@ -1,0 +1,102 @@
+"""What became of a submission: how its run ended, and the results of the tasks, from what was reported."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Sequence
+from typing import Any
+
+from course.grading.keeper import Ended
+from course.grading.limits import MEGABYTE, Limits
+from course.grading.notebook import Notebook
+from course.grading.reports import NOT_ATTEMPTED, Report, read_report
+from course.grading.results import Graded, Status, TaskResult
+from course.grading.submissions import Submission
+from course.grading.text import clean, clean_lines
+
+_STARVED = 0.5  # of its time
+_SHOWN = 4000  # characters of the output on a page
+
+
+def judge(
+    submission: Submission, notebook: Notebook, ended: Ended, catalogue: Sequence[dict[str, Any]], limits: Limits
+) -> Graded:
+    """Return a submission's results."""
+    report = read_report(ended.lines, catalogue)
+    status, reason = _status(ended, report, limits)
+    lessons = _lessons(notebook, report, catalogue)
+    return Graded(
+        submission,
+        status,
+        reason,
+        tuple(f"{lesson['number']} · {lesson['title']}" for lesson in lessons),
+        tuple(_result(lesson["name"], task, report) for lesson in lessons for task in lesson["tasks"]),
+        tuple(report.errors),
+        tuple(report.notes),
+        tuple(_remarks(notebook, ended, report, lessons)),
+        clean_lines(ended.output, _SHOWN),
+        ended.seconds,
+        status is Status.TIMED_OUT and ended.busy < _STARVED * limits.seconds,
+    )
+
+
+def _status(ended: Ended, report: Report, limits: Limits) -> tuple[Status, str]:
+    """Return the status, and one sentence where the submission is not simply graded."""
+    where = f" in code cell {report.cell}" if report.cell else ""
+    memory = f"more than {limits.memory // MEGABYTE} MB of memory"
+    if ended.why == "time":
+        return Status.TIMED_OUT, f"ended after {limits.seconds:g} s{where}; the cells after it were not run"
+    if ended.why == "memory":
+        return Status.OUT_OF_MEMORY, f"ended{where}, which took {memory}; the cells after it were not run"
+    if ended.why == "disk":
+        return (
+            Status.TOO_MUCH_OUTPUT,
+            f"ended{where}, which wrote more than {limits.disk // MEGABYTE} MB of files, or 10,000 of them",
+        )
+    if ended.why == "output":
+        return Status.TOO_MUCH_OUTPUT, f"ended{where}, which printed more than {limits.flood // 1_000_000} MB"
+    if ended.why:
+        return Status.CRASHED, f"it was not run: {clean(ended.output)}"
+    if not report.done or ended.code:
+        return Status.CRASHED, f"its process ended{where} by {_how(ended.code)}; the cells after it were not run"
+    if report.memory:
+        return Status.OUT_OF_MEMORY, f"a cell wanted {memory}; the others were run"
+    if ended.printed > limits.output:
+        return Status.TOO_MUCH_OUTPUT, f"it printed {ended.printed // 1000:,} kB; {limits.output // 1000} kB are read"
+    return Status.GRADED, ""
+
+
+def _how(code: int) -> str:
+    if code >= 0:
+        return f"exit code {code}"
+    try:
+        return f"the signal {signal.Signals(-code).name}"
+    except ValueError:
+        return f"the signal {-code}"
+
+
+def _lessons(notebook: Notebook, report: Report, catalogue: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return the lessons that were checked or opened, else that of the front matter's title."""
+    named = {lesson for lesson, _ in report.results} | set(notebook.lessons)
+    found = [lesson for lesson in catalogue if lesson["name"] in named]
+    return found or [lesson for lesson in catalogue if lesson["title"] == notebook.title]
+
+
+def _result(lesson: str, task: dict[str, str], report: Report) -> TaskResult:
+    outcome, message = report.results.get((lesson, task["name"]), (NOT_ATTEMPTED, ""))
+    if report.changed and outcome != NOT_ATTEMPTED:
+        outcome, message = "error", f"not counted: what checks it was changed during the run ({report.changed[0]})"
+    return TaskResult(lesson, task["name"], task["title"], outcome, message)
+
+
+def _remarks(notebook: Notebook, ended: Ended, report: Report, lessons: Sequence[dict[str, Any]]) -> list[str]:
+    remarks = []
+    if not lessons and not ended.why:
+        remarks.append("it opens no lesson of the course")
+    if notebook.asks_solutions:
+        remarks.append("it asks for solutions (.solution() or .right)")
+    if report.changed:
+        remarks.append(f"it changed what checks the answers: {', '.join(report.changed[:5])}")
+    if ended.foreign or report.refused:
+        remarks.append("it wrote where the results are reported; what it wrote there was refused")
+    return remarks

@@ -1,0 +1,90 @@
+"""Read a student's notebook: its code cells, and what says which lesson it is. Nothing in it is run or trusted."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import stat
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from course.grading.limits import MEGABYTE
+
+_LARGEST = 20 * MEGABYTE
+_OPENED = re.compile(r"open_lesson\(\s*[\"'](\w+)[\"']")
+_SOLUTIONS = re.compile(r"\.solution\(|\.right\b")
+_TITLE = re.compile(r"^title:\s*[\"']?(.+?)[\"']?\s*$", re.MULTILINE)
+
+
+class UnreadableError(Exception):
+    """A file is no notebook; the message says why, in a sentence without its name."""
+
+
+@dataclass(frozen=True)
+class Notebook:
+    """What is read of a notebook.
+
+    Attributes:
+        cells: the sources of its code cells.
+        lessons: the names of the lessons that they open.
+        title: that of its front matter.
+        asks_solutions: whether a cell asks for the solutions that come with the tasks.
+    """
+
+    cells: tuple[str, ...]
+    lessons: tuple[str, ...] = ()
+    title: str = ""
+    asks_solutions: bool = False
+
+
+def read_notebook(path: Path) -> Notebook:
+    """Read a notebook; raises UnreadableError."""
+    try:
+        cells = json.loads(_read_text(path))["cells"]
+        read = [(str(cell["cell_type"]), _source(cell["source"])) for cell in cells]
+    except json.JSONDecodeError as error:
+        raise UnreadableError(f"line {error.lineno} is not JSON, which a notebook is: {error.msg}") from None
+    except (KeyError, TypeError, ValueError, RecursionError, MemoryError):
+        raise UnreadableError("it is no notebook: it has no list of cells with a type and a source") from None
+    code = tuple(source for kind, source in read if kind == "code")
+    opened = dict.fromkeys(name for source in code for name in _OPENED.findall(source))
+    title = _title([source for kind, source in read if kind in ("raw", "markdown")])
+    return Notebook(code, tuple(opened), title, any(_SOLUTIONS.search(source) for source in code))
+
+
+def _read_text(path: Path) -> str:
+    """Return the text of a regular file: a link could lead to another student's work, a pipe might never end."""
+    if path.is_symlink():
+        raise UnreadableError("it is a link to another file; a copy of the notebook is needed")
+    try:
+        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    except OSError as error:
+        raise UnreadableError(f"it cannot be read: {error.strerror}") from None
+    with open(handle, "rb") as file:
+        state = os.fstat(handle)
+        if not stat.S_ISREG(state.st_mode):
+            raise UnreadableError("it is not a file")
+        if state.st_size > _LARGEST:
+            size, most = state.st_size // MEGABYTE, _LARGEST // MEGABYTE
+            raise UnreadableError(f"it has {size} MB; at most {most} MB are read (without outputs a notebook is small)")
+        try:
+            return file.read(_LARGEST).decode("utf-8-sig")
+        except UnicodeDecodeError:
+            raise UnreadableError("it is not text in UTF-8, which a notebook is") from None
+
+
+def _source(source: Any) -> str:
+    if isinstance(source, str):
+        return source
+    if isinstance(source, list) and all(isinstance(line, str) for line in source):
+        return "".join(source)
+    raise TypeError
+
+
+def _title(cells: list[str]) -> str:
+    for source in cells:
+        if source.lstrip().startswith("---") and (found := _TITLE.search(source[:10_000])):
+            return found[1]
+    return ""

@@ -1,0 +1,90 @@
+"""Read what a run reported: it is data from a process that a student controls, of which only what is well-formed is taken."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from course.grading.results import CellError
+from course.grading.text import clean
+
+_MOST = 200  # errors and notes that are kept
+NOT_ATTEMPTED = "not attempted"
+OUTCOMES = ("correct (proved)", "correct (confirmed)", "wrong", NOT_ATTEMPTED, "error")
+
+
+@dataclass
+class Report:
+    """What a run reported.
+
+    Attributes:
+        cell: the last cell that was begun.
+        done: whether all cells were run.
+        memory: whether memory ran out in one of them.
+        errors, notes: what cells raised, and what was skipped.
+        results: outcome and message by lesson and task.
+        changed: functions of ours that were changed meanwhile.
+        refused: how many reports were not well-formed.
+    """
+
+    cell: int = 0
+    done: bool = False
+    memory: bool = False
+    errors: list[CellError] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    results: dict[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
+    changed: list[str] = field(default_factory=list)
+    refused: int = 0
+
+
+def read_report(lines: Iterable[str], catalogue: Sequence[dict[str, Any]]) -> Report:
+    """Return the report in a run's lines; a lesson, task or outcome that there is not is refused."""
+    known = {(lesson["name"], task["name"]) for lesson in catalogue for task in lesson["tasks"]}
+    report = Report()
+    for line in lines:
+        try:
+            entry = json.loads(line)
+            _take(report, entry if isinstance(entry, dict) else {}, known)
+        except (ValueError, TypeError, KeyError, RecursionError):
+            report.refused += 1
+    return report
+
+
+def _take(report: Report, entry: dict[str, Any], known: set[tuple[str, str]]) -> None:
+    if "cell" in entry:
+        report.cell = _number(entry["cell"])
+    elif "note" in entry and len(report.notes) < _MOST:
+        report.notes.append(f"cell {_number(entry['in'])}: {_text(entry['note'])}")
+    elif "error" in entry and len(report.errors) < _MOST:
+        error = entry["error"]
+        place = _number(error["cell"]), _number(error["line"])
+        report.errors.append(CellError(*place, _text(error["type"], 80), _text(error["message"])))
+        report.memory |= error["memory"] is True
+    elif "results" in entry:
+        for result in entry["results"]:
+            _take_result(report, result, known)
+    elif "done" in entry:
+        report.done = entry["done"] is True
+        report.changed = [_text(name, 120) for name in entry["changed"]][:_MOST]
+
+
+def _take_result(report: Report, result: dict[str, Any], known: set[tuple[str, str]]) -> None:
+    key = result["lesson"], result["task"]
+    if key not in known or result["outcome"] not in OUTCOMES:
+        report.refused += 1
+        return
+    report.results[key] = result["outcome"], _text(result["message"])
+
+
+def _number(value: Any) -> int:
+    if not isinstance(value, int) or not 0 <= value < 1_000_000:
+        raise ValueError
+    return value
+
+
+def _text(value: Any, longest: int = 500) -> str:
+    if not isinstance(value, str):
+        raise TypeError
+    return clean(value, longest)

@@ -1,0 +1,87 @@
+"""The submissions of a class: which notebooks there are, and whose they are."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from unicodedata import normalize
+
+from course.grading.errors import GradingError
+from course.grading.text import clean
+
+_NOTEBOOK = ".ipynb"
+
+
+@dataclass(frozen=True)
+class Submission:
+    """One notebook of one student.
+
+    Attributes:
+        student: the name of their folder, or of the file where it lies in no folder.
+        path: where the notebook is.
+        file: its path in the class's folder, as it is shown.
+    """
+
+    student: str
+    path: Path
+    file: str
+
+
+def find_submissions(folder: Path) -> list[Submission]:
+    """Return the notebooks of a class, by student and file; hidden files and Jupyter's checkpoints are none.
+
+    Raises:
+        GradingError: there is no such folder, no notebook in it, or one student's name is that of two.
+    """
+    if not folder.exists():
+        raise GradingError(
+            f"{clean(str(folder))}: there is no such folder; armproof grade takes the folder of a class's notebooks"
+        )
+    if not folder.is_dir():
+        raise GradingError(
+            f"{clean(str(folder))}: not a folder; armproof grade takes the folder of a class's notebooks"
+        )
+    try:
+        paths = sorted(_notebooks(folder))
+    except OSError as error:
+        raise GradingError(f"{clean(str(error.filename))}: cannot be read: {error.strerror}") from None
+    if not paths:
+        raise GradingError(
+            f"{clean(str(folder))}: no notebooks in it; put each student's .ipynb files there, or into a folder of their name"
+        )
+    found = [_submission(folder, path) for path in paths]
+    _check_names(folder, found)
+    return sorted(found, key=lambda each: (each.student.casefold(), each.file))
+
+
+def _notebooks(folder: Path) -> list[Path]:
+    """Return the notebooks below a folder; links to folders are not followed."""
+
+    def give_up(error: OSError) -> None:
+        raise error
+
+    found = []
+    for place, folders, files in os.walk(folder, onerror=give_up):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        found += [Path(place) / name for name in files if name.lower().endswith(_NOTEBOOK) and not name.startswith(".")]
+    return found
+
+
+def _submission(folder: Path, path: Path) -> Submission:
+    parts = path.relative_to(folder).parts
+    student = parts[0] if len(parts) > 1 else path.stem
+    return Submission(clean(normalize("NFC", student)), path, clean("/".join(parts)))
+
+
+def _check_names(folder: Path, found: list[Submission]) -> None:
+    """Refuse two folders or files that are one student's by their name: their results could not be told apart."""
+    places: dict[str, tuple[str, Path]] = {}
+    for each in found:
+        first = folder / each.path.relative_to(folder).parts[0]
+        name, place = places.setdefault(each.student.casefold(), (each.student, first))
+        if place != first:
+            shown = " and ".join(f"'{clean(path.name)}'" for path in (place, first))
+            raise GradingError(
+                f"the student '{name}' is there twice: {shown}; put all of a student's notebooks into one folder, or rename one"
+            )
