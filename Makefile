@@ -10,13 +10,25 @@ REPORT := $(BUILD)/report
 # The stamps live in the environment, so that removing it removes them.
 READY := $(VENV)/.installed
 READY_TO_LINT := $(VENV)/.installed-lint
+READY_TO_LAB := $(VENV)/.installed-lab
 
-.PHONY: report figures test lint format mutation benchmark sweep clean
+.PHONY: report lab lessons site figures test lint format mutation benchmark sweep clean
 
 # Exit code 2 of the command means that it could not run: then the report of the last run stays.
 report: $(READY)
-	@$(VENV)/bin/armproof verify course --report $(REPORT); code=$$?; \
+	@$(VENV)/bin/armproof verify course/handouts course/lessons --report $(REPORT); code=$$?; \
 	if [ $$code -le 1 ]; then echo "The pages: $(REPORT)/index.html"; fi; exit $$code
+
+# Opens what students open; it builds nothing, so that nobody's answers are overwritten.
+lab: $(READY_TO_LAB)
+	$(VENV)/bin/jupyter lab course/notebooks/01_frames.ipynb
+
+lessons: $(READY)
+	$(VENV)/bin/armproof lesson build
+	$(VENV)/bin/armproof lesson check
+
+site: $(READY)
+	$(VENV)/bin/armproof lesson site --out $(BUILD)/site
 
 # One worker a core; the tests of one file share what they load.
 test: $(READY)
@@ -46,6 +58,8 @@ sweep: $(READY)
 	$(VENV)/bin/python -m tests.sweeps.correct
 	$(VENV)/bin/python -m tests.sweeps.watch
 	$(VENV)/bin/python -m tests.sweeps.interrupted
+	$(VENV)/bin/python -m tests.sweeps.grading
+	$(VENV)/bin/python -m tests.sweeps.site
 
 figures: $(READY)
 	$(VENV)/bin/armproof figures --out $(BUILD)/figures
@@ -66,6 +80,10 @@ $(VENV)/bin/pip:
 $(READY): pyproject.toml $(VENV)/bin/pip
 	@echo "Installing Armproof and Drake into $(VENV): some minutes the first time."
 	@$(PIP) install --quiet --editable '.[test]'
+	@touch $@
+
+$(READY_TO_LAB): $(READY)
+	@$(PIP) install --quiet --editable '.[lab]'
 	@touch $@
 
 $(READY_TO_LINT): $(READY)
