@@ -12,6 +12,8 @@ from models.motion.samples import interval, sample_motion
 from models.viewer import add_arm
 
 RATE = 32.0  # frames a second
+_AZIMUTH, _ELEVATION = np.radians(-50.0), np.radians(20.0)  # from where the arm is seen
+_DISTANCE = 2.5  # of the camera, in radii of what the arm's frames reach
 
 
 def record_page(arm: Arm, trajectory: Any) -> str:
@@ -49,12 +51,32 @@ def record_page(arm: Arm, trajectory: Any) -> str:
     context = diagram.CreateDefaultContext()
     times = np.linspace(start, end, max(round((end - start) * RATE), 1) + 1)
     positions = np.zeros(plant.num_positions())
+    seen: list[np.ndarray] = []
     visualizer.StartRecording(set_transforms_while_recording=False)
     for time, q in zip(times - start, sample_motion(trajectory, times).q, strict=True):
         positions[list(arm.position_indices)] = q
         context.SetTime(time)
-        plant.SetPositions(plant.GetMyMutableContextFromRoot(context), positions)
+        plant_context = plant.GetMyMutableContextFromRoot(context)
+        plant.SetPositions(plant_context, positions)
+        seen += [frame.CalcPoseInWorld(plant_context).translation() for frame in _frames(plant)]
         diagram.ForcedPublish(context)
     visualizer.StopRecording()
     visualizer.PublishRecording()
+    meshcat.SetCameraPose(*_camera(np.array(seen)))
     return str(meshcat.StaticHtml())
+
+
+def _frames(plant: Any) -> list[Any]:
+    """Return the frames of a plant; the world's, which is the arm's foot, among them."""
+    from pydrake.multibody.tree import FrameIndex
+
+    return [plant.get_frame(FrameIndex(index)) for index in range(plant.num_frames())]
+
+
+def _camera(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return where the camera stands and what it looks at, so that points (N, 3) of the world fill the view."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, radius = (low + high) / 2, max(float(np.linalg.norm(high - low)) / 2, 0.3)
+    flat = np.cos(_ELEVATION)
+    away = np.array([flat * np.cos(_AZIMUTH), flat * np.sin(_AZIMUTH), np.sin(_ELEVATION)])
+    return middle + _DISTANCE * radius * away, middle

@@ -13,8 +13,9 @@ SILENT = 0.5  # seconds: what takes no longer needs no bar
 class Progress:
     """A bar on standard error that is never left behind; it is cleared before anything else is written."""
 
-    def __init__(self, total: int) -> None:
+    def __init__(self, total: int, noun: str = "documents") -> None:
         self.total = total
+        self.noun = noun
         self.done = 0
         self._shown = False
         self._silent_until = time.monotonic() + SILENT
@@ -34,7 +35,7 @@ class Progress:
         if self._on_terminal and self.done < self.total and time.monotonic() > self._silent_until:
             sys.stdout.flush()
             full = WIDTH * self.done // self.total
-            sys.stderr.write(f"\r\x1b[K[{'#' * full}{'.' * (WIDTH - full)}] {self.done} of {self.total} documents")
+            sys.stderr.write(f"\r\x1b[K[{'#' * full}{'.' * (WIDTH - full)}] {self.done} of {self.total} {self.noun}")
             sys.stderr.flush()
             self._shown = True
 

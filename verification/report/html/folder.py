@@ -7,8 +7,9 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 from models.errors import ArmproofError
@@ -24,8 +25,38 @@ class ReportFolderError(ArmproofError):
     """The report cannot be written where it was asked for."""
 
 
+def is_page(entry: Path) -> bool:
+    """Whether a file is a page of ours."""
+    if entry.suffix != ".html" or not entry.is_file():
+        return False
+    with entry.open("rb") as page:
+        return bool(_OURS.search(page.read(_HEAD)))
+
+
+def _is_of_report(entry: Path) -> bool:
+    return entry.is_file() if entry.name in (VERDICTS, f"{VERDICTS}.part") else is_page(entry)
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What is written into a folder.
+
+    Attributes:
+        word: what it is called.
+        option: the option that names the folder.
+        is_ours: whether a file is part of an earlier one, and may be replaced.
+    """
+
+    word: str = "report"
+    option: str = "--report"
+    is_ours: Callable[[Path], bool] = _is_of_report
+
+
+REPORT = Kind()
+
+
 @contextmanager
-def new_report(target: Path) -> Iterator[Path]:
+def new_report(target: Path, kind: Kind = REPORT) -> Iterator[Path]:
     """Give an empty folder to write a report into; at the end it takes the place of `target`, whole.
 
     What is interrupted leaves the report that was there before. A report of ours is replaced; any other folder that holds
@@ -35,51 +66,44 @@ def new_report(target: Path) -> Iterator[Path]:
         ReportFolderError: `target` is no folder, holds other files, or cannot be written.
     """
     target = Path(os.path.realpath(target))
-    _check(target)
+    _check(target, kind)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         _clear_leftovers(target)
         part = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=f".{os.getpid()}.part", dir=target.parent))
     except OSError as error:
-        raise ReportFolderError(f"{target}: the report cannot be written: {error.strerror}") from None
+        raise ReportFolderError(f"{target}: the {kind.word} cannot be written: {error.strerror}") from None
     try:
         yield part
-        _check(target)  # it may have changed since
+        _check(target, kind)  # it may have changed since
         part.chmod(0o777 & ~_umask())
         _put(part, target)
     except OSError as error:
-        raise ReportFolderError(f"{target}: the report cannot be written: {error.strerror}") from None
+        raise ReportFolderError(f"{target}: the {kind.word} cannot be written: {error.strerror}") from None
     finally:
         shutil.rmtree(part, ignore_errors=True)
 
 
-def _check(target: Path) -> None:
-    """Refuse a place whose replacement would cost anything but a report of ours."""
+def _check(target: Path, kind: Kind) -> None:
+    """Refuse a place whose replacement would cost anything but an earlier one of ours."""
     if target.exists() and not target.is_dir():
         raise ReportFolderError(
-            f"{target}: not a folder; --report takes a folder, new, empty or with an earlier report"
+            f"{target}: not a folder; {kind.option} takes a folder, new, empty or with an earlier {kind.word}"
         )
     if target == Path.cwd() or target in Path.cwd().parents:
-        raise ReportFolderError(f"{target}: the working folder; --report takes a folder of its own, such as report")
+        raise ReportFolderError(
+            f"{target}: the working folder; {kind.option} takes a folder of its own, such as {kind.word}"
+        )
     if not target.exists():
         return
     try:
-        foreign = next((entry.name for entry in sorted(target.iterdir()) if not _is_ours(entry)), None)
+        foreign = next((entry.name for entry in sorted(target.iterdir()) if not kind.is_ours(entry)), None)
     except OSError as error:
         raise ReportFolderError(f"{target}: cannot be read: {error.strerror}") from None
     if foreign is not None:
         raise ReportFolderError(
-            f"{target}: holds '{foreign}', which is no part of a report; --report takes a folder of its own, new or empty"
+            f"{target}: holds '{foreign}', which is no part of a {kind.word}; {kind.option} takes a folder of its own, new or empty"
         )
-
-
-def _is_ours(entry: Path) -> bool:
-    if entry.name in (VERDICTS, f"{VERDICTS}.part"):
-        return entry.is_file()
-    if entry.suffix != ".html" or not entry.is_file():
-        return False
-    with entry.open("rb") as page:
-        return bool(_OURS.search(page.read(_HEAD)))
 
 
 def _put(part: Path, target: Path) -> None:

@@ -1,0 +1,133 @@
+"""Build the site: each lesson in a process of its own, all of it put in its place at once."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+
+from course.authoring.places import COURSE, Place
+from course.site.errors import SiteError
+from models.errors import ArmproofError
+from verification.report.html.folder import Kind, is_page, new_report
+
+FILES = "files.json"  # the digest of each file that is no page
+MOST_WORKERS = 4
+_PATIENCE = "the process that built it ended; Drake may have aborted on its arm"
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be built: sources in the order of the lessons, their place, the edition."""
+
+    sources: tuple[Path, ...]
+    place: Place = COURSE
+    solutions: bool = False
+
+
+@dataclass(frozen=True)
+class Built:
+    """What became of a lesson: what of it is not on its page, and why there is no page."""
+
+    source: Path
+    warnings: tuple[str, ...] = ()
+    problem: str = ""
+
+
+def build_site(
+    order: Order, target: Path, *, workers: int | None = None, done: Callable[[Built], None] = lambda built: None
+) -> Path:
+    """Build the site into a folder, whole or not at all; return its index.
+
+    Args:
+        order: the lessons.
+        target: a folder, new, empty or with an earlier site.
+        workers: the number of processes; by default one a core, at most 4.
+        done: told of each lesson as soon as it is there.
+
+    Raises:
+        SiteError: a lesson does not pass or does not run; each problem on a line.
+        ReportFolderError: the folder cannot be written, or holds something else.
+    """
+    with new_report(target, kind_of(target)) as part:
+        problems = []
+        for built in _build_all(order, part, workers or min(_cores(), MOST_WORKERS)):
+            done(built)
+            if built.problem:
+                problems.append((order.sources.index(built.source), built.problem))
+        if problems:
+            raise SiteError("\n".join(problem for _, problem in sorted(problems)))
+        _write_digests(part)
+    return target / "index.html"
+
+
+def kind_of(target: Path) -> Kind:
+    """Return what tells the files of an earlier site in a folder: pages of ours, and what its list of files names, unchanged."""
+    try:
+        listed = json.loads((target / FILES).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        listed = {}
+    digests = listed if isinstance(listed, dict) else {}
+
+    def is_ours(entry: Path) -> bool:
+        if entry.name == FILES:
+            return entry.is_file() and bool(digests)
+        if entry.name in digests:
+            return entry.is_file() and digests[entry.name] == _digest(entry)
+        return is_page(entry)
+
+    return Kind("site", "--out", is_ours)
+
+
+def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
+    """Yield what became of each lesson; the processes begin before Drake is imported."""
+    from course.site import work
+
+    with ProcessPoolExecutor(workers, get_context("fork"), initializer=_begin) as pool:
+        try:
+            described = _result(pool, work.describe, order)
+            futures = {pool.submit(work.build_lesson, order, described, k, part): k for k in range(len(order.sources))}
+            rest = pool.submit(work.build_rest, order, described, part)
+            for future in as_completed(futures):
+                source = order.sources[futures[future]]
+                try:
+                    yield future.result()
+                except BrokenProcessPool:
+                    yield Built(source, problem=f"{source}: {_PATIENCE}")
+            rest.result()
+        except ArmproofError:
+            raise
+        except BrokenProcessPool:
+            raise SiteError(f"the site cannot be built: {_PATIENCE}") from None
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _result(pool: Executor, work: Callable[..., list], *arguments: object) -> list:
+    return pool.submit(work, *arguments).result()
+
+
+def _write_digests(part: Path) -> None:
+    """Write the list of the files that are no pages, so that a notebook that a student works in is not replaced."""
+    digests = {path.name: _digest(path) for path in sorted(part.iterdir()) if path.suffix != ".html"}
+    (part / FILES).write_text(json.dumps(digests, indent=1) + "\n", encoding="ascii")
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _begin() -> None:
+    """Leave interrupts to the parent."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,0 +1,78 @@
+"""`armproof lesson site`: the course as static pages."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from models.errors import ArmproofError
+from verification.cli.app import FAILS, INTERRUPTED
+from verification.cli.loading import give_up
+from verification.cli.messages import complain
+from verification.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from course.site.build import Built
+
+Names = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all.", show_default=False
+    ),
+]
+Folder = Annotated[
+    Path | None,
+    typer.Option("--folder", metavar="DIR", help="Lessons of your own: DIR/lessons and DIR/tasks.", show_default=False),
+]
+Out = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="The folder to write; by default build/site, or build/site-solutions.",
+        show_default=False,
+    ),
+]
+Solutions = Annotated[bool, typer.Option("--solutions", help="The edition with solutions, folded below each task.")]
+
+
+def site(names: Names = None, folder: Folder = None, out: Out = None, solutions: Solutions = False) -> None:
+    """Build the course as static pages: each lesson executed, with figures, 3D views and mathematics, to be read offline.
+
+    The pages show the tasks, their hints and no solution; --solutions makes the edition that has them. Exit code 0: the site is
+    there; 1: a lesson does not run or does not pass; 2: an unknown lesson, or a folder that cannot be written. What is there stays
+    unless all of the new site is there.
+    """
+    from course.authoring.kernel import require_jupyter
+    from course.authoring.places import place_of
+    from course.site.build import Order, build_site
+    from course.site.errors import SiteError
+
+    started = time.perf_counter()
+    target = out or Path("build/site-solutions" if solutions else "build/site")
+    try:
+        require_jupyter()
+        place = place_of(folder)
+        sources = place.named(names or ())
+        with Progress(len(sources), "lessons") as progress:
+
+            def done(built: Built) -> None:
+                progress.clear()
+                complain(f"warning: {warning}" for warning in built.warnings)
+                progress.advance()
+
+            index = build_site(Order(tuple(sources), place, solutions), target, done=done)
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except SiteError as error:
+        complain(str(error).splitlines())
+        raise typer.Exit(FAILS) from None
+    except ArmproofError as error:
+        give_up(error)
+    count = f"{len(sources)} lesson{'' if len(sources) == 1 else 's'}"
+    complain([f"{count} in {time.perf_counter() - started:.0f} s"])
+    sys.stdout.write(f"{index}\n")

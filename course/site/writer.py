@@ -1,0 +1,122 @@
+"""The blocks of a lesson as HTML for a screen: headings that can be linked to, and what is wide takes the keyboard's focus."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from unicodedata import combining, normalize
+
+from markupsafe import Markup
+
+from course.printing import sheet as s
+from course.printing.html_writer import HtmlWriter
+from course.site.code import highlight
+from course.site.reading import unlinked
+
+_TAG = re.compile(r"\\tag\*?\{([^{}$\\]{1,20})\}")  # by which words refer to a display
+_NARROW = 16.0  # em that fit on a phone
+_LONGEST = 60  # characters of an anchor
+_EMPTY = s.Sheet((), (), "en", "", ())
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A heading in the contents of a page."""
+
+    level: int
+    anchor: str
+    title: Markup
+    is_part: bool = False  # no heading of the lesson's own: a task
+
+
+class PageWriter(HtmlWriter):
+    """Writes the blocks of one page; `contents` collects its headings."""
+
+    def __init__(self) -> None:
+        super().__init__(_EMPTY)
+        self.contents: list[Entry] = []
+        self._anchors: set[str] = {"main", "objectives", "reference"}  # which the page has
+        self._level = 1
+        self.blocks[s.Listed] = self._listed
+
+    def body(self, blocks: Sequence[s.Block]) -> Markup:
+        """Return blocks as HTML."""
+        return self._body(blocks)
+
+    def words(self, parts: Sequence[s.Inline]) -> Markup:
+        """Return inline parts as HTML."""
+        return self._content(parts)
+
+    def heading(self, level: int, words: Markup, plain: str) -> Markup:
+        """Return a heading with an anchor; no level is left out."""
+        self._level = min(6, max(2, level), self._level + 1)
+        anchor = self._anchor(plain)
+        self.contents.append(Entry(self._level, anchor, words))
+        return Markup('<h{0} id="{1}">{2}</h{0}>').format(self._level, anchor, words)
+
+    def section(self, anchor: str, words: Markup) -> str:
+        """Return the anchor of a part of the page, which stands in the contents unless the heading before it is its own."""
+        anchor = self._anchor(anchor)
+        headed = self.contents and self.contents[-1].level > 2 and self.contents[-1].title.startswith("Task")
+        if not headed or self.contents[-1].is_part:
+            self.contents.append(Entry(3, anchor, words, is_part=True))
+        return anchor
+
+    def _heading(self, block: s.Heading) -> Markup:
+        return self.heading(block.level, self._content(unlinked(block.parts)), s.plain(block.parts))
+
+    def _display(self, block: s.Display) -> Markup:
+        widest = max((piece.width for line in block.lines for each in line for piece in each), default=0.0)
+        written = super()._display(block)
+        if widest > _NARROW:
+            written = _focusable(written, "Formula")
+        if (tag := _TAG.search(block.record.latex)) is None:
+            return written
+        return Markup('<div class="tagged">{}<span class="tag">({})</span></div>').format(written, tag.group(1))
+
+    def _table(self, block: s.Table) -> Markup:
+        return _focusable(Markup(str(super()._table(block)).replace("<th ", '<th scope="col" ')), "Table")
+
+    def _quote(self, block: s.Quote) -> Markup:
+        if block.kind == "solution":
+            inside = block.blocks[1:] if isinstance(block.blocks[0], s.Heading) else block.blocks
+            return Markup('<details class="solution"><summary>Solution</summary>{}</details>').format(
+                self._body(inside)
+            )
+        return super()._quote(block)
+
+    def _part(self, part: s.Inline) -> Markup:
+        written = super()._part(part)
+        if isinstance(part, s.Formula) and any(piece.width > _NARROW for piece in part.pieces):
+            return Markup('<span class="long" tabindex="0" role="group" aria-label="Formula">{}</span>').format(written)
+        return written
+
+    def _listed(self, block: s.Listed) -> Markup:
+        return listing(Markup.escape(block.text.strip("\n")), "Listing")
+
+    def _anchor(self, plain: str) -> str:
+        bare = "".join(c for c in normalize("NFKD", plain.lower()) if not combining(c))
+        stem = re.sub(r"[^a-z0-9]+", "-", bare).strip("-")[:_LONGEST].strip("-") or "section"
+        name, number = stem, 2
+        while name in self._anchors:
+            name, number = f"{stem}-{number}", number + 1
+        self._anchors.add(name)
+        return name
+
+
+def python(source: str, label: str = "Python") -> Markup:
+    """Return Python source as a listing."""
+    return listing(highlight(source), label)
+
+
+def listing(code: Markup, label: str) -> Markup:
+    """Return lines of code as a block that can be scrolled by the keyboard."""
+    return Markup('<pre class="code" tabindex="0" role="group" aria-label="{}"><code>{}</code></pre>').format(
+        label, code
+    )
+
+
+def _focusable(block: Markup, label: str) -> Markup:
+    """Return a block that scrolls, which then has to take the keyboard's focus."""
+    return Markup(str(block).replace("<div class=", f'<div tabindex="0" role="group" aria-label="{label}" class=', 1))
