@@ -149,7 +149,13 @@ def test_report_writes_pages_and_passes_the_exit_code_on(make, pretend_command, 
     run = make("report")
     assert (run.returncode == 0) == (code == 0)
     assert "3 proved" in run.stdout
-    assert (tmp_path / "called").read_text().split() == ["verify", "course", "--report", str(tmp_path / "build/report")]
+    assert (tmp_path / "called").read_text().split() == [
+        "verify",
+        "course/handouts",
+        "course/lessons",
+        "--report",
+        str(tmp_path / "build/report"),
+    ]
     assert (f"The pages: {tmp_path / 'build/report'}/index.html" in run.stdout) == (code < 2)
 
 

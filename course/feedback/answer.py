@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from course.feedback.errors import AnswerError
+from course.feedback.plain_text import read_plain
 from models.errors import ArmproofError
 from models.tracing.from_sympy import FromSympy, is_expression
 from models.tracing.number import as_traced
@@ -54,7 +55,7 @@ def is_function(answer: Any) -> bool:
 def as_latex(answer: Any) -> str:
     """Return a formula as LaTeX: a text, a SymPy expression or matrix, a number, an array, a nested list of these.
 
-    A text may stand between dollars, and may be an equation, of which the last side counts.
+    A text is LaTeX, between dollars or not, or typed as in Python; of an equation the last side counts.
 
     Raises:
         AnswerError: it is none of these.
@@ -62,29 +63,58 @@ def as_latex(answer: Any) -> str:
     if isinstance(answer, WithSympy):
         answer = answer.value()
     if isinstance(answer, str):
-        return _last_side(answer)
-    convert = FromSympy(_with_underscore).convert
-    if isinstance(answer, list | tuple) or hasattr(answer, "tolist"):
-        values = np.array(answer.tolist() if hasattr(answer, "tolist") else answer, dtype=object)
-    else:
-        values = np.array(answer, dtype=object)
-    if values.ndim > 2 or not values.size:
-        raise AnswerError(f"a formula is a number, a column or a matrix, not an array of shape {values.shape}")
+        return _read_text(answer)
+    rows = answer.tolist() if hasattr(answer, "tolist") else answer
+    if not isinstance(rows, list | tuple):
+        return _cell(rows)
+    if not rows or any(isinstance(row, list | tuple) and len(row) != len(rows[0]) for row in rows):
+        raise AnswerError("a matrix is a list of rows of one length")
+    lines = [[_cell(cell) for cell in (row if isinstance(row, list | tuple) else [row])] for row in rows]
+    return r"\begin{bmatrix} " + r" \\ ".join(" & ".join(line) for line in lines) + r" \end{bmatrix}"
+
+
+def is_number(answer: Any) -> bool:
+    """Whether an answer is made of plain numbers alone."""
+    if hasattr(answer, "tolist"):
+        answer = answer.tolist()
+    if isinstance(answer, list | tuple):
+        return bool(answer) and all(is_number(item) for item in answer)
+    return isinstance(answer, int | float)
+
+
+def _cell(value: Any) -> str:
+    """Return one entry as LaTeX."""
+    if isinstance(value, str):
+        return _read_text(value)
+    if isinstance(value, list | tuple):
+        raise AnswerError("a formula is a number, a column or a matrix, not an array of more dimensions")
     try:
-        flat = [convert(item) if is_expression(item) else as_traced(item) for item in values.ravel()]
+        traced = FromSympy(_with_underscore).convert(value) if is_expression(value) else as_traced(value)
+        return write_matrix(np.array(traced, dtype=object))
     except ArmproofError as problem:
         raise AnswerError(f"the answer is no formula: {problem}") from None
-    cells = np.empty(values.size, dtype=object)
-    cells[:] = flat
-    return write_matrix(cells.reshape(values.shape))
+
+
+def _read_text(text: str) -> str:
+    if len(text) > MOST_CHARACTERS:
+        raise AnswerError(f"the answer is too long: {len(text):,} characters, at most {MOST_CHARACTERS:,}")
+    if any(character in text for character in "\a\b\f\v\t\r"):
+        raise AnswerError(
+            'write r"…" with an r before the quotes: without it Python takes \\b, \\t, \\f, \\r for control characters'
+        )
+    found = _DOLLARS.match(text)
+    text = found.group(2) if found else text
+    plain = read_plain(text)
+    if plain is None:
+        return _last_side(text)
+    if isinstance(plain, list):
+        return as_latex(plain)
+    return write_matrix(np.array(plain, dtype=object))
 
 
 def _last_side(text: str) -> str:
     """Return what stands behind the last = of a formula; a text that cannot be read is returned as it is."""
-    if len(text) > MOST_CHARACTERS:
-        raise AnswerError(f"the answer is too long: {len(text):,} characters, at most {MOST_CHARACTERS:,}")
-    found = _DOLLARS.match(text)
-    latex = normalise_unicode(found.group(2) if found else text)
+    latex = normalise_unicode(text)
     try:
         statements = Reader().read(latex)
     except ArmproofError:
@@ -95,9 +125,11 @@ def _last_side(text: str) -> str:
     if len(chain.members) < 2 or any(relation != "=" for relation in chain.relations):
         return latex
     start, end = chain.members[-1].span
+    if latex[start:end].strip() == "0":
+        raise AnswerError("give the expression alone, without = 0")
     return latex[start:end]
 
 
 def _with_underscore(name: str) -> str:
-    """Return theta1 as theta_1, as the arms write their symbols."""
-    return re.sub(r"^([A-Za-z]+)(\d+)$", r"\1_\2", name)
+    """Return theta1 as theta_1, as the arms write their symbols; SymPy calls its λ lamda."""
+    return re.sub(r"^([A-Za-z]+)(\d+)$", r"\1_\2", "lambda" if name == "lamda" else name)

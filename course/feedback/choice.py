@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -10,6 +11,7 @@ import numpy as np
 
 from course.feedback.answer import is_function
 from course.feedback.outcome import Feedback, Outcome
+from course.feedback.plain_text import read_plain
 from models.errors import ArmproofError
 
 _TOLERANCE = 1e-6
@@ -33,9 +35,9 @@ class Choice:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of a key, or of a list of keys."""
-        if is_function(answer) or not isinstance(answer, str | Iterable):
+        if is_function(answer) or not isinstance(answer, str | int | Iterable):
             return Feedback(Outcome.ERROR, f"the answer is one of {self._keys()}, or a list of them")
-        chosen = frozenset(_keys_in(answer))
+        chosen = frozenset(self._chosen(answer))
         right = frozenset([self.right]) if isinstance(self.right, str) else self.right
         if unknown := sorted(chosen - set(self.options)):
             return Feedback(Outcome.ERROR, f"there is no option '{unknown[0]:.30}'; the options are {self._keys()}")
@@ -54,7 +56,18 @@ class Choice:
 
     def signature(self, answer: Any) -> str:
         """Return the chosen keys in order, by which two answers are told apart."""
-        return ",".join(sorted(_keys_in(answer)))
+        return ",".join(sorted(self._chosen(answer)))
+
+    def _chosen(self, answer: Any) -> list[str]:
+        """Return the keys of an answer: a list, or a text with commas, blanks or "and" between them, in either case."""
+        items = [answer] if isinstance(answer, int) else answer
+        words = re.split(r"[,;\s]+", items) if isinstance(items, str) else [str(item).strip() for item in items]
+        words = [word for word in words if word and (word != "and" or word in self.options)]
+        known = {key.lower(): key for key in self.options}
+        words = [known.get(word.lower(), word) for word in words]
+        if len(words) == 1 and words[0] not in self.options and set(words[0].lower()) <= set(known):
+            return [known[letter] for letter in words[0].lower()]
+        return words
 
     def _keys(self) -> str:
         return ", ".join(repr(key) for key in self.options)
@@ -80,7 +93,10 @@ class Number:
         try:
             given = np.atleast_1d(np.array(_numbers(answer), dtype=float)).ravel()
         except (TypeError, ValueError, ArmproofError):
-            return Feedback(Outcome.ERROR, f"the answer is {_counted(len(right))}, not {answer!r:.40}")
+            wanted = (
+                "a number" if len(right) == 1 else f"a list of {len(right)} numbers, [{', '.join('…' * len(right))}]"
+            )
+            return Feedback(Outcome.ERROR, f"the answer is {wanted}, not {answer!r:.40}")
         if given.shape != right.shape:
             return Feedback(Outcome.WRONG, f"the answer is {_counted(len(right))}, not {len(given)}")
         wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
@@ -99,21 +115,23 @@ class Number:
         return "the number" if np.ndim(self.value) == 0 else f"number {index + 1}"
 
 
-def _keys_in(answer: Any) -> list[str]:
-    if isinstance(answer, str):
-        return [part.strip() for part in answer.split(",") if part.strip()]
-    return [str(item).strip() for item in answer]
-
-
 def _numbers(answer: Any) -> Any:
     """Return numbers as they are, and those of a text, of SymPy or of a function without arguments by their value."""
     if is_function(answer):
         return answer()
     if isinstance(answer, str):
-        return [float(part) for part in answer.replace(";", ",").split(",")]
+        return _numbers_of_text(answer)
     if isinstance(answer, list | tuple):
         return [float(item) for item in answer]
     return answer
+
+
+def _numbers_of_text(text: str) -> list[float]:
+    """Return the numbers of a text: "[0, 2]", "0 2", "pi/2"."""
+    plain = read_plain(text)
+    if plain is None:
+        return [float(part) for part in re.split(r"[,;\s]+", text.strip(" []()"))]
+    return [float(item) for item in (plain if isinstance(plain, list) else [plain])]
 
 
 def _counted(count: int) -> str:

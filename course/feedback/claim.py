@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from course.feedback.answer import as_latex, is_number
 from course.feedback.errors import AnswerError, LessonError
 from course.feedback.outcome import Feedback, Outcome, Row
 from models.arm import Arm
@@ -22,7 +23,6 @@ from verification.equality import TABLE_ANGLES
 from verification.errors import ReadError, TooComplex
 from verification.evaluate import Evaluator
 from verification.latex import nodes as n
-from verification.latex.writer import symbol_as_latex
 from verification.matrix import Matrix
 from verification.report.html.figures import Figure, painter_of
 from verification.sampled_algebra import SampledAlgebra
@@ -32,6 +32,11 @@ from verification.verdict import Record, Verdict, WrongEntry
 ASKED = r"\Xi"  # the name that what is asked has in the claim; no course uses it
 _FILE = Path("answer")
 _TELLING = re.compile(r"^(?:entry \(\d+, \d+\): )?is .*, should be .*$", re.DOTALL)
+# What concerns our proof and not the student's answer, or half a sentence whose other half gives the answer away.
+_OURS_ALONE = re.compile(r"not exact|too large to tell|the two sides|square root|arc function|lengths of this arm")
+_OURS = re.compile(rf"should be|at the configuration given before|{_OURS_ALONE.pattern}")
+_LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
+ANGLE = re.compile(r"theta|alpha|beta|gamma|phi|psi|q(_|$)")  # letters of angles
 MOST_PLACES = 4
 UNEQUAL = "the formula is not equal to what is asked"
 SAMPLES = 200
@@ -48,7 +53,8 @@ class Claim:
         given: displays that come before: names with a meaning.
         truth: the right formula as LaTeX; empty where the front matter binds ASKED to a quantity of the arm.
         unit: of an entry, by row and column (from 0).
-        names: quantities of the arm that an answer may name.
+        names: whether an answer may name quantities of the arm.
+        own: the letters that an answer is made of, beside the arm's; without it, all that the front matter binds.
     """
 
     front: Mapping[str, Any]
@@ -56,6 +62,7 @@ class Claim:
     truth: str = ""
     unit: Callable[[int, int], str] = field(default=lambda row, column: "–")
     names: bool = False
+    own: tuple[str, ...] | None = None
 
     def judge(self, latex: str) -> Feedback:
         """Return what becomes of a formula."""
@@ -78,8 +85,6 @@ class Claim:
                 record.counterexample,
                 self._picture(record),
             )
-        if record.verdict is Verdict.DEFINED and latex.strip() in map(symbol_as_latex, self.letters):
-            return Feedback(Outcome.WRONG, UNEQUAL)  # a letter alone takes the meaning of what is asked
         if record.verdict is Verdict.DEFINED:
             return Feedback(Outcome.ERROR, f"the answer is made of names that mean nothing here; {self._letters()}")
         return Feedback(Outcome.ERROR, f"{without_asked(record.message)}; {self._letters()}")
@@ -89,7 +94,7 @@ class Claim:
         """The letters that an answer is made of."""
         arm = self.arm
         own = [*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles] if arm is not None else []
-        return tuple(dict.fromkeys([*self.front.get("symbols", {}), *own]))
+        return tuple(dict.fromkeys([*(self.front.get("symbols", {}) if self.own is None else self.own), *own]))
 
     def _letters(self) -> str:
         return f"the letters are {', '.join(self.letters)}" if self.letters else "the letters are those of the task"
@@ -122,7 +127,9 @@ class Claim:
         rng = np.random.default_rng(SEED)
         joints = self.arm.joints if self.arm is not None else ()
         columns = [rng.uniform(*_JOINTS[joint.kind], SAMPLES) for joint in joints]
-        return SampledAlgebra(self._checker.exact, np.array(columns).reshape(len(joints), SAMPLES).T, SEED)
+        angles = [name for name in self.front.get("symbols", {}) if ANGLE.match(name)]
+        free = {name: rng.uniform(*_JOINTS["revolute"], SAMPLES) for name in angles}
+        return SampledAlgebra(self._checker.exact, np.array(columns).reshape(len(joints), SAMPLES).T, SEED, free)
 
     @cached_property
     def _checker(self) -> DocumentChecker:
@@ -139,8 +146,8 @@ class Claim:
         return load_arm_of(self._document(""))
 
     def _document(self, latex: str) -> Document:
-        truth = [f"{ASKED} = {self.truth}"] if self.truth else []
-        lines = [*self.given, *truth, f"{ASKED} = {latex}"]
+        truth = [f"{ASKED} = {_as_formula(self.truth)}"] if self.truth else []
+        lines = [*self.given, *truth, f"{ASKED} = {_as_formula(latex)}"]
         return Document(
             _FILE, dict(self.front), tuple(Display(k + 1, line, section="") for k, line in enumerate(lines)), ()
         )
@@ -156,6 +163,9 @@ class Claim:
             node = self._checker.names.reader.read_expression(latex)
         except ReadError as error:
             raise AnswerError(f"the formula cannot be read at character {error.offset + 1}: {error}") from None
+        if any(isinstance(part, n.Sum) and {"±", "∓"} & set(_signs(part)) for part in n.walk(node)):
+            return "an answer has one value: which of the two signs?"
+        self._refuse_unknown(latex, node)
         for name in n.walk(node):
             if isinstance(name, n.Name) and (
                 name.key == "Xi" or (not self.names and checker.quantity_of(name) is not None)
@@ -163,6 +173,18 @@ class Claim:
                 shown = latex[name.span[0] : name.span[1]]
                 raise AnswerError(f"work the entries out: the answer may not name {shown} of the arm itself")
         return self._size_problem(node)
+
+    def _refuse_unknown(self, latex: str, node: n.Node) -> None:
+        """Refuse a letter that would be free in a general document, and is none of the task's."""
+        names = self._checker.names
+        calls = [call for call in n.walk(node) if isinstance(call, n.Call) and call.function in ("Rot", "Trans")]
+        axes = [id(call.arguments[0]) for call in calls]  # the z of Rot_z is no letter
+        for name in n.walk(node):
+            if not isinstance(name, n.Name) or id(name) in axes or name.key in (*self.letters, *names.definitions):
+                continue
+            if names.is_free(name) or name.key in self.front.get("symbols", {}):
+                shown = latex[name.span[0] : name.span[1]]
+                raise AnswerError(f"{shown} is no letter of this task; {self._letters()}")
 
     def _size_problem(self, node: n.Node) -> str:
         self._allow_time()
@@ -203,6 +225,17 @@ class Claim:
         return painter.at_counterexample(record) if painter is not None else None
 
 
+def judge_formula(claim: Claim, answer: Any) -> Feedback:
+    """Return what becomes of a formula in any form; numbers are no formula where what is asked depends on letters."""
+    feedback = claim.judge(as_latex(answer))
+    if feedback.outcome is Outcome.WRONG and is_number(answer) and np.ptp(claim.values(ASKED), axis=0).max() > 0:
+        words = (
+            "these are the values for one case: hand over the function itself, without brackets behind it, or a formula"
+        )
+        return replace(feedback, message=words)
+    return feedback
+
+
 def place(row: int | None, column: int | None) -> str:
     """Return an entry's place (from 1) as the student reads it."""
     return "value" if row is None or column is None else f"({row}, {column})"
@@ -215,9 +248,9 @@ def without_asked(message: str) -> str:
 
 def sentence(message: str, entries: Sequence[WrongEntry]) -> str:
     """Return what is wrong in words, without giving the right term away."""
-    if not entries and message:
+    if not entries and message and not _OURS_ALONE.search(message):
         return without_asked(message)
-    told = [part for part in message.split("; ") if not _TELLING.match(part) and "should be" not in part]
+    told = [part for part in message.split("; ") if not _TELLING.match(part) and not _OURS.search(part)]
     if told and (told[0] or len(told) > 1):
         return without_asked("; ".join(told))
     places = [place(entry.row, entry.column) for entry in entries]
@@ -226,5 +259,14 @@ def sentence(message: str, entries: Sequence[WrongEntry]) -> str:
     if len(places) == 1:
         return f"entry {places[0]} is wrong, the others are right"
     if len(places) <= MOST_PLACES:
-        return f"the entries {', '.join(places)} are wrong, the others are right"
+        return f"the entries {', '.join(places)} are wrong"
     return f"{len(places)} entries are wrong"
+
+
+def _as_formula(latex: str) -> str:
+    """Return a letter alone as a product, so that the equation is a claim about it and does not define it."""
+    return rf"{latex} \cdot 1" if _LETTER.fullmatch(latex.strip()) else latex
+
+
+def _signs(node: n.Sum) -> list[str]:
+    return [sign for sign, _ in node.terms]

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from course.feedback.answer import as_latex, is_function
-from course.feedback.claim import ASKED, Claim, place
+from course.feedback.claim import ANGLE, ASKED, Claim, judge_formula, place
 from course.feedback.errors import AnswerError, LessonError
 from course.feedback.outcome import NOTHING, Feedback, Outcome, Row
 from models.errors import ArmproofError
@@ -58,7 +59,8 @@ class Formula:
             front["arm"] = self.arm
         front["symbols"] = {**self._free(), **self.symbols}
         given = tuple(f"{_as_latex(name)} = {value}" for name, value in self.given.items())
-        return Claim(front, given, self.latex, lambda row, column: self.unit, self.names)
+        own = (*self.arguments, *(name for name in self.given if name not in self.arguments))
+        return Claim(front, given, self.latex, lambda row, column: self.unit, self.names, own)
 
     def _free(self) -> dict[str, str]:
         """Bind each argument that is no symbol of the arm as a free letter."""
@@ -70,12 +72,13 @@ class Formula:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the arguments, or a formula."""
-        return self._judge_function(answer) if is_function(answer) else self.claim.judge(as_latex(answer))
+        return self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""
         if not is_function(answer):
             return self.claim.values(as_latex(answer))[:FEW]
+        answer = self._in_order(answer)
         with Guard(SECONDS) as guard:
             calls = [guard.call(lambda k=k: answer(*self._arguments(k))) for k in range(FEW)]  # type: ignore[misc]
         if any(call.error is not None for call in calls):
@@ -88,14 +91,69 @@ class Formula:
         problem = self._cannot_be_called(function)
         if problem:
             return Feedback(Outcome.ERROR, problem)
+        function = self._in_order(function)
         with Guard(SECONDS) as guard:
             first = guard.call(lambda: function(*self._arguments(self._with_value[0])))
             if (stopped := _stopped(first.value, first.error)) is not None:
                 return stopped
             traced = guard.call(lambda: write_matrix(self._trace(function)))
             if traced.error is None:
-                return self.claim.judge(traced.value)
-            return self._compare(function, guard, traced.error.message)
+                feedback = self.claim.judge(traced.value)
+            else:
+                feedback = self._compare(function, guard, traced.error.message)
+            if feedback.outcome is Outcome.WRONG and (degrees := self._in_degrees(function, guard)):
+                return replace(feedback, message=degrees)
+            return feedback
+
+    def _in_order(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return a function that takes the arguments in their order, from one that has them by the same names in another."""
+        try:
+            names = list(inspect.signature(function).parameters)
+        except ValueError:
+            return function
+        bare = {name.replace("_", "").lower(): name for name in names}
+        wanted = [name.replace("_", "").lower() for name in self.arguments]
+        if len(bare) != len(names) or set(bare) != set(wanted) or list(bare) == wanted:
+            return function
+        places = [wanted.index(name) for name in bare]
+        return lambda *values: function(*(values[place] for place in places))
+
+    def _in_degrees(self, function: Callable[..., Any], guard: Guard) -> str:
+        """Say if the function is right but for degrees, in its arguments or in its result."""
+        for scales, scale, words in self._degree_slips():
+            for k in self._with_value[:FEW]:
+                values = [value * factor for value, factor in zip(self._arguments(k), scales, strict=True)]
+                call = guard.call(lambda values=values: function(*values))  # type: ignore[misc]
+                if call.error is not None:
+                    break
+                obtained = read_returned(call.value, 1)[0].ravel() * scale
+                if not self._are_equal(obtained, self._true[k].ravel()):
+                    break
+            else:
+                return words
+        return ""
+
+    def _degree_slips(self) -> Iterator[tuple[list[float], float, str]]:
+        degrees = [180 / np.pi if ANGLE.match(name) else 1.0 for name in self.arguments]
+        if max(degrees, default=1.0) > 1:
+            yield degrees, 1.0, "the angles are taken as degrees: they are in radians already"
+        if self._has_angles:
+            yield [1.0] * len(degrees), np.pi / 180, "the result is in degrees; give radians"
+
+    @cached_property
+    def _has_angles(self) -> bool:
+        """Whether what is asked is an angle, which counts up to whole turns."""
+        return self.unit == "rad" or re.search(r"atan|arc", " ".join([self.latex, *self.given.values()])) is not None
+
+    def _are_equal(self, obtained: np.ndarray, true: np.ndarray) -> bool:
+        return obtained.shape == true.shape and not self._differ(obtained, true).any()
+
+    def _differ(self, obtained: np.ndarray, true: np.ndarray) -> np.ndarray:
+        off = np.abs(obtained - true)
+        if self._has_angles:
+            turns = np.round((obtained - true) / (2 * np.pi))
+            off = np.minimum(off, np.abs(obtained - true - 2 * np.pi * turns))
+        return np.asarray(~(off <= _TOLERANCE * (1 + np.abs(true))))
 
     def _trace(self, function: Callable[..., Any]) -> np.ndarray:
         def call(function: Callable[..., Any], make: Callable[[str], Any]) -> Any:
@@ -149,16 +207,15 @@ class Formula:
                 return Feedback(
                     Outcome.WRONG, f"the result has {obtained.size} numbers, what is asked is {rows}×{columns}"
                 )
-            wrong = ~(np.abs(obtained.reshape(true.shape) - true) <= _TOLERANCE * (1 + np.abs(true)))
+            wrong = self._differ(obtained.reshape(true.shape), true)
             if wrong.any():
                 return Feedback(
                     Outcome.WRONG, "the values differ from what is asked",
                     self._rows(true, obtained.reshape(true.shape), wrong),
                     dict(zip(self.arguments, self._arguments(k), strict=True)),
                 )  # fmt: skip
-        return Feedback(
-            Outcome.CONFIRMED, f"equal at {len(self._with_value)} random values; not proved, since {reason}"
-        )
+        why = reason if "Error" not in reason else "it computes with numbers only"
+        return Feedback(Outcome.CONFIRMED, f"equal at {len(self._with_value)} random values; not proved, since {why}")
 
     def _rows(self, true: np.ndarray, obtained: np.ndarray, wrong: np.ndarray) -> tuple[Row, ...]:
         return tuple(
@@ -173,7 +230,8 @@ def _stopped(value: Any, error: CallError | None) -> Feedback | None:
         if error.type == "NotImplementedError":
             return NOTHING
         where = f" in line {error.line}" if error.line else ""
-        return Feedback(Outcome.ERROR, f"{error.type}{where}: {error.message}", error=error)
+        power = " (a power is ** in Python)" if "for ^" in error.message else ""
+        return Feedback(Outcome.ERROR, f"{error.type}{where}: {error.message}{power}", error=error)
     try:
         read_returned(value, 1)
     except NotAttempted:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+ENLARGED = 1.3  # on a screen, beside the size at which it is printed
+_SIZE = re.compile(r'\b(width|height)="([\d.]+)pt"')
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -26,4 +30,5 @@ def as_svg(figure: Figure) -> str:
     from course.figures.save import save_figure
 
     with tempfile.TemporaryDirectory() as folder:
-        return save_figure(figure, Path(folder) / "figure.svg", trimmed=True).read_text(encoding="utf-8")
+        svg = save_figure(figure, Path(folder) / "figure.svg", trimmed=True).read_text(encoding="utf-8")
+    return _SIZE.sub(lambda found: f'{found[1]}="{ENLARGED * float(found[2]):g}pt"', svg, count=2)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from course.feedback.answer import as_latex, is_function
-from course.feedback.claim import ASKED, Claim, place, sentence
+from course.feedback.claim import ASKED, Claim, judge_formula, place, sentence
 from course.feedback.outcome import OF_FUNCTION, Feedback, Row
 from course.feedback.picture import call_at, draw_answer
 from models.arm import Arm
@@ -62,7 +62,7 @@ class Quantity:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the joint values, or a formula."""
-        return self._judge_function(answer) if is_function(answer) else self.claim.judge(as_latex(answer))
+        return self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""

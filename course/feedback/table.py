@@ -16,6 +16,9 @@ from models.catalogue import load_arm
 from verification.check import check_document
 from verification.document import Document
 from verification.document import Table as Printed
+from verification.errors import ReadError
+from verification.latex import nodes as n
+from verification.latex.reader import Reader
 from verification.verdict import Record, Verdict
 
 COLUMNS = {
@@ -101,6 +104,8 @@ class Table:
     def _rows(self, answer: Any) -> list[tuple[str, ...]]:
         if isinstance(answer, str):
             answer = _rows_of(answer)
+        if hasattr(answer, "tolist"):
+            answer = answer.tolist()
         if is_function(answer):
             answer = answer()
             if is_missing(answer):
@@ -118,16 +123,26 @@ class Table:
             row = [row[name] for name in order]
         if not isinstance(row, list | tuple) or len(row) != len(order):
             raise AnswerError(f"row {number} is to hold {len(order)} entries: {', '.join(order)}")
-        return tuple(_cell(cell) for cell in row)
+        return tuple(self._cell(cell, f"row {number}: {name}") for name, cell in zip(order, row, strict=True))
 
+    def _cell(self, cell: Any, place: str) -> str:
+        """Return a cell as LaTeX; refuse one that is empty, or holds a letter that is none of the arm's."""
+        if is_missing(cell):
+            raise AnswerError(f"{place} is empty")
+        latex = as_latex(cell)
+        try:
+            node = Reader().read_expression(latex)
+        except ReadError as error:
+            raise AnswerError(f"{place}: {cell!r:.40} cannot be read: {error}") from None
+        for name in n.walk(node):
+            if isinstance(name, n.Name) and name.key not in self._letters and name.key != "pi":
+                raise AnswerError(f"{place}: there is no letter {name.key}; the letters are {', '.join(self._letters)}")
+        return latex
 
-def _cell(cell: Any) -> str:
-    """Return a cell as LaTeX: the names of symbols may be written plainly, as in "theta_1 - pi/2"."""
-    if not isinstance(cell, str):
-        return as_latex(cell)
-    for letter in ("theta", "alpha", "pi"):
-        cell = cell.replace(f"\\{letter}", letter).replace(letter, f"\\{letter} ")
-    return cell.strip()
+    @cached_property
+    def _letters(self) -> tuple[str, ...]:
+        arm = self.loaded
+        return (*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles, *self.symbols)
 
 
 def _rows_of(text: str) -> list[list[str]]:

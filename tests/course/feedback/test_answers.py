@@ -35,6 +35,10 @@ DETERMINANT = Formula(
     arm="planar_2r",
     quantities={"J_v": {"jacobian": 2, "rows": [1, 2]}},
 )
+DAMPED = Formula(r"\frac{1}{2\lambda}", ("lambda",))
+ANGLE = Formula(
+    r"\beta", ("X", "Y"), given={"X": r"\rho\cos\beta", "Y": r"\rho\sin\beta"}, symbols={"rho": "free"}, unit="rad"
+)
 POINT = sp.Matrix([L_1 * sp.cos(T_1) + L_2 * sp.cos(T_1 + T_2), L_1 * sp.sin(T_1) + L_2 * sp.sin(T_1 + T_2)])
 LATEX = r"\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}"
 
@@ -56,6 +60,14 @@ def task(asks: Any, *wrong: Wrong) -> Task:
         (COSINE, r"\frac{x^2 + y^2 - (l_1^2 + l_2^2)}{2 l_1 l_2}"),
         (COSINE, lambda x, y, l_1, l_2: (x**2 + y**2 - l_1**2 - l_2**2) / (2 * l_1 * l_2)),
         (COSINE, lambda x, y, a, b: ((x * x + y * y) / a - a - b * b / a) / (2 * b)),
+        (COSINE, "(x**2 + y^2 - l_1**2 - l2^2) / (2*l_1*l_2)"),
+        (COSINE, lambda y, x, l_2, l_1: (x**2 + y**2 - l_1**2 - l_2**2) / (2 * l_1 * l_2)),
+        (POSITION, "[l1*cos(theta1) + l2*cos(theta1 + theta2); l1*np.sin(theta1) + l2*sin(theta1 + theta2)]"),
+        (POSITION, ["l_1 c_1 + l_2 c_{12}", r"l_1 \sin\theta_1 + l_2 s_{12}"]),
+        (Formula(r"\mathbf{Rot}_z(\theta)", ("theta",)), r"\mathbf{Rot}_z(\frac{\theta}{2}) \mathbf{Rot}_z(\frac{\theta}{2})"),
+        (DAMPED, "1/(2*lambda)"),
+        (DAMPED, 1 / (2 * sp.Symbol("lamda"))),
+        (ANGLE, r"\operatorname{atan2}(Y, X)"),
         (REACH, r"\arccos D"),
         (REACH, lambda x, y, a, b: math.acos((x * x + y * y - a * a - b * b) / (2 * a * b))),
         (DETERMINANT, "l_1 l_2 s_2"),
@@ -63,6 +75,10 @@ def task(asks: Any, *wrong: Wrong) -> Task:
         (Table("planar_2r", "classic"), [("theta_1", 0, "l_1", 0), {"a": "l_2", "alpha": 0, "d": 0, "theta": "theta_2"}]),
         (Table("planar_2r", "classic"), r"\begin{array}{cccc} \theta_1 & 0 & l_1 & 0 \\ \theta_2 & 0 & l_2 & 0 \end{array}"),
         (Number(2), 2),
+        (Number((0.0, math.pi / 2)), "[0, pi/2]"),
+        (Number((0.0, 2.0)), "0 2"),
+        (Choice({"1": "one", "2": "two"}, "2"), 2),
+        (Choice({"a": "one", "b": "two", "c": "three"}, frozenset("ab")), "A and b"),
         (Number((1.0, math.pi)), [1, math.pi]),
         (Choice({"a": "one", "b": "two"}, "b"), " b "),
         (Choice({"a": "one", "b": "two", "c": "three"}, frozenset("ab")), ["b", "a"]),
@@ -70,6 +86,12 @@ def task(asks: Any, *wrong: Wrong) -> Task:
 )  # fmt: skip
 def test_every_form_of_a_right_answer_is_proved(asks: Any, answer: Any) -> None:
     assert task(asks).check(answer).outcome is Outcome.PROVED
+
+
+def test_an_angle_counts_up_to_whole_turns() -> None:
+    feedback = task(ANGLE).check(lambda X, Y: np.angle(X + 1j * Y) % (2 * np.pi))
+    assert feedback.outcome is Outcome.CONFIRMED
+    assert task(ANGLE).check(lambda X, Y: np.angle(X + 1j * Y) % (np.pi / 2)).outcome is Outcome.WRONG
 
 
 def test_what_branches_on_values_is_confirmed_and_says_so() -> None:
@@ -92,6 +114,14 @@ def test_what_branches_on_values_is_confirmed_and_says_so() -> None:
         (DETERMINANT, lambda t1, t2, a, b: a * b * math.cos(t2), "cosine for sine"),
         (Table("planar_2r", "classic"), [("theta_1", 0, "l_2", 0), ("theta_2", 0, "l_1", 0)], "a"),
         (Table("planar_2r", "classic"), [("theta_1", 0, "l_1", 0)], "2 rows"),
+        (COSINE, r"\pm\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", "which of the two signs"),
+        (POSITION, np.zeros(2), "the values for one case"),
+        (POSITION, r"\begin{bmatrix} l_1 C_1 \end{bmatrix}", "the result is"),
+        (ANGLE, r"\arctan\frac{Y}{X}", "not equal"),
+        (ANGLE, lambda X, Y: math.degrees(math.atan2(Y, X)), "in degrees"),
+        (DETERMINANT, lambda theta_1, theta_2, l_1, l_2: l_1 * l_2 * np.sin(np.radians(theta_2)), "taken as degrees"),
+        (DAMPED, r"\lambda", "not equal"),
+        (Choice({"a": "one", "b": "two"}, "b"), "a, b", "one of them is asked for"),
         (Number(2), 3, "is not 3"),
         (Number((1.0, 2.0)), 1, "2 numbers"),
         (Choice({"a": "one", "b": "two"}, "b", {"a": "one is too few"}), "a", "one is too few"),
@@ -130,13 +160,23 @@ def test_a_stub_is_not_attempted(asks: Any) -> None:
         (POSITION, "k_7 l_1", "the letters are theta_1, theta_2, l_1, l_2"),
         (POSITION, {"x": 1}, "is no formula"),
         (POSITION, "x" * 30_000, "too long"),
-        (POSITION, np.zeros((2, 2, 2)), "not an array of shape"),
+        (POSITION, np.zeros((2, 2, 2)), "not an array of more dimensions"),
+        (COSINE, "\\begin{bmatrix}".replace("\\b", "\b"), 'write r"'),
+        (COSINE, "k + x", "k is no letter of this task; the letters are x, y, l_1, l_2"),
+        (ANGLE, r"\beta", "is no letter of this task; the letters are X, Y"),
+        (DETERMINANT, "l_1 l_2 s_2 = 0", "without = 0"),
+        (
+            Table("planar_2r", "classic"),
+            [("theta_1", 0, "L", 0), ("theta_2", 0, "l_2", 0)],
+            "row 1: a: there is no letter L",
+        ),
+        (Table("planar_2r", "classic"), [("theta_1", 0, None, 0), ("theta_2", 0, "l_2", 0)], "row 1: a is empty"),
         (COSINE, lambda x, y: x, "4 arguments: x, y, l_1, l_2"),
         (COSINE, lambda x, y, a, b: x / 0, "ZeroDivisionError in line"),
         (COSINE, lambda x, y, a, b: "text", ""),
         (Table("planar_2r", "classic"), [("theta_1", 0)], "row 1 is to hold 4 entries: theta, d, a, alpha"),
         (Table("planar_2r", "classic"), [{"a": 0}], "row 1 has no 'theta'"),
-        (Number(1), "one", "is one number"),
+        (Number(1), "one", "is a number"),
         (Choice({"a": "one", "b": "two"}, "b"), "z", "the options are 'a', 'b'"),
     ],
 )

@@ -11,11 +11,6 @@ TASKS = [pytest.param(task, id=f"{lesson.name}-{task.name}") for lesson in lesso
 EVERY_TASK = pytest.mark.parametrize("task", TASKS)
 
 
-@pytest.fixture(autouse=True)
-def no_progress(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("ARMPROOF_PROGRESS", "")
-
-
 @EVERY_TASK
 def test_every_right_answer_is_proved(task: Task) -> None:
     feedback = [task.check(answer) for answer in task.right]
