@@ -128,6 +128,7 @@ def _numbers(answer: Any) -> Any:
 
 def _numbers_of_text(text: str) -> list[float]:
     """Return the numbers of a text: "[0, 2]", "0 2", "pi/2"."""
+    text = text.replace("−", "-")
     plain = read_plain(text)
     if plain is None:
         return [float(part) for part in re.split(r"[,;\s]+", text.strip(" []()"))]

@@ -26,6 +26,8 @@ _FUNCTIONS = {
     "arcsin": "asin", "atan": "atan", "arctan": "atan", "atan2": "atan2", "arctan2": "atan2",
 }  # fmt: skip
 _MODULES = ("np", "numpy", "math", "sp", "sympy")
+_GREEK = "alpha|beta|gamma|delta|epsilon|theta|lambda|mu|rho|sigma|tau|phi|psi|omega|pi"
+_LETTER = re.compile(rf"(?:[A-Za-z]|{_GREEK})(?:_[A-Za-z0-9]+|\d*)")
 MOST_NODES = 2000
 
 
@@ -33,7 +35,7 @@ def read_plain(text: str) -> Any:
     """Return a traced number, or nested lists of such; None where the text is no Python expression of numbers and letters."""
     if re.search(r"[\\{]|\d_\d", text):  # LaTeX; T^1_2 is no power 12 of T
         return None
-    text = text.strip().replace("^", "**")  # in Python ^ binds less than +
+    text = text.strip().replace("−", "-").replace("^", "**")  # in Python ^ binds less than +
     safe = re.sub(r"\b(\w+)\b", lambda found: found[1] + "__" * keyword.iskeyword(found[1]), text)
     if (rows := re.fullmatch(r"\[([^\[\]]*;[^\[\]]*)\]", safe)) is not None:  # rows as in MATLAB, [v; w]
         safe = "[" + ", ".join(f"[{row}]" for row in rows[1].split(";")) + "]"
@@ -58,7 +60,10 @@ def _read(node: ast.expr) -> Any:
     if isinstance(node, ast.Constant) and type(node.value) in (int, float):
         return as_traced(node.value)
     if isinstance(node, ast.Name):
-        return constant(math.pi) if node.id == "pi" else symbol(node.id.removesuffix("__"))
+        name = node.id.removesuffix("__")
+        if not _LETTER.fullmatch(name):  # l_1l_2 and xy are products in LaTeX
+            raise _NoPlainText
+        return constant(math.pi) if name == "pi" else symbol(name)
     if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in _MODULES:
         if node.attr == "pi":
             return constant(math.pi)

@@ -19,6 +19,7 @@ from verification.document import Table as Printed
 from verification.errors import ReadError
 from verification.latex import nodes as n
 from verification.latex.reader import Reader
+from verification.names import Names, read_names
 from verification.verdict import Record, Verdict
 
 COLUMNS = {
@@ -135,9 +136,13 @@ class Table:
         except ReadError as error:
             raise AnswerError(f"{place}: {cell!r:.40} cannot be read: {error}") from None
         for name in n.walk(node):
-            if isinstance(name, n.Name) and name.key not in self._letters and name.key != "pi":
+            if isinstance(name, n.Name) and self._names.known_symbol(name.key) is None and name.key != "pi":
                 raise AnswerError(f"{place}: there is no letter {name.key}; the letters are {', '.join(self._letters)}")
         return latex
+
+    @cached_property
+    def _names(self) -> Names:
+        return read_names(self.loaded, {"symbols": dict(self.symbols)})
 
     @cached_property
     def _letters(self) -> tuple[str, ...]:

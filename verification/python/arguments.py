@@ -102,7 +102,8 @@ def _joint_parameters(
     positional = [p for p in plain if p.kind is not p.KEYWORD_ONLY]
     if len(required) == n > 1 and len([p for p in required if p in positional]) == n:
         return {}, False
-    if len(required) <= 1 and positional and (not required or required[0] is positional[0]):
+    one_joint_of_many = n > 1 and required and any(_names_joint(required[0].name, j.symbol, j.kind) for j in arm.joints)
+    if len(required) <= 1 and positional and (not required or required[0] is positional[0]) and not one_joint_of_many:
         return {}, True
     if not required and any(p.kind is p.VAR_POSITIONAL for p in parameters):
         return {}, False
