@@ -121,6 +121,15 @@ class Claim:
         cells = [[np.broadcast_to(cell, (SAMPLES,)) for cell in row] for row in rows]
         return np.moveaxis(np.array(cells, dtype=float), -1, 0)
 
+    def value_at(self, latex: str, at: Mapping[str, float]) -> float:
+        """Return a scalar formula at given values of joints and letters."""
+        joints = self.arm.joints if self.arm is not None else ()
+        q = np.array([[at.get(joint.symbol, 0.0) for joint in joints]])
+        sampled = SampledAlgebra(self._checker.exact, q, SEED, {name: np.array([value]) for name, value in at.items()})
+        self._allow_time()
+        value = Evaluator(self._checker.names, sampled).evaluate(self._checker.names.reader.read_expression(latex))
+        return float(np.ravel(value)[0])
+
     @cached_property
     def samples(self) -> SampledAlgebra:
         """The algebra of values at random: of the joints, and of letters that have none of their own."""

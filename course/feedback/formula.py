@@ -72,7 +72,19 @@ class Formula:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the arguments, or a formula."""
-        return self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        if feedback.at and set(self.given) & set(self.arguments):
+            return replace(feedback, at=self._at_arguments(feedback.at))
+        return feedback
+
+    def _at_arguments(self, at: Mapping[str, float]) -> Mapping[str, float]:
+        """Return the values of the arguments where a counterexample has those of the joints that give them."""
+        if set(at) == set(self.arguments):
+            return at
+        try:
+            return {name: self.claim.value_at(_as_latex(name), at) for name in self.arguments}
+        except ArmproofError:
+            return at
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""

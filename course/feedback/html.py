@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from importlib import resources
 
@@ -69,7 +70,8 @@ def _table(feedback: Feedback) -> Markup:
 
 
 def _sentence(text: str) -> str:
-    return pretty(text[:1].upper() + text[1:])
+    begins_with_word = re.match(r"[a-z]+(?!\w)", text) is not None  # theta_1 and θ stay as they are
+    return pretty(text[:1].upper() + text[1:] if begins_with_word else text)
 
 
 @cache

@@ -142,7 +142,8 @@ class Task:
         return f"{self.title}\n\n{self.text}\n\nlesson.{self.name}.check(answer), .hint(), .solution()"
 
     def _repr_markdown_(self) -> str:
-        return f"**{self.title}.** {self.text}"
+        end = "" if self.title.endswith(("?", "!")) else "."
+        return f"**{self.title}{end}** {self.text}"
 
 
 @lru_cache(maxsize=4096)

@@ -25,7 +25,10 @@
 # # 1 · Frames and homogeneous transforms
 #
 # Every formula of this course is a product of a few 4×4 matrices. Here you write them, chain them, invert them, and read one in Drake.
-# The matrices are those of MECA 953, *Robotique*, MMT5, 2022 (document 001), slide "Matrice de passage homogène".
+# The matrices are those of MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Matrice de passage homogène Denavit-Hartenberg".
+#
+# An answer may be numbers, a Python function, a SymPy expression or LaTeX. `lesson.predict.hint()` gives a hint on the task `predict`, one
+# more at each call; the same goes for every task.
 
 # %%
 import numpy as np
@@ -102,8 +105,8 @@ lesson.rotation_y.check(rotation_y)
 #
 # ### Task: turn, rise, move
 #
-# Frame B starts on frame A, turns by `theta` about z, moves `d` along z, then `a` along its own x. Write its pose in A, 4×4; LaTeX will do
-# as well as Python.
+# Frame B starts on frame A, turns by `theta` about z, moves `d` along z, then `a` along its own x. Write its pose in A, 4×4: as LaTeX,
+# `r"\begin{bmatrix} … & … \\ … & … \end{bmatrix}"` (the `r` matters), or as a function of `theta`, `d`, `a` in this order.
 
 # %%
 ### BEGIN SOLUTION
@@ -116,7 +119,7 @@ lesson.compose.check(T_AB)
 # ### Task: what may change places
 #
 # Which pairs give the same product in both orders, for all values? `a`: Rot_x and Trans_x; `b`: Rot_z and Trans_x; `c`: Rot_x and Rot_z;
-# `d`: Trans_x and Trans_z. Write a list of letters.
+# `d`: Trans_x and Trans_z. Write a list of letters, in quotes: `["c"]`.
 
 # %%
 ### BEGIN SOLUTION
@@ -193,7 +196,7 @@ lesson.pose.show(pose, theta_1=0.5, theta_2=0.8)
 # ## Reading a pose in Drake
 #
 # Drake writes `X_AB` for the pose of B in A. The inner letters of a product meet: `X_AC = X_AB @ X_BC`, `p_AP = X_AB @ p_BP`. Change the
-# two angles and compare with your matrix.
+# two angles and compare with your matrix; Drake's arm has $l_1 = 0.45$ m and $l_2 = 0.35$ m.
 
 # %%
 context = arm.plant.CreateDefaultContext()
@@ -205,7 +208,7 @@ X_02.GetAsMatrix4().round(4)
 # ### Task: Drake's order
 #
 # `p_0P` holds a point in frame 0. What gives it in frame 2? `a`: `X_02 @ p_0P`; `b`: `X_02.inverse() @ p_0P`;
-# `c`: `X_02.rotation().transpose() @ p_0P`; `d`: `p_0P - X_02.translation()`.
+# `c`: `X_02.rotation().transpose() @ p_0P`; `d`: `p_0P - X_02.translation()`. Write the letter, in quotes.
 
 # %%
 ### BEGIN SOLUTION

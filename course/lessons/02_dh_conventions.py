@@ -42,7 +42,7 @@ lesson
 # ## Predict
 #
 # In the modified convention: where is $O_1$? `a`: at the motor, on the floor; `b`: on axis 1, at the height $h$; `c`: on axis 2, nearest to
-# axis 1; `d`: in the middle between the two axes.
+# axis 1; `d`: in the middle between the two axes. Write the letter, in quotes; a guess will do, the rule comes next.
 
 # %%
 ### BEGIN SOLUTION
@@ -72,7 +72,8 @@ sketch(load_arm(MODIFIED), table=False)
 # %% [markdown]
 # ### Task: the modified table
 #
-# Three rows $(\alpha_{i-1}, a_{i-1}, d_i, \theta_i)$; letters as text, angles in radians, as in `"pi/2"`.
+# For the frames in the figure: a list of three rows $(\alpha_{i-1}, a_{i-1}, d_i, \theta_i)$; letters as text, angles in radians, as in
+# `"pi/2"`.
 
 # %%
 ### BEGIN SOLUTION
@@ -96,7 +97,7 @@ sketch(load_arm(CLASSIC), table=False)
 # %% [markdown]
 # ### Task: the classic table
 #
-# Three rows $(\theta_i, d_i, a_i, \alpha_i)$.
+# For these frames: three rows $(\theta_i, d_i, a_i, \alpha_i)$, in this order.
 
 # %%
 ### BEGIN SOLUTION
@@ -168,7 +169,7 @@ lesson.classic_matrix.check(classic_matrix)
 # ### Task: the inverse, modified
 #
 # The slide "Transformation inverse" prints blocks that do not fit together. Write the inverse of the modified matrix in full, 4×4; `a` and
-# `alpha` stand for $a_{i-1}$ and $\alpha_{i-1}$.
+# `alpha` stand for $a_{i-1}$ and $\alpha_{i-1}$. LaTeX, or a function of `a`, `alpha`, `d`, `theta`.
 
 # %%
 ### BEGIN SOLUTION
@@ -191,7 +192,7 @@ lesson.modified_inverse.check(inverse)
 #
 # The slide exchanges $a_i$ and $d_i$ in the classic matrix **and** in its inverse. Which checks find that? `a`: the product of the two printed
 # matrices is the identity; `b`: the determinant of the rotation block is 1; `c`: the origin at $\theta_i = \alpha_i = d_i = 0$; `d`: the pose
-# in Drake, with different $a_i$ and $d_i$; `e`: the pose in Drake, with $a_i = d_i$.
+# in Drake, with different $a_i$ and $d_i$; `e`: the pose in Drake, with $a_i = d_i$. Write a list of letters.
 
 # %%
 ### BEGIN SOLUTION

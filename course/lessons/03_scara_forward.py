@@ -141,7 +141,7 @@ lesson.link.check(link)
 #
 # ### Task: $U_2$
 #
-# 4×4, as LaTeX; write `C_4` for the cosine of $\theta_4$.
+# 4×4, as LaTeX: `r"\begin{bmatrix} … & … \\ … & … \end{bmatrix}"`; write `C_4` for the cosine of $\theta_4$.
 
 # %%
 ### BEGIN SOLUTION
@@ -192,7 +192,7 @@ lesson.forward.show(forward, theta_1=0.5, theta_2=0.9, d_2=0.12, theta_4=-0.6)
 # ### Task: the slide's own program
 #
 # In the zero pose the slide shows the output `[1.0*a2 + 1.0*a3, 0, -1.0*d2, 1.0]`. Its listing says `d3 = symbols('d2')`. What does it really
-# print as the third number? `a`: `-1.0*d2`; `b`: `1.0*d2`; `c`: `0`; `d`: an error.
+# print as the third number? `a`: `-1.0*d2`; `b`: `1.0*d2`; `c`: `0`; `d`: an error. Write the letter, in quotes.
 
 # %%
 ### BEGIN SOLUTION
@@ -212,14 +212,14 @@ lesson.listing.check(third)
 #
 # $$z = -q_3 \qquad \theta = q_1 + q_2 + q_4$$
 #
-# > **Erratum** (slide "MGD robot SCARA – Vérification géométrique", as printed, against its own $z = -d_2$)
+# > **Erratum** (slide "MGD robot SCARA – Vérification géométrique", as printed, against $z = -d_2$ on the slide before)
 # > $$z = q_3$$
 #
 # A view from above says nothing about heights: that is where the slip could hide.
 #
 # ### Task: the distance from axis 1
 #
-# Write $P_x^2 + P_y^2$ in `theta_2`, `a_2`, `a_3`, with $\theta_2$ as the only angle.
+# Write $x^2 + y^2$, the squared distance of the tool from axis 1, in `theta_2`, `a_2`, `a_3`, with $\theta_2$ as the only angle.
 
 # %%
 ### BEGIN SOLUTION

@@ -62,8 +62,8 @@ lesson.predict.check(upright)
 #
 # ### Task: six rows
 #
-# A list of $(\alpha_{i-1}, a_{i-1}, d_i, \theta_i)$; read each twist off the figure by the right-hand rule. Beware: the slides' $d_3$ is not the
-# offset of row 3.
+# A list of $(\alpha_{i-1}, a_{i-1}, d_i, \theta_i)$, letters as text, angles as in `"pi/2"`; read each twist off the figure by the right-hand
+# rule. Beware: the slides' $d_3$ is not the offset of row 3.
 
 # %%
 ### BEGIN SOLUTION
@@ -94,7 +94,7 @@ lesson.table.check(rows)
 #
 # ### Task: the last link matrix
 #
-# Write it as row 6 has it, 4×4.
+# Write it as row 6 has it, 4×4: LaTeX with `C_6` and `S_6`, or a function of `q`, which holds all six angles.
 
 # %%
 ### BEGIN SOLUTION
@@ -134,7 +134,7 @@ lesson.fourth_product.check(fourth_product)
 # %% [markdown]
 # ### Task: $U_3$
 #
-# Four entries of the slide's matrix have lost a term or a letter. Write the right one, 4×4, by hand.
+# Four entries of the slide's matrix are wrong. Write the right one, 4×4, by hand.
 #
 # > **Erratum** (same slide, as printed)
 # > $$U_3 = {}^3T_6 = \begin{bmatrix} C\theta_4 C\theta_5 S\theta_4 C\theta_6 & -C\theta_4 C\theta_5 S\theta_6 & -C\theta_4 S\theta_5 & 0 \\ S\theta_5 C\theta_6 & -S\theta_5 S\theta_6 & C\theta_5 & d_3 \\ -S\theta_4 S\theta_5 S\theta_6 - C\theta_4 S\theta_6 & S\theta_4 C\theta_5 S\theta_6 & S\theta_4 S\theta_5 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}$$
@@ -183,7 +183,7 @@ lesson.wrist_centre.show(centre, theta_1=0.4, theta_2=0.9, theta_3=-0.7)
 # %% [markdown]
 # ### Task: the approach axis
 #
-# Write $\vec a = [a_x, a_y, a_z]$ in frame 0, as a column; `C_{23}` is the cosine of $\theta_2 + \theta_3$.
+# Write $\vec a = [a_x, a_y, a_z]^T$ in frame 0: LaTeX, where `C_{23}` is the cosine of $\theta_2 + \theta_3$, or a function of `q`.
 
 # %%
 ### BEGIN SOLUTION

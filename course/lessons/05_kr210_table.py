@@ -77,8 +77,8 @@ lesson.prediction.check(gripper)
 # %% [markdown]
 # ## A row of the URDF
 #
-# A row is a transform that never changes, followed by the turning of its joint about its own axis. Write ${}^1T_2$:
-# the offset is $(a_1, 0, d_2)$, the axis $y$. Which comes first?
+# A row holds an offset that never changes; its joint adds a turn about its own axis. Write ${}^1T_2$, 4×4: the offset is
+# $(a_1, 0, d_2)$, the axis $y$. Which comes first? (`q` holds all six angles, `q[1]` is $\theta_2$.)
 
 # %%
 import numpy as np
@@ -101,7 +101,8 @@ lesson.urdf_link.check(urdf_link)
 #
 # Denavit and Hartenberg need four numbers a joint instead of six, because their frames may not sit anywhere: $z_i$ is
 # the axis of joint $i$, and $x_i$ runs along the common normal of $z_i$ and $z_{i+1}$. So look at the lines, not at
-# the joints. Which of the six axes meet in one point at every configuration?
+# the joints. Which three of the six axes meet in one point at every configuration? Write the list of their keys, of
+# `"z1"`, `"z2"`, … `"z6"`.
 
 # %%
 ### BEGIN SOLUTION
@@ -111,8 +112,8 @@ lesson.wrist.check(meeting)
 
 # %% [markdown]
 # An origin need not sit at its joint. $O_1$ moves up axis 1 to the height of the shoulder, and $O_4$, $O_5$, $O_6$
-# all move to the wrist's centre. Offsets along one line then merge. Write three distances in metres: from $O_0$ up to
-# $O_1$; along axis 4, from the foot of the perpendicular from axis 3 to $O_4$; and from $O_6$ to the gripper.
+# all move to the wrist's centre. Offsets along one line then merge. Write a list of three distances in metres: from $O_0$
+# up to $O_1$; along axis 4, from the foot of the perpendicular from axis 3 to $O_4$; and from $O_6$ to the gripper.
 
 # %%
 ### BEGIN SOLUTION
@@ -127,8 +128,8 @@ lesson.merged.check(distances)
 sketch(lesson.table.asks.loaded, table=False)
 
 # %% [markdown]
-# Write the table in our letters: six rows $(\alpha_{i-1}, a_{i-1}, d_i, \theta_i)$, entries as text or 0. Mind where
-# $x_1$ and $x_2$ point when all angles are zero.
+# Write the table in our letters: a list of six rows $(\alpha_{i-1}, a_{i-1}, d_i, \theta_i)$, entries as text or 0, angles in
+# radians, as in `"pi/2"`. Mind where $x_1$ and $x_2$ point when all angles are zero.
 
 
 # %%
@@ -154,8 +155,8 @@ lesson.table.check(table)
 # \sin\theta_i\sin\alpha_{i-1} & \cos\theta_i\sin\alpha_{i-1} & \cos\alpha_{i-1} & d_i\cos\alpha_{i-1} \\
 # 0 & 0 & 0 & 1 \end{bmatrix} $$
 #
-# Put row 2 into it and write ${}^1T_2$ between the DH frames. It is not the matrix of the URDF: the frames are
-# others.
+# Put row 2 into it and write ${}^1T_2$ between the DH frames, in $\theta_2$ and the letter $a_1$. It is not the matrix of
+# the URDF: the frames are others.
 
 
 # %%
@@ -171,7 +172,7 @@ lesson.dh_link.check(dh_link)
 
 # %% [markdown]
 # The DH frame 6 sits in the wrist, $z_6$ along the hand and $x_6$ up in the zero pose; the URDF's gripper frame $G$
-# is parallel to frame 0 there. Write the constant ${}^6T_G$ between them, in $d_6$ and $d_G$.
+# is parallel to frame 0 there. Write the constant ${}^6T_G$ between them, 4×4, in the letters $d_6$ and $d_G$.
 
 
 # %%

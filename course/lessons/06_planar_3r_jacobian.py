@@ -35,7 +35,7 @@
 # 2. find its linear half a second time by derivatives, and use one way to test the other,
 # 3. say when a Jacobian that is not square loses rank.
 #
-# The Jacobian is the forward differential model (*modèle cinématique direct*, MCD): it takes joint rates to
+# The Jacobian is the forward differential kinematics (*modèle cinématique direct*, MCD): it takes joint rates to
 # velocities.
 
 # %%
@@ -172,13 +172,14 @@ lesson.linear.check(linear)
 # Two ways to one matrix are a test of each other, and the source does not pass it. One sign slips on three slides,
 # the last time right under derivatives that have it right, and the slide says that both ways agree:
 #
-# > **Erratum** (slides "Le Jacobien obtenu" and "La matrice jacobienne devient", as printed)
+# > **Erratum** (slides "Le Jacobien obtenu" and "La matrice Jacobéenne devient", as printed)
 # >
 # > $$ J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} - l_3 S_{123} & l_2 S_{12} - l_3 S_{123} & -l_3 S_{123} \\ l_1 C_1 + l_2 C_{12} + l_3 C_{123} & l_2 C_{12} + l_3 C_{123} & l_3 C_{123} \\ 0 & 0 & 0 \\ 0 & 0 & 0 \\ 0 & 0 & 0 \\ 1 & 1 & 1 \end{bmatrix} $$
 #
 # ## When does it lose rank?
 #
-# A 6×3 matrix has no determinant. Its three rows that are not zero, $J_r$, have one. Give it, as short as you can.
+# A 6×3 matrix has no determinant. Its three rows that are not zero, of $v_x$, $v_y$ and $\omega_z$, form a square matrix
+# $J_r$, which has one. Write $\det J_r$, as short as you can.
 
 # %%
 ### BEGIN SOLUTION

@@ -31,6 +31,9 @@
 # 1. read off link transforms which point they lead to, and see that the exercise leaves its tool point open,
 # 2. work out position (*modèle géométrique direct*, MGD) and Jacobian of an arm whose axes are not all parallel,
 # 3. find its singular configurations from the factors of one determinant.
+#
+# An answer may be a Python function, a SymPy expression or LaTeX. `lesson.prediction` shows the task in full,
+# `lesson.prediction.hint()` gives a hint, one more at each call.
 
 # %%
 from course.feedback import open_lesson
@@ -66,8 +69,8 @@ sketch(load_arm("spatial_rrr"), table=False)
 # %% [markdown]
 # ## Predict
 #
-# Look at $T_2^3$ alone. Joint 3 turns, the others rest. What does the origin of frame 3 do: `rest`, `circle`,
-# `shoulder` or `line`?
+# Look at $T_2^3$ alone. Joint 3 turns, the others rest. What does the origin of frame 3 do: does it `"rest"`, run on a
+# `"circle"` about axis 3, on one about axis 2 (`"shoulder"`), or along a `"line"`?
 
 # %%
 ### BEGIN SOLUTION
@@ -96,8 +99,8 @@ def elbow(q, l_1, l_2):
 lesson.elbow.check(elbow)
 
 # %% [markdown]
-# Write its linear Jacobian, the derivatives by $\theta_1$, $\theta_2$, $\theta_3$, 3×3. A LaTeX string is the
-# shortest.
+# Write its linear Jacobian, the derivatives with respect to $\theta_1$, $\theta_2$, $\theta_3$, 3×3. A LaTeX string
+# is the shortest.
 
 # %%
 ### BEGIN SOLUTION
@@ -118,8 +121,8 @@ lesson.elbow_linear.check(elbow_linear)
 #
 # ## The second reading: $P$ lies beyond the elbow
 #
-# A forearm of length $l_3$ is missing, a letter that the data do not have. With the printed $T_2^3$ the forearm is
-# along the third axis of frame 3. Write $z_3$ in frame 0.
+# A forearm is missing; its length $l_3$ is not among the data. The printed $T_2^3$ turns frame 3 by 90° about its first
+# axis, as is usual for a forearm along the third one. Write $z_3$ in frame 0.
 
 
 # %%
@@ -211,7 +214,7 @@ draw_kind(find_kind("singular"), load_arm("spatial_rrr"))
 # %% [markdown]
 # ## The limits
 #
-# With the elbow in line, $P$ is on a sphere about the shoulder:
+# How far $P$ is from the shoulder depends on $\theta_3$ alone, and is largest and smallest with the elbow in line:
 #
 # $$ P_x^2 + P_y^2 + (P_z - l_1)^2 = l_2^2 + l_3^2 + 2 l_2 l_3 S_3 $$
 #
@@ -230,4 +233,4 @@ lesson.limits.check(ranks)
 # - Take $l_2 = l_3$ and fold the arm: where is $P$, and what is the rank of $J_L$?
 #   `armproof singularities spatial_rrr --frame P --rows 1,2,3` answers.
 # - A third reading puts $P$ along $x_3$. What would change in the determinant?
-# - Many industrial arms begin with these three joints. The KR210 of lesson 5 does, with two offsets more and a wrist.
+# - Many industrial arms begin with these three joints. The KR210 of lesson 5 does, with two more offsets and a wrist.

@@ -197,8 +197,8 @@ lesson.rank.check(rank)
 # $$ \left. \begin{bmatrix} C_1 & S_1 & 0 & 0 & 0 & 0 \end{bmatrix} J(q) \right|_{\theta_2 = 0} = \begin{bmatrix} 0 &
 # 0 & 0 & 0 \end{bmatrix} $$
 #
-# What the tool loses, the joints gain: there are joint rates that it does not notice. Write them for the stretched
-# arm, with $\dot\theta_1 = a_2$.
+# What the tool loses, the joints gain: there are joint rates with which it neither moves nor turns. Write them for the
+# stretched arm, with $\dot\theta_1 = a_2$.
 
 
 # %%
@@ -236,8 +236,8 @@ for theta_2 in (1.5, 0.5, 0.1, 0.01, 0):
 #
 # $$ p_{4,x}^2 + p_{4,y}^2 = a_1^2 + a_2^2 + 2a_1a_2\cos\theta_2 $$
 #
-# Take equal links, $a_1 = a_2$, and fold the arm. Where is the tool: on the `outer` limit, on the `inner` one,
-# `inside` (and singular), or `regular` (inside, not singular)?
+# Take equal links, $a_1 = a_2$, and fold the arm. Where is the tool: on the `"outer"` limit, on the `"inner"` one,
+# `"inside"` (and singular), or `"regular"` (inside, not singular)?
 
 # %%
 ### BEGIN SOLUTION

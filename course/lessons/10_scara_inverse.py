@@ -56,9 +56,9 @@ draw_kind(find_kind("sketch"), load_arm("scara_column"))
 # %% [markdown]
 # ## Predict: how many postures?
 #
-# Before any formula: how many pairs $(\theta_1, \theta_2)$ reach a target strictly between the two limit circles, on
-# the outer circle, and outside it? Draw the two circles on which the elbow must be, one about the first axis, one
-# about the target. Write the three numbers.
+# The tool covers a ring about the first axis. Before any formula: how many pairs $(\theta_1, \theta_2)$ reach a target
+# inside the ring, on its outer circle, and beyond that? The elbow is on two circles, one about the first axis, one about
+# the target: draw them for each case. Write the three numbers.
 
 # %%
 ### BEGIN SOLUTION

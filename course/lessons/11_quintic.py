@@ -54,7 +54,7 @@ draw_kind(find_kind("sketch"), load_arm("scara_column"))
 # $$ \frac{\partial q_\ell}{\partial t} = \frac{q_f - q_0}{t_f} $$
 #
 # The joint stands still before the start. What would its acceleration have to be at the start: `"zero"`, `"constant"`,
-# `"falling"` or `"infinite"`?
+# `"falling"` (large, then falling to zero) or `"infinite"`?
 
 # %%
 ### BEGIN SOLUTION
@@ -191,8 +191,8 @@ lesson.peak_acceleration.check(peak_acceleration)
 # %% [markdown]
 # ## Limits
 #
-# A drive has a highest speed $k_v$ and a highest acceleration $k_a$. Which durations does each allow? The longer of
-# the two counts.
+# A drive has a highest speed $k_v$ and a highest acceleration $k_a$. A motion over $d$ just reaches $k_v$ if it takes
+# the time $T_v$, and just reaches $k_a$ if it takes $T_a$. Write $T_v$ and $T_a^2$; the longer of the two times counts.
 
 
 # %%

@@ -43,7 +43,7 @@ lesson
 # Document 002 prints the Jacobian of the planar 3R arm on two slides with the same wrong sign. Here are the rows of
 # the position:
 #
-# > **Erratum** (slides "Le Jacobien obtenu est le suivant" and "La matrice jacobienne devient", as printed, first two
+# > **Erratum** (slides "Le Jacobien obtenu est le suivant" and "La matrice Jacobéenne devient", as printed, first two
 # > rows)
 # >
 # > $$ J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} - l_3 S_{123} & l_2 S_{12} - l_3 S_{123} & -l_3 S_{123} \\ l_1 C_1 + l_2 C_{12} + l_3 C_{123} & l_2 C_{12} + l_3 C_{123} & l_3 C_{123} \end{bmatrix} $$
@@ -86,7 +86,7 @@ quantities:
 
 # The planar 2R arm
 
-The gripper is at
+In frame 0 the gripper is at
 
 $$ p_2 = \begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix} \tag{1} $$
 
@@ -103,7 +103,10 @@ $$ X^2 + Y^2 = l_1^2 + l_2^2 + l_1 l_2 C_2 \tag{3} $$
 
 and its velocity from the Jacobian
 
-$$ J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} & l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} & l_2 C_{12} \end{bmatrix} \tag{4} $$
+$$
+J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} & l_2 S_{12} \\
+l_1 C_1 + l_2 C_{12} & l_2 C_{12} \end{bmatrix} \tag{4}
+$$
 
 with the determinant
 
@@ -120,7 +123,7 @@ The arm is singular where it is stretched or folded:
 
 $$ \det J = 0 \iff \theta_2 = 0 \text{ or } \theta_2 = \pi \tag{7} $$
 
-The last link points along
+In frame 0 the last link points along
 
 $$ x_2 = \begin{bmatrix} C_2 \\ S_2 \\ 0 \end{bmatrix} \tag{8} $$
 """
@@ -154,7 +157,8 @@ hidden = ["2", "4", "8"]
 lesson.zero_pose.check(hidden)
 
 # %% [markdown]
-# A random pose finds more. But the error in which display stays hidden if both links are given the same length?
+# A random pose finds more. But the error in which display stays hidden if both links are given the same length? Write its
+# number, such as `"1"`.
 
 # %%
 ### BEGIN SOLUTION
@@ -187,7 +191,7 @@ lesson.jacobian.check(jacobian)
 lesson.jacobian.show(jacobian, theta_1=0.4, theta_2=1.1)
 
 # %% [markdown]
-# Then the transform (2), the distance (3) and the inverse (6).
+# Then the transform (2), the distance (3) and the inverse (6); for (8) a pencil will do.
 
 # %%
 ### BEGIN SOLUTION

@@ -39,6 +39,8 @@ def show_rates(rates: Any, damping: float = 0.06) -> Any:
             found = [np.array(rates(0.0, t, arm.lengths["l_1"], arm.lengths["l_2"], SPEED, 0.0), float) for t in elbow]
     except Exception as problem:
         return Shown(f"`rates`: the function stops with {type(problem).__name__}: {problem}")
+    if all(rate.size == 1 and np.isnan(rate).all() for rate in found):  # what None becomes
+        return Shown("`rates`: no answer yet, nothing to draw.")
     values = np.array([rate.ravel() for rate in found if rate.size == 2])
     if values.shape != (len(elbow), 2):
         return Shown("`rates`: two joint rates are needed for the plot.")
@@ -238,6 +240,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
+                    lambda theta, r: [[np.cos(theta), np.sin(theta)], [-np.sin(theta), np.cos(theta)]],
+                    "that takes velocities to velocities: a turn about the axis at the rate 1 moves the gripper at r",
+                    own=True,
+                ),
+                Wrong(
                     r"\frac{1}{r} \begin{bmatrix} r\cos\theta & r\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}",
                     "the off-diagonal entries turn their signs: one of the two has not",
                     own=True,
@@ -265,6 +272,7 @@ LESSON = Lesson(
                 ),
                 Wrong(0.5, "the other way round: the speed of the gripper is divided by the distance", own=True),
                 Wrong(np.degrees(2.0), "that is in degrees per second", own=True),
+                Wrong(-2.0, "the amount is asked for, without a sign", own=True),
                 Wrong(40.0, "divided by the square of the distance: the determinant divides once", own=True),
             ),
         ),
@@ -294,7 +302,7 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     r"l_1 l_2 \sin(\theta_1 + \theta_2)",
-                    "turning the whole arm about its base cannot make it singular: theta_1 has to drop out",
+                    "turning the whole arm about its base cannot make it singular: θ_1 has to drop out",
                     own=True,
                 ),
                 Wrong(
@@ -333,7 +341,7 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     r"\begin{bmatrix} l_2 C_2 & l_2 S_2 \\ -l_1 C_1 - l_2 C_2 & -l_1 S_1 - l_2 S_2 \end{bmatrix}",
-                    "the second link points along theta_1 + theta_2: C_12 and S_12, not C_2 and S_2",
+                    "the second link points along θ_1 + θ_2: C_12 and S_12, not C_2 and S_2",
                     own=True,
                 ),
                 Wrong(lambda *of: -adjugate(*of), "sign"),
@@ -375,8 +383,13 @@ LESSON = Lesson(
                 ),
                 Wrong(RATES.replace("-\\frac", "\\frac"), "entry (2, 1): wrong sign"),
                 Wrong(
+                    lambda *of: [rates(*of)[0], rates(*of)[0] + rates(*of)[1]],
+                    "that is the rate of θ_1 + θ_2: joint 2 turns relative to the first link",
+                    own=True,
+                ),
+                Wrong(
                     RATES.replace("l_1 S_2}", "l_1 C_2}").replace("l_2 S_2}", "l_2 C_2}"),
-                    "the determinant has the sine of theta_2, not its cosine",
+                    "the determinant has the sine of θ_2, not its cosine",
                     own=True,
                 ),
                 Wrong(
@@ -453,6 +466,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(LEFT.replace("-r\\sin", "r\\sin"), "entry (2, 1): wrong sign"),
+                Wrong(
+                    lambda theta, r: left_inverse(theta, r)[::-1],
+                    "the rows are swapped: the first one gives the rate of r",
+                    own=True,
+                ),
             ),
         ),
         Task(
@@ -476,7 +494,7 @@ LESSON = Lesson(
                 Wrong(r"\frac{1}{\sigma}", "this is the gain without damping", own=True),
                 Wrong(
                     r"\frac{1}{\sigma^2 + \lambda^2}",
-                    "a factor sigma is missing: the first term is differentiated through sigma times the rate",
+                    "a factor σ is missing: the first term is differentiated through σ times the rate",
                     own=True,
                 ),
                 Wrong(
@@ -488,7 +506,7 @@ LESSON = Lesson(
                 Wrong(r"\frac{\sigma}{\sigma^2 + \lambda}", "square"),
                 Wrong(
                     r"\frac{\sigma^2}{\sigma^2 + \lambda^2}",
-                    "this is the part of the velocity that is reached, sigma times the gain",
+                    "this is the part of the velocity that is reached, σ times the gain",
                     own=True,
                 ),
             ),
@@ -510,14 +528,14 @@ LESSON = Lesson(
                 r"\frac{\lambda}{\lambda^2 + \lambda^2}",
             ),
             wrong=(
-                Wrong(r"\frac{1}{\lambda}", "at sigma = lambda the two squares below the line add up", own=True),
+                Wrong(r"\frac{1}{\lambda}", "at σ = λ the two squares below the line add up", own=True),
                 Wrong(
                     r"\frac{1}{\lambda^2}",
-                    "a gain has the unit of 1/lambda: put sigma = lambda into the whole fraction",
+                    "a gain has the unit of 1/λ: put σ = λ into the whole fraction",
                     own=True,
                 ),
-                Wrong(r"\frac{\lambda}{2}", "upside down: sigma stands above the line, the squares below", own=True),
-                Wrong(r"\frac{1}{2\lambda^2}", "the sigma above the line cancels one lambda", own=True),
+                Wrong(r"\frac{\lambda}{2}", "upside down: σ stands above the line, the squares below", own=True),
+                Wrong(r"\frac{1}{2\lambda^2}", "the σ above the line cancels one λ", own=True),
             ),
         ),
         Task(
@@ -536,7 +554,7 @@ LESSON = Lesson(
                 right="zero",
                 because={
                     "infinite": "that is the inverse without damping; no gain is larger than the one you just found",
-                    "jump": "the gain is a smooth function of sigma as long as lambda is not 0: nothing jumps",
+                    "jump": "the gain is a smooth function of σ as long as λ is not 0: nothing jumps",
                     "bounded": "the singular value of the lost direction goes to 0: put that into the gain",
                 },
             ),

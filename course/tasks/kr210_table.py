@@ -106,6 +106,10 @@ def _no_tool_rotation(q):
     return _product(_rows, np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.303], [0, 0, 0, 1]]))(q)
 
 
+def _no_tool(q):
+    return _product(_rows, np.eye(4))(q)
+
+
 def _no_gripper(q):
     return _product(_rows, np.array([[0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, 0.193], [0, 0, 0, 1]]))(q)
 
@@ -243,7 +247,7 @@ LESSON = Lesson(
         Task(
             name="wrist",
             title="Three axes, one point",
-            text="Which joint axes meet in one point, at every configuration? Give the list of their keys: `z1`, `z2`, `z3`, `z4`, `z5`, `z6`.",
+            text="Which three joint axes meet in one point, at every configuration? Give the list of their keys: `z1`, `z2`, `z3`, `z4`, `z5`, `z6`.",
             asks=Choice(
                 {f"z{k}": f"the axis of joint {k}" for k in range(1, 7)},
                 frozenset({"z4", "z5", "z6"}),
@@ -368,6 +372,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(lambda q, a_1: dh_link(q, a_1).T, "transposed"),
+                Wrong(
+                    lambda q: dh_link(q, 0.35),
+                    "the matrix is right for a_1 = 0.35 m only: make the letter a_1 an argument of your function",
+                    own=True,
+                ),
             ),
         ),
         Task(
@@ -408,6 +417,11 @@ LESSON = Lesson(
                 ),
                 Wrong(TOOL.replace("d_6 + d_G", "d_G"), "missing"),
                 Wrong(
+                    TOOL.replace("d_6 + d_G", "0.303"),
+                    "the matrix is right for this arm, but its lengths are to stand as letters, not as numbers",
+                    own=True,
+                ),
+                Wrong(
                     r"\begin{bmatrix} 0 & 0 & -1 & 0 \\ 0 & 1 & 0 & 0 \\ 1 & 0 & 0 & d_6 + d_G \\ 0 & 0 & 0 & 1 \end{bmatrix}",
                     "a quarter turn alone is not enough: z_G would point down",
                     own=True,
@@ -432,6 +446,9 @@ LESSON = Lesson(
                     _no_tool_rotation,
                     "the position is right, but your last frame is the DH frame 6: turn it into the gripper's",
                     own=True,
+                ),
+                Wrong(
+                    _no_tool, "this ends at the DH frame 6, in the wrist: the last factor, ⁶T_G, is missing", own=True
                 ),
                 Wrong(_forearm_up, "the sign of the length a_3 is wrong"),
                 Wrong(_no_gripper, "this is that of frame 6, not G"),

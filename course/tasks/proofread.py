@@ -177,13 +177,13 @@ LESSON = Lesson(
                     "2": "there is more: turn the elbow by 90° in a drawing, and see where x_2 points",
                     "3": "there is more: how far does the stretched arm reach?",
                     "4": "there is more: take the derivative of (1)",
-                    "6": "there is more: a product of two matrices of the sheet ought to be I",
+                    "6": "there is more: with the Jacobian as it should be, one product ought to be I",
                     "8": "there is more: both joints turn the last link",
                 },
             ),
             hints=(
                 "Differentiate (1) and compare with (4). Draw the arm at $\\theta_1 = \\theta_2 = 90°$ for (2) and (8).",
-                "Put $\\theta_2 = 0$ into (3): the stretched arm reaches $l_1 + l_2$. In (6) look at the units of each entry, then multiply by (4).",
+                "Put $\\theta_2 = 0$ into (3): the stretched arm reaches $l_1 + l_2$. Multiply (6) by the Jacobian as it should be.",
                 "Five are wrong, three are right; (1) and (5) are among the right ones.",
             ),
             right=(["2", "3", "4", "6", "8"], "2, 3, 4, 6, 8", {"8", "6", "4", "3", "2"}),
@@ -245,7 +245,9 @@ LESSON = Lesson(
                     "3": "(3) lacks a factor, which numbers for the lengths do not mend",
                     "4": "(4) has a wrong sign, and that shows with any length",
                     "8": "(8) has no length at all; a random angle shows it",
+                    "1": "(1) is not wrong",
                     "5": "(5) is not wrong",
+                    "7": "(7) is not wrong",
                 },
             ),
             hints=(
@@ -295,7 +297,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     TRANSFORM.replace("C_2 & -S_2", "C_2 & S_2").replace("S_2 & C_2 & 0", "-S_2 & C_2 & 0"),
-                    "the rotation is transposed, as the sheet has it: x_2 would turn against theta_2",
+                    "the rotation is transposed, as the sheet has it: x_2 would turn against θ_2",
                     own=True,
                 ),
                 Wrong(lambda q, l_2: np.linalg.inv(transform(q, l_2)), "the inverse"),
@@ -306,7 +308,7 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     lambda q, l_2: transform((0, q[0] + q[1]), l_2),
-                    "frame 2 in frame 1 turns with theta_2 alone",
+                    "frame 2 in frame 1 turns with θ_2 alone",
                     own=True,
                 ),
                 Wrong(lambda q, l_2: transform(q, l_2)[:3, :3], "4"),
@@ -337,13 +339,13 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     "l_1^2 + l_2^2 + l_1 l_2 C_2",
-                    "that is how the sheet prints it: at theta_2 = 0 it is not the square of l_1 + l_2",
+                    "that is how the sheet prints it: at θ_2 = 0 it is not the square of l_1 + l_2",
                     own=True,
                 ),
                 Wrong("l_1^2 + l_2^2 - 2 l_1 l_2 C_2", "sign"),
                 Wrong(
                     "l_1^2 + l_2^2 + 2 l_1 l_2 S_2",
-                    "at theta_2 = 0 the arm is stretched: the cross term needs the cosine",
+                    "at θ_2 = 0 the arm is stretched: the cross term needs the cosine",
                     own=True,
                 ),
                 Wrong("l_1^2 + l_2^2", "this is Pythagoras, right only where the elbow has a right angle", own=True),

@@ -116,6 +116,8 @@ def _coefficients(answer, q_0, q_f, t_f):
         rows = [np.array(answer(*ends, t_f), dtype=float).ravel() for ends in zip(q_0, q_f, strict=True)]
     except Exception as problem:
         return Shown(f"`coefficients`: the function stops with {type(problem).__name__}: {problem}")
+    if all(row.shape == (1,) and np.isnan(row).all() for row in rows):  # what None becomes
+        return Shown("`coefficients`: no answer yet, nothing to draw.")
     if any(row.shape != (6,) or not np.isfinite(row).all() for row in rows):
         return Shown("`coefficients`: six numbers are needed for the plot.")
     return np.array(rows)
@@ -412,7 +414,7 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     lambda t, q_0, q_f, t_f: q_0 + velocity(t, q_0, q_f, t_f),
-                    "q_0 is constant: it has no part in the velocity",
+                    "the constant q_0 has no part in the velocity",
                     own=True,
                 ),
                 Wrong(
@@ -426,7 +428,7 @@ LESSON = Lesson(
         Task(
             name="peak_speed",
             title="Peak speed",
-            text="Give the highest velocity on the way, for $q_f > q_0$. A function takes `(q_0, q_f, t_f)`.",
+            text="Give the highest velocity on the way, for $q_f > q_0$ (so that no absolute value is needed). A function takes `(q_0, q_f, t_f)`.",
             asks=Formula(r"\frac{15}{8} \cdot \frac{q_f - q_0}{t_f}", _ENDS, unit="rad/s"),
             hints=(
                 "Where is $t(t_f - t)$ largest?",
@@ -446,6 +448,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(r"\frac{3}{2} \cdot \frac{q_f - q_0}{t_f}", "this is the peak of the cubic", own=True),
+                Wrong(
+                    lambda q_0, q_f, t_f: 15 * abs(q_f - q_0) / (8 * t_f),
+                    "for q_f > q_0 no absolute value is needed: leave it out",
+                    own=True,
+                ),
                 Wrong(r"\frac{15}{8} (q_f - q_0)", "a velocity has to be divided by the duration", own=True),
                 Wrong(
                     r"\frac{15}{2} \cdot \frac{q_f - q_0}{t_f}",
@@ -483,6 +490,11 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     lambda q_0, q_f, t_f: 5.77 * (q_f - q_0) / t_f**2,
+                    "close, but rounded: give the root, not its decimals",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q_0, q_f, t_f: 5.7735 * (q_f - q_0) / t_f**2,
                     "close, but rounded: give the root, not its decimals",
                     own=True,
                 ),

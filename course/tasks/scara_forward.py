@@ -344,7 +344,7 @@ LESSON = Lesson(
         Task(
             name="above",
             title="The distance from axis 1",
-            text="Write $P_x^2 + P_y^2$, the squared distance of the tool from axis 1, with one angle only: in `theta_2`, `a_2`, `a_3`.",
+            text="Write $x^2 + y^2$, the squared distance of the tool from axis 1, with one angle only: in `theta_2`, `a_2`, `a_3`.",
             asks=Formula(r"a_2^2 + a_3^2 + 2 a_2 a_3 \cos\theta_2", ("theta_2", "a_2", "a_3"), arm=ARM, unit="m²"),
             hints=(
                 "Seen from above, axis 1, the elbow and the tool form a triangle. Which angle is at the elbow?",

@@ -13,7 +13,12 @@ from course.feedback.shown import Shown
 ARM = "scara_column"
 _REACHED = {"X": r"a_1 C_1 + a_2 C_{12}", "Y": r"a_1 S_1 + a_2 S_{12}"}
 _REST = {"Z": "d_1 - d_3 - d_4", "psi": r"\theta_1 + \theta_2 - \theta_4"}
-_SHOULDER = {"k_1": r"a_1 + a_2 C_2", "k_2": r"a_2 S_2"}
+_TURNED = {  # two vectors of one length in any directions; the factors take the angles through several turns
+    "X": r"\rho\cos(5\beta + 3\gamma)",
+    "Y": r"\rho\sin(5\beta + 3\gamma)",
+    "k_1": r"\rho\cos(3\gamma)",
+    "k_2": r"\rho\sin(3\gamma)",
+}
 _COSINE = r"\frac{X^2 + Y^2 - a_1^2 - a_2^2}{2 a_1 a_2}"
 _ROOM = r"\left( (a_1 + a_2)^2 - X^2 - Y^2 \right) \left( X^2 + Y^2 - (a_1 - a_2)^2 \right)"
 _ANGLE = r"\text{atan2}(Y, X) - \text{atan2}(k_2, k_1)"
@@ -38,6 +43,8 @@ def show_inverse(inverse: Any, X: float, Y: float, Z: float, psi: float) -> Any:
             q = np.array(inverse(X, Y, Z, psi, *lengths), dtype=float).ravel()
     except Exception as problem:
         return Shown(f"`inverse`: the function stops with {type(problem).__name__}: {problem}")
+    if q.shape == (1,) and np.isnan(q).all():  # what None becomes
+        return Shown("`inverse`: no answer yet, nothing to draw.")
     if q.shape != (4,) or not np.isfinite(q).all():
         return Shown(
             f"`inverse`: nothing to draw; this takes four joint values, and yours are {q}. Is the target within reach?"
@@ -178,6 +185,12 @@ def _without_elbow(X, Y, Z, psi, a_1, a_2, d_1, d_4):
     return [theta_1, theta_2, d_1 - d_4 - Z, theta_1 + theta_2 - psi]
 
 
+def _by_arctan(X, Y, Z, psi, a_1, a_2, d_1, d_4):
+    theta_1, theta_2, d_3, theta_4 = inverse(X, Y, Z, psi, a_1, a_2, d_1, d_4)
+    error = np.arctan(Y / X) - np.arctan2(Y, X)
+    return [theta_1 + error, theta_2, d_3, theta_4 + error]
+
+
 _OTHER_SIGN = (
     r"\begin{bmatrix} \text{atan2}(Y, X) + \text{atan2}(k_2, k_1) \\ -\arccos D \\ d_1 - d_4 - Z \\ "
     r"\text{atan2}(Y, X) + \text{atan2}(k_2, k_1) - \arccos D - \psi \end{bmatrix}"
@@ -197,9 +210,10 @@ LESSON = Lesson(
         Task(
             name="predict",
             title="How many postures?",
-            text="How many postures $(\\theta_1, \\theta_2)$ bring the tool above a point $(X, Y)$ that lies (1) strictly between the two "
-            "limit circles, (2) on the outer circle, (3) outside it? Give the three numbers in this order; joint limits do not count.",
-            asks=Number((2, 1, 0), labels=("between the circles it", "on the outer circle it", "outside it")),
+            text="The tool covers a ring about the first axis. How many postures $(\\theta_1, \\theta_2)$ bring it above a point $(X, Y)$ that lies "
+            "(1) inside the ring, not on its edges, (2) on the outer circle, (3) beyond that? Give the three numbers in this order; joint limits "
+            "do not count.",
+            asks=Number((2, 1, 0), labels=("inside the ring it", "on the outer circle it", "beyond that it")),
             hints=(
                 "Draw two circles: one of radius $a_1$ about the first axis, one of radius $a_2$ about the target. The elbow is on both.",
                 "In how many points can two circles meet, and when do they touch?",
@@ -208,12 +222,10 @@ LESSON = Lesson(
             right=([2, 1, 0], "2, 1, 0", np.array([2.0, 1.0, 0.0])),
             wrong=(
                 Wrong([2, 2, 0], "stretched, the elbow cannot be on either side: +0 and -0 are one angle", own=True),
-                Wrong(
-                    [1, 1, 0], "between the circles there is an elbow on each side of the line to the target", own=True
-                ),
-                Wrong([2, 1, 1], "outside it is not 1"),
+                Wrong([1, 1, 0], "inside the ring there is an elbow on each side of the line to the target", own=True),
+                Wrong([2, 1, 1], "beyond that it is not 1"),
                 Wrong([2, 1, 2], "an arccos of more than 1 has no value, with either sign", own=True),
-                Wrong([4, 2, 0], "between the circles it is not 4, on the outer circle it is not 2"),
+                Wrong([4, 2, 0], "inside the ring it is not 4, on the outer circle it is not 2"),
                 Wrong(2, "3 numbers"),
             ),
         ),
@@ -297,7 +309,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     r"\frac{a_1^2 + a_2^2 - X^2 - Y^2}{2 a_1 a_2}",
-                    "this is the cosine of the angle inside the triangle, pi minus theta_2",
+                    "this is the cosine of the angle inside the triangle, π minus θ_2",
                     own=True,
                 ),
                 Wrong(r"\frac{X^2 + Y^2 - a_1^2 + a_2^2}{2 a_1 a_2}", "sign"),
@@ -312,13 +324,18 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
+                    lambda *of: np.clip(cosine(*of), -1, 1),
+                    "beyond the limits there is no θ_2, and clipping hides that: give the formula alone",
+                    own=True,
+                ),
+                Wrong(
                     r"\frac{\sqrt{X^2 + Y^2} - a_1^2 - a_2^2}{2 a_1 a_2}",
                     "the squared distance is X^2 + Y^2, without a root",
                     own=True,
                 ),
                 Wrong(
                     r"\frac{X^2 + Y^2 - (a_1 + a_2)^2}{2 a_1 a_2}",
-                    "(a_1 + a_2)^2 is more than a_1^2 + a_2^2: this is cos(theta_2) - 1",
+                    "(a_1 + a_2)^2 is more than a_1^2 + a_2^2: this is cos(θ_2) - 1",
                     own=True,
                 ),
             ),
@@ -369,7 +386,13 @@ LESSON = Lesson(
             title="The shoulder",
             text="With $\\theta_2$ known, so are $k_1$ and $k_2$. Give $\\theta_1$ (rad, up to whole turns) in $X, Y, k_1, k_2$; a function takes "
             "`(X, Y, k_1, k_2)`. It must hold in all four quadrants.",
-            asks=Formula(_ANGLE, ("X", "Y", "k_1", "k_2"), arm=ARM, given={**_REACHED, **_SHOULDER}, unit="rad"),
+            asks=Formula(
+                _ANGLE,
+                ("X", "Y", "k_1", "k_2"),
+                given=_TURNED,
+                symbols={"rho": "free", "beta": "free", "gamma": "free"},
+                unit="rad",
+            ),
             hints=(
                 "$(k_1, k_2)$ is where the tool would be with $\\theta_1 = 0$. The shoulder turns this vector until it is $(X, Y)$.",
                 "Turning adds angles: the angle of $(X, Y)$ is $\\theta_1$ plus the angle $\\alpha$ of $(k_1, k_2)$.",
@@ -386,6 +409,26 @@ LESSON = Lesson(
                 Wrong(
                     r"\text{atan2}(X, Y) - \text{atan2}(k_1, k_2)",
                     "atan2 takes y first: with x first it measures from the y axis, and clockwise",
+                    own=True,
+                ),
+                Wrong(
+                    lambda X, Y, k_1, k_2: np.arctan2(X, Y) - np.arctan2(k_2, k_1),
+                    "of the two atan2 the first has its arguments swapped: Y stands for the y",
+                    own=True,
+                ),
+                Wrong(
+                    lambda X, Y, k_1, k_2: np.arctan2(Y, X) - np.arctan(k_2 / k_1),
+                    "arctan of k_2/k_1 holds only while k_1 is positive, and with a long second link it can be negative",
+                    own=True,
+                ),
+                Wrong(
+                    lambda X, Y, k_1, k_2: np.arctan((k_1 * Y - k_2 * X) / (k_1 * X + k_2 * Y)),
+                    "the quotient is right, but arctan knows only half of the angles: take atan2",
+                    own=True,
+                ),
+                Wrong(
+                    lambda X, Y, k_1, k_2: np.arccos((k_1 * X + k_2 * Y) / (k_1**2 + k_2**2)),
+                    "the arccos loses the sign: it is the angle between the two vectors, whichever way the shoulder turns",
                     own=True,
                 ),
                 Wrong(
@@ -423,7 +466,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     r"\psi - \theta_1 - \theta_2",
-                    "the tool points down: theta_4 counts against theta_1 and theta_2",
+                    "the tool points down: θ_4 counts against θ_1 and θ_2",
                     own=True,
                 ),
                 Wrong(r"\theta_1 + \theta_2 + \psi", "sign"),
@@ -431,7 +474,7 @@ LESSON = Lesson(
                 Wrong(lambda theta_1, theta_2, psi: theta_1 + theta_2, "missing"),
                 Wrong(
                     r"\theta_1 + \theta_2 - \cos\psi",
-                    "psi is the angle, not its cosine: the brace of the document covers too much",
+                    "the angle itself is ψ, not its cosine: the brace of the document covers too much",
                     own=True,
                 ),
             ),
@@ -440,7 +483,7 @@ LESSON = Lesson(
             name="inverse",
             title="All four joints",
             text="Write `inverse(X, Y, Z, psi, a_1, a_2, d_1, d_4)`: the joint values $[\\theta_1, \\theta_2, d_3, \\theta_4]$ of the posture with "
-            "$0 \\le \\theta_2 \\le \\pi$ (rad, m). Take targets that can be reached.",
+            "$0 \\le \\theta_2 \\le \\pi$ (rad, m). The target can be reached; whole turns do not count.",
             asks=Formula(
                 INVERSE,
                 ("X", "Y", "Z", "psi", "a_1", "a_2", "d_1", "d_4"),
@@ -456,19 +499,29 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     _without_elbow,
-                    "theta_1 is not the direction of the target: the bent elbow adds the angle atan2(k_2, k_1)",
+                    "the direction of the target is not θ_1 yet: the bent elbow adds the angle atan2(k_2, k_1)",
+                    own=True,
+                ),
+                Wrong(
+                    _by_arctan,
+                    "arctan(Y/X) cannot tell a target from the opposite one: take atan2",
+                    own=True,
+                ),
+                Wrong(
+                    lambda *of: np.degrees(inverse(*of)),
+                    "the angles are in degrees (and so is the length d_3): leave them in rad",
                     own=True,
                 ),
                 Wrong(_spoiled(3, lambda q, psi: psi - q[0] - q[1]), "entry (4, 1): wrong sign"),
                 Wrong(_spoiled(2, lambda q, psi: -q[2]), "entry (3, 1): wrong sign"),
                 Wrong(
                     _OTHER_SIGN,
-                    "this is the other posture, with theta_2 below zero: a solution, but not the one asked for",
+                    "this is the other posture, with θ_2 below zero: a solution, but not the one asked for",
                     own=True,
                 ),
                 Wrong(
                     lambda X, Y, Z, psi, a_1, a_2, d_1, d_4: inverse(X, Y, Z, psi, a_1, a_2, d_1, d_4)[:3],
-                    "three joint values: theta_4 is missing",
+                    "three joint values: θ_4 is missing",
                     own=True,
                 ),
             ),
@@ -488,8 +541,8 @@ LESSON = Lesson(
                 right="many",
                 because={
                     "none": "with equal links the inner circle has the radius 0: the target is on it, not inside it",
-                    "one": "theta_2 is settled, but does theta_1 still move the tool?",
-                    "two": "on a limit both signs of theta_2 give one angle; look at theta_1 instead",
+                    "one": "that settles θ_2, but does θ_1 still move the tool?",
+                    "two": "on a limit both signs of θ_2 give one angle; look at θ_1 instead",
                 },
             ),
             hints=(
@@ -500,8 +553,8 @@ LESSON = Lesson(
             right=("many", ["many"], ("many",)),
             wrong=(
                 Wrong("none", "the radius 0"),
-                Wrong("one", "does theta_1 still move the tool"),
-                Wrong("two", "both signs of theta_2 give one angle"),
+                Wrong("one", "does θ_1 still move the tool"),
+                Wrong("two", "both signs of θ_2 give one angle"),
                 Wrong(["two", "many"], "one of them is asked for"),
             ),
         ),

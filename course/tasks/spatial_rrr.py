@@ -206,7 +206,7 @@ LESSON = Lesson(
         Task(
             name="elbow_linear",
             title="Its linear Jacobian",
-            text="Write the derivatives of $p_3$ by $\\theta_1, \\theta_2, \\theta_3$, 3×3, column $i$ by $\\theta_i$. Letters: $l_2$. A function takes `q` and, by their names, the "
+            text="Write the derivatives of $p_3$, 3×3, column $i$ with respect to $\\theta_i$. Letters: $l_2$. A function takes `q` and, by their names, the "
             "lengths that it needs.",
             asks=Quantity("spatial_rrr", {"jacobian": 3, "rows": [1, 2, 3]}),
             hints=(
@@ -360,6 +360,11 @@ LESSON = Lesson(
                 Wrong(
                     r"l_2 l_3 C_3 (l_2 C_2 + l_3 C_{23})",
                     "that has the reach of a point along x_3; P lies along z_3",
+                    own=True,
+                ),
+                Wrong(
+                    r"C_3 (l_2 C_2 + l_3 S_{23})",
+                    "its unit is m: a determinant of three rows in m has the unit m³",
                     own=True,
                 ),
                 Wrong(r"l_2 l_3 C_3", "one factor is missing: the distance of P from axis 1", own=True),
