@@ -18,6 +18,7 @@ from course.feedback.outcome import NOTHING, Feedback, Outcome, Row
 from models.errors import ArmproofError
 from models.guarded_call import CallError, Guard
 from models.traced_function import trace_function
+from verification.names import FREE
 from verification.python.latex import write_matrix
 from verification.python.returned import NotAttempted, NotNumbers, read_returned
 
@@ -59,7 +60,8 @@ class Formula:
             front["arm"] = self.arm
         front["symbols"] = {**self._free(), **self.symbols}
         given = tuple(f"{_as_latex(name)} = {value}" for name, value in self.given.items())
-        own = (*self.arguments, *(name for name in self.given if name not in self.arguments))
+        aliases = [name for name, symbol in self.symbols.items() if symbol != FREE]
+        own = tuple(dict.fromkeys([*self.arguments, *self.given, *aliases]))
         return Claim(front, given, self.latex, lambda row, column: self.unit, self.names, own)
 
     def _free(self) -> dict[str, str]:
@@ -68,7 +70,7 @@ class Formula:
 
         arm = load_arm(self.arm) if self.arm is not None else None
         known = {joint.symbol for joint in arm.joints} | {*arm.lengths, *arm.angles} if arm is not None else set()
-        return {name: "free" for name in self.arguments if name not in known and name not in self.given}
+        return {name: FREE for name in self.arguments if name not in known and name not in self.given}
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the arguments, or a formula."""
