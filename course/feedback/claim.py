@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -15,6 +15,7 @@ import numpy as np
 from course.feedback.answer import as_latex, is_number
 from course.feedback.errors import AnswerError, LessonError
 from course.feedback.outcome import Feedback, Outcome, Row
+from course.feedback.wording import ASKED, place, sentence, without_asked
 from models.arm import Arm
 from verification.angle_ring import AngleFraction
 from verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
@@ -27,18 +28,11 @@ from verification.matrix import Matrix
 from verification.report.html.figures import Figure, painter_of
 from verification.sampled_algebra import SampledAlgebra
 from verification.scalar import Scalar
-from verification.verdict import Record, Verdict, WrongEntry
+from verification.verdict import Record, Verdict
 
-ASKED = r"\Xi"  # the name that what is asked has in the claim; no course uses it
 _FILE = Path("answer")
-_TELLING = re.compile(r"^(?:entry \(\d+, \d+\): )?is .*, should be .*$", re.DOTALL)
-# What concerns our proof and not the student's answer, or half a sentence whose other half gives the answer away.
-_OURS_ALONE = re.compile(r"not exact|too large to tell|the two sides|square root|arc function|lengths of this arm")
-_OURS = re.compile(rf"should be|at the configuration given before|{_OURS_ALONE.pattern}")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
 ANGLE = re.compile(r"theta|alpha|beta|gamma|phi|psi|q(_|$)")  # letters of angles
-MOST_PLACES = 4
-UNEQUAL = "the formula is not equal to what is asked"
 SAMPLES = 200
 SEED = 11
 _JOINTS = {"revolute": (-2.6, 2.6), "prismatic": (0.1, 0.9)}
@@ -243,33 +237,6 @@ def judge_formula(claim: Claim, answer: Any) -> Feedback:
         )
         return replace(feedback, message=words)
     return feedback
-
-
-def place(row: int | None, column: int | None) -> str:
-    """Return an entry's place (from 1) as the student reads it."""
-    return "value" if row is None or column is None else f"({row}, {column})"
-
-
-def without_asked(message: str) -> str:
-    """Return a message without the name that a claim gives to what is asked."""
-    return message.replace(ASKED, "what is asked").replace("Xi", "what is asked")
-
-
-def sentence(message: str, entries: Sequence[WrongEntry]) -> str:
-    """Return what is wrong in words, without giving the right term away."""
-    if not entries and message and not _OURS_ALONE.search(message):
-        return without_asked(message)
-    told = [part for part in message.split("; ") if not _TELLING.match(part) and not _OURS.search(part)]
-    if told and (told[0] or len(told) > 1):
-        return without_asked("; ".join(told))
-    places = [place(entry.row, entry.column) for entry in entries]
-    if not places or places == ["value"]:
-        return UNEQUAL
-    if len(places) == 1:
-        return f"entry {places[0]} is wrong, the others are right"
-    if len(places) <= MOST_PLACES:
-        return f"the entries {', '.join(places)} are wrong"
-    return f"{len(places)} entries are wrong"
 
 
 def _as_formula(latex: str) -> str:

@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from course.feedback.answer import as_latex, is_function
-from course.feedback.claim import ANGLE, ASKED, Claim, judge_formula, place
+from course.feedback.claim import ANGLE, Claim, judge_formula
 from course.feedback.errors import AnswerError, LessonError
 from course.feedback.outcome import NOTHING, Feedback, Outcome, Row
+from course.feedback.wording import ASKED, place
 from models.errors import ArmproofError
 from models.guarded_call import CallError, Guard
 from models.traced_function import trace_function

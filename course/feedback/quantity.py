@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from course.feedback.answer import as_latex, is_function
-from course.feedback.claim import ASKED, Claim, judge_formula, place, sentence
+from course.feedback.claim import Claim, judge_formula
 from course.feedback.outcome import OF_FUNCTION, Feedback, Row
 from course.feedback.picture import call_at, draw_answer
+from course.feedback.wording import ASKED, place, sentence
 from models.arm import Arm
 from models.catalogue import load_arm
 from verification.python import check_function
