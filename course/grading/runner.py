@@ -92,6 +92,7 @@ def _main_module() -> dict[str, Any]:
     builtins.display = _nothing  # type: ignore[attr-defined]
     for name in ("IPython", "IPython.display", "ipywidgets"):
         sys.modules[name] = _Stub(name)
+    sys.modules["IPython"].version_info = (9, 0, 0)  # type: ignore[attr-defined]  # matplotlib asks for it
     main.__dict__["get_ipython"] = lambda: _Nothing()
     return main.__dict__
 

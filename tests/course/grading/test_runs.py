@@ -84,6 +84,11 @@ def test_magics_and_display_are_skipped(run):
     assert [note.partition(":")[0] for note in graded.notes] == ["cell 1", "cell 2"]
 
 
+def test_the_figures_of_a_lesson_are_drawn_and_nobody_looks(run):
+    draw = "from course.figures.registry import draw_kind, find_kind\nfrom models.catalogue import load_arm\n"
+    assert run(draw + "draw_kind(find_kind('sketch'), load_arm('scara'))").errors == ()
+
+
 def test_nothing_of_one_run_is_left_for_the_next(run):
     run("import os, numpy\nnumpy.x = 1\nopen('file', 'w').close()\nos.environ['LEFT'] = '1'")
     graded = run("import os, numpy\nprint(hasattr(numpy, 'x'), os.listdir('.'), 'LEFT' in os.environ)")
