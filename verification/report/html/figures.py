@@ -41,7 +41,7 @@ class ArmPainter:
     def __init__(self, arm: Arm, claimed: str = "printed") -> None:
         self.arm = arm
         self.claimed = claimed
-        self.last = max(arm.frames, key=lambda name: (name.isdigit(), int(name) if name.isdigit() else 0))
+        self.last = arm.frames[-1]  # the tool
         rng = np.random.default_rng(_SEED)
         poses = [place_skeleton(arm, np.zeros(len(arm.joints)))]
         poses += [place_skeleton(arm, rng.uniform(0.2, 1.2, len(arm.joints))) for _ in range(3)]
