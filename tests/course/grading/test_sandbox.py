@@ -87,9 +87,8 @@ def test_a_process_that_left_its_group_is_ended_with_its_run(base, namespaces):
         time.sleep(0.1)
 
     before = set(os.listdir("/proc"))
-    started = time.monotonic()
     ended = kept(leave, plan, base)
-    assert ended["why"] == "" and time.monotonic() - started < 5
+    assert ended["why"] == ""  # else it had been waited for until the time was up
     children = [name for name in set(os.listdir("/proc")) - before if name.isdigit() and _waits(name)]
     assert children == [] and os.listdir(base) == []
 
