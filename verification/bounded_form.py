@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import time
 from typing import Any
 
+from verification.clock import now
 from verification.closed_form import write_scalar
 from verification.latex.writer import Notation
 from verification.scalar import Scalar
@@ -21,7 +21,7 @@ def write_bounded(value: Any, notation: Notation) -> str:
         if terms > WRITTEN:
             return r"\ldots"
         # folding into sums of angles takes its time, and makes no page of terms readable
-        small = terms <= FOLDED and time.monotonic() < value.ring.deadline
+        small = terms <= FOLDED and now() < value.ring.deadline
         text = write_scalar(value, notation, folded=small)
     else:
         text = str(value)

@@ -15,6 +15,7 @@ from models.catalogue import load_arm
 from models.configurations import FAMILIES, sample
 from models.errors import ArmproofError
 from verification.angle_ring import AngleFraction
+from verification.clock import now
 from verification.correction.corrector import Corrector
 from verification.correction.tables import correct_array, correct_table
 from verification.diagnose import Diagnostician
@@ -131,10 +132,10 @@ class DocumentChecker:
         )
 
     def _table(self, table: Table) -> Record | None:
-        self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+        self.ring.deadline = now() + SECONDS_TO_DECIDE
         record = check_table(self.checker, table)
         if record is not None and record.verdict is Verdict.REFUTED and self.corrector is not None:
-            self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+            self.ring.deadline = now() + SECONDS_TO_DECIDE
             return replace(record, corrections=correct_table(self.checker, table, record))
         return record
 
@@ -147,7 +148,7 @@ class DocumentChecker:
         )
         if not display.closed:
             return replace(record, message=f"the display opened by {display.opening} never ends")
-        self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+        self.ring.deadline = now() + SECONDS_TO_DECIDE
         self.names.section = display.section
         try:
             if (table := check_array_table(self.checker, display)) is not None:
@@ -181,7 +182,7 @@ class DocumentChecker:
             counterexample=extra,
         )
         if verdict is Verdict.REFUTED:
-            self.ring.deadline = time.monotonic() + SECONDS_TO_EXPLAIN
+            self.ring.deadline = now() + SECONDS_TO_EXPLAIN
             try:
                 record = self.diagnostician.diagnose(
                     record, normalise_unicode(display.latex), [o for o in outcomes if o.verdict is Verdict.REFUTED]
@@ -197,7 +198,7 @@ class DocumentChecker:
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
         if record.verdict is not Verdict.REFUTED or self.corrector is None:
             return record
-        self.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+        self.ring.deadline = now() + SECONDS_TO_DECIDE
         return replace(record, corrections=correct_array(self.checker, display, record))
 
     def _outcomes_of(self, latex: str) -> list[Outcome]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import itertools
 import math
 import re
-import time
 from collections import defaultdict
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from models.entry import Generator
+from verification.clock import now
 from verification.latex.writer import Notation, join_factors, number
 from verification.scalar import Scalar
 
@@ -120,7 +120,7 @@ def fold(terms: dict[Trig, Fraction], deadline: float = math.inf) -> dict[Trig, 
     """Return an equal sum with fewer terms, by writing an angle as a sum of two wherever that shortens it.
 
     With φ = α ± β: c_α = c_φ c_β ± s_φ s_β and s_α = s_φ c_β ∓ c_φ s_β; c_β² + s_β² = 1 then collects the terms.
-    Past the deadline (time.monotonic) the shortest sum found so far is returned.
+    Past the deadline (of `clock.now`) the shortest sum found so far is returned.
     """
     best = terms
     while len(best) > 1:
@@ -129,7 +129,7 @@ def fold(terms: dict[Trig, Fraction], deadline: float = math.inf) -> dict[Trig, 
         }
         candidates = []
         for a, b in sorted(together):
-            if time.monotonic() > deadline:
+            if now() > deadline:
                 return best
             for sign in (1, -1):
                 folded = _substitute(best, a, b, sign)

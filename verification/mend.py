@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-import time
 
 import numpy as np
 
 from models.errors import ArmproofError
 from verification.bounded_form import write_bounded
+from verification.clock import now
 from verification.compare import exactly_equal
 from verification.edits import Edit, single_edits
 from verification.equation import ChainChecker
@@ -50,7 +50,7 @@ class Mender:
         letters = self.learnt.letters(cell)
         with np.errstate(all="ignore"):
             for count, edit in enumerate(single_edits(cell, letters)):
-                if count > MAX_EDITS or time.monotonic() > self.exact.ring.deadline:
+                if count > MAX_EDITS or now() > self.exact.ring.deadline:
                     break
                 if not self._agrees(edit, target, scale, probe):
                     continue

@@ -10,7 +10,6 @@ crosswise. FLINT does the arithmetic.
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING, cast
@@ -18,6 +17,7 @@ from typing import TYPE_CHECKING, cast
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from models.entry import Entry, Generator
+from verification.clock import now
 from verification.errors import TooComplex
 from verification.scalar import Scalar
 
@@ -155,7 +155,7 @@ class QuotientRing:
 
     def check_time(self) -> None:
         """Raise TooComplex when the display at hand has had its time."""
-        if time.monotonic() > self.deadline:
+        if now() > self.deadline:
             raise TooComplex("more time than a display may take")
 
     def terms(self, polynomial: fmpq_mpoly) -> Iterable[tuple[dict[Generator, int], Fraction]]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from typing import Any
@@ -13,6 +12,7 @@ from course.authoring.drafts import Draft, completed, draft_of_quantity
 from models.arm import Arm
 from verification.angle_ring import AngleFraction
 from verification.check import DocumentChecker
+from verification.clock import now
 from verification.document import Display, Document
 from verification.latex import nodes as n
 from verification.names import Names
@@ -41,7 +41,7 @@ def _drafts(document: Document, arm: Arm, checker: DocumentChecker) -> Iterator[
         record = checker.check_display(display)
         if record.verdict is not Verdict.PROVED or display.erratum or len(names) >= MOST:
             continue
-        checker.ring.deadline = time.monotonic() + SECONDS
+        checker.ring.deadline = now() + SECONDS
         draft = _draft(document, arm, checker, display)
         if draft is None:
             continue

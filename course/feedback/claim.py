@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -19,6 +18,7 @@ from course.feedback.wording import ASKED, place, sentence, without_asked
 from models.arm import Arm
 from verification.angle_ring import AngleFraction
 from verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
+from verification.clock import now
 from verification.document import Display, Document
 from verification.equality import TABLE_ANGLES
 from verification.errors import ReadError, TooComplex
@@ -201,7 +201,7 @@ class Claim:
         return "" if asked == given else f"the result is {given}, what is asked is {asked}"
 
     def _allow_time(self) -> None:
-        self._checker.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+        self._checker.ring.deadline = now() + SECONDS_TO_DECIDE
 
     @cached_property
     def _asked(self) -> n.Node:

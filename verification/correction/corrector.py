@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from models.errors import ArmproofError
 from verification.algebra import OutsideAlgebra
+from verification.clock import now
 from verification.conditions import is_condition
 from verification.correction.alternatives import Corrections, alternatives, trimmed, true_value
 from verification.correction.record import applied
@@ -40,12 +40,12 @@ class Corrector:
         """Return the corrections that mend a refuted display, at places of its LaTeX as the author wrote it, or none."""
         latex = normalise_unicode(record.latex)
         ring = self.checker.exact.ring
-        give_up = time.monotonic() + SECONDS_TO_CORRECT
+        give_up = now() + SECONDS_TO_CORRECT
         confirm, self.checker.confirm = self.checker.confirm, False
         try:
             ring.deadline = give_up
             for count, corrections in enumerate(self._candidates(latex, record, statements, outcomes)):
-                if count > MOST_TRIALS or time.monotonic() > give_up:
+                if count > MOST_TRIALS or now() > give_up:
                     break
                 corrections = spaced(latex, corrections)
                 if corrections and self._left(latex, corrections, outcomes) == set():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from verification.angle_ring import AngleFraction
+from verification.clock import now
 from verification.errors import EvaluationError
 from verification.inverse.compiled import Compiled
 from verification.inverse.completeness import find_lost_step
@@ -85,9 +85,9 @@ def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, 
     """Return whether FK(IK(x)) = x is proved, whether for every target, and what stood in the way."""
     problem = ""
     every_sign = dict.fromkeys(derivation.signs, 0)
-    end = time.monotonic() + SECONDS
+    end = now() + SECONDS
     for values, eager, general in _attempts(derivation, compiled):
-        attempt = partial(_substitute, derivation, values, every_sign, eager, min(end, time.monotonic() + SECONDS / 2))
+        attempt = partial(_substitute, derivation, values, every_sign, eager, min(end, now() + SECONDS / 2))
         try:
             missed = _with_fractions(attempt)
         except EvaluationError as error:
@@ -138,7 +138,7 @@ def _substitute(
 
 def _prove_completeness(derivation: Derivation) -> tuple[bool, str]:
     try:
-        lost = _with_fractions(lambda known: find_lost_step(derivation, known, time.monotonic() + SECONDS))
+        lost = _with_fractions(lambda known: find_lost_step(derivation, known, now() + SECONDS))
     except EvaluationError as error:
         return False, f"that there are no other solutions is not proved exactly: {error}"
     return lost is None, "" if lost is None else f"that there are no other solutions is not proved exactly: {lost}"

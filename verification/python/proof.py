@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
 
 import numpy as np
 
 from models.arm import Arm
 from verification.angle_ring import AngleFraction
+from verification.clock import now
 from verification.compare import exactly_equal
 from verification.errors import EvaluationError
 from verification.matrix import Matrix
@@ -67,7 +67,7 @@ def _prove(bench: Bench, parts: list[Part], traced: list[np.ndarray], symbolic: 
         return "the traced function returns another shape"
     for part in parts:
         bench.true(part.asked.quantity)
-    bench.ring.deadline = time.monotonic() + SECONDS_TO_DECIDE
+    bench.ring.deadline = now() + SECONDS_TO_DECIDE
     found = [_compare(bench, part, formulas.matrix(values)) if not part.wrong else (False, False)
              for part, values in zip(parts, nodes, strict=True)]  # fmt: skip
     return Proof(bench, formulas, nodes, tuple(equal for equal, _ in found), tuple(symbols for _, symbols in found))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Iterator
 from functools import cached_property
 
 from models.errors import ArmproofError
 from verification.angle_ring import AngleFraction
 from verification.bounded_form import write_bounded
+from verification.clock import now
 from verification.errors import EvaluationError
 from verification.latex.writer import Notation
 from verification.learnt_notation import LearntNotation
@@ -37,7 +37,7 @@ def describe_entries(part: Part, proof: Proof, *, mend: bool) -> list[WrongEntry
     bench = proof.bench
     true = bench.true(part.asked.quantity)
     writer = EntryWriter(bench)
-    bench.ring.deadline = time.monotonic() + SECONDS_TO_MEND
+    bench.ring.deadline = now() + SECONDS_TO_MEND
     entries = []
     for index, (r, c) in enumerate(part.wrong):
         row, column = (None, None) if part.is_scalar else (r + 1, c + 1)
@@ -76,7 +76,7 @@ class EntryWriter:
         kept = self.bench.written
         if true not in kept:
             text = write_bounded(true, self.notation)
-            if time.monotonic() > self.bench.ring.deadline:
+            if now() > self.bench.ring.deadline:
                 return text
             kept[true] = text
         return kept[true]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from dataclasses import replace
 from types import MappingProxyType
@@ -11,6 +10,7 @@ from types import MappingProxyType
 import numpy as np
 
 from models.arm import Arm
+from verification.clock import now
 from verification.errors import EvaluationError
 from verification.exact_algebra import ExactAlgebra
 from verification.ring import Ring
@@ -78,7 +78,7 @@ class Analyst:
         seconds: float,
         rng: np.random.Generator,
     ) -> None:
-        self.started = time.monotonic()
+        self.started = now()
         self.arm, self.rng = arm, rng
         self.algebra = ExactAlgebra(Ring(), arm)
         self.deadline = self.algebra.ring.deadline = self.started + seconds
@@ -107,7 +107,7 @@ class Analyst:
                 if not result.complete:
                     break
         self.algebra.ring.deadline = math.inf
-        return replace(result, seconds=time.monotonic() - self.started)
+        return replace(result, seconds=now() - self.started)
 
     def _with_determinant(self, result: SingularityAnalysis) -> SingularityAnalysis:
         simple = self.chosen.simple
@@ -159,7 +159,7 @@ class Analyst:
         return replace(result, descend=lambda: self._intersections(result))
 
     def _intersections(self, result: SingularityAnalysis) -> tuple[tuple[Family, ...], str]:
-        deadline = time.monotonic() + SECONDS_BELOW
+        deadline = now() + SECONDS_BELOW
         decomposer = Decomposer(self.half, self.positive, lengths=Lengths.LINEAR, deadline=deadline)
         families = [family.variety for family in result.families]
         square = result.determinant is not None

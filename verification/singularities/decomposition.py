@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from enum import Enum
 
+from verification.clock import now
 from verification.singularities.elimination import BeyondReach, arrange, resultant, variables
 from verification.singularities.factors import Factor, Kind
 from verification.singularities.half_angles import HalfAngles, Polynomial
@@ -38,7 +38,7 @@ class Decomposer:
         lengths: Lengths = Lengths.GENERIC,
         deadline: float = math.inf,
     ) -> None:
-        """Take the coordinates and the symbols that are positive; `deadline` is a value of time.monotonic()."""
+        """Take the coordinates and the symbols that are positive; `deadline` is a value of `clock.now()`."""
         self.half, self.positive = half, positive
         self.lengths, self.deadline = lengths, deadline
         self.constant = frozenset(half.slot(g) for g in half.others if g[1] in positive or g[0] == "sqrt")
@@ -53,12 +53,12 @@ class Decomposer:
             BeyondReach: the system is too large, takes longer than `seconds`, or binds the same variables in a way that is
                 not split.
         """
-        deadline = min(self.deadline, time.monotonic() + seconds)
+        deadline = min(self.deadline, now() + seconds)
         found: list[Variety] = []
         start = Variety(self.half) if within is None else within
         pending: list[tuple[Variety, tuple[Polynomial, ...]]] = [(start, tuple(equations))]
         while pending:
-            if time.monotonic() > deadline:
+            if now() > deadline:
                 raise BeyondReach("more time than the analysis may take")
             if len(found) + len(pending) > MOST_VARIETIES:
                 raise BeyondReach(f"more than {MOST_VARIETIES} families")
