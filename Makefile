@@ -7,6 +7,8 @@ BUILD ?= build
 
 PIP := $(VENV)/bin/python -m pip --disable-pip-version-check
 REPORT := $(BUILD)/report
+TREE := $(BUILD)/typecheck
+BIN := $(abspath $(VENV))/bin
 # The stamps live in the environment, so that removing it removes them.
 READY := $(VENV)/.installed
 READY_TO_LINT := $(VENV)/.installed-lint
@@ -34,11 +36,16 @@ site: $(READY)
 test: $(READY)
 	$(VENV)/bin/python -m pytest -n auto --dist loadfile
 
+# mypy and import-linter follow folders, not the mapping of pyproject.toml: a tree of links shows them the package `armproof`.
 lint: $(READY_TO_LINT)
 	$(VENV)/bin/ruff check
 	$(VENV)/bin/ruff format --check
-	$(VENV)/bin/mypy
-	$(VENV)/bin/lint-imports
+	@mkdir -p $(TREE)/armproof
+	@ln -sfn $(addprefix "$(CURDIR)"/,models verification course armproof/__init__.py armproof/py.typed) $(TREE)/armproof
+	@seen=$$(find -L $(TREE) -name '*.py' | wc -l); kept=$$(git ls-files armproof models verification course | grep -c '\.py$$'); \
+	test "$$seen" -ge "$$kept" || { echo "$(TREE) shows $$seen of the $$kept files that git keeps" >&2; exit 1; }
+	cd $(TREE) && MYPYPATH=. $(BIN)/mypy --config-file "$(CURDIR)/pyproject.toml" --cache-dir "$(CURDIR)/.mypy_cache"
+	cd $(TREE) && PYTHONPATH=. $(BIN)/lint-imports --config "$(CURDIR)/pyproject.toml"
 
 format: $(READY_TO_LINT)
 	$(VENV)/bin/ruff check --fix

@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 
-from models.errors import ArmproofError
-from verification.document import read_document
-from verification.inverse import InverseError, InverseKinematics, read_inverse
+from armproof.models.errors import ArmproofError
+from armproof.verification.document import read_document
+from armproof.verification.inverse import InverseError, InverseKinematics, read_inverse
 
 HANDOUTS = Path(__file__).resolve().parent / "handouts"
 

@@ -8,16 +8,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from models.errors import ModelError
-from models.offset import Offset
+from armproof.models.errors import ModelError
+from armproof.models.exact.offset import Offset
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from models.bulk import BulkKinematics
-    from models.dh import DHTable
-    from models.numeric import NumericKinematics
-    from models.trace import Trace
+    from armproof.models.bulk.bulk import BulkKinematics
+    from armproof.models.dh.table import DHTable
+    from armproof.models.exact.trace import Trace
+    from armproof.models.numeric.plant import NumericKinematics
 
 
 @dataclass(frozen=True)
@@ -126,19 +126,19 @@ class Arm:
     @cached_property
     def trace(self) -> Trace:
         """The exact symbolic kinematics, computed on demand."""
-        from models.trace import Trace
+        from armproof.models.exact.trace import Trace
 
         return Trace(self)
 
     @cached_property
     def bulk(self) -> BulkKinematics:
         """The kinematics at very many configurations, compiled on demand."""
-        from models.bulk import BulkKinematics
+        from armproof.models.bulk.bulk import BulkKinematics
 
         return BulkKinematics(self)
 
     def numeric(self, q: np.ndarray) -> NumericKinematics:
         """Return the kinematics of the plant of doubles at N configurations, (N, n) in the order of `joints`."""
-        from models.numeric import NumericKinematics
+        from armproof.models.numeric.plant import NumericKinematics
 
         return NumericKinematics(self, q)

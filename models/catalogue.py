@@ -8,11 +8,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from models.arm import Arm
-from models.card import CARD_NAME, read_card
-from models.errors import ModelError
-from models.loading import load_card, load_plain
-from models.reader import SUFFIXES
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.loading.card import CARD_NAME, read_card
+from armproof.models.loading.loading import load_card, load_plain
+from armproof.models.loading.reader import SUFFIXES
 
 _MODELS = Path(__file__).resolve().parent
 
@@ -76,7 +76,7 @@ def _load_file(path: Path, stamp: tuple[int, ...]) -> Arm:
 
 @lru_cache(maxsize=64)
 def _load_table(text: str) -> Arm:
-    from models.dh import load_table
+    from armproof.models.dh.table import load_table
 
     return load_table(json.loads(text))
 

@@ -24,7 +24,7 @@ SWEPT = {
     "mutation/test_mutation.py": (*DOCUMENTS, "polar-rp-002", "scara-001", "planar-3r-002", "rx90-001", "kr210-001"),
     "verification/correction/test_copy.py": DOCUMENTS,
     "verification/document/test_formats.py::test_a_handout_in_another_format": DOCUMENTS,
-    "verification/python/test_mistakes.py": ARMS,
+    "verification/functions/test_mistakes.py": ARMS,
     "verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course": (),
     "verification/test_handouts.py::test_one_flipped_sign": (*DOCUMENTS, "rx90-001", "scara-004", "spatial-rrr-002"),
     "verification/test_incremental.py::test_a_handout_changed_at_random": DOCUMENTS,

@@ -14,13 +14,13 @@ import numpy as np
 import pytest
 from pydrake.autodiffutils import ExtractGradient, ExtractValue, InitializeAutoDiff
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.configurations import sample
-from verification.check import DocumentChecker
-from verification.document import Display, Document
-from verification.evaluate import Evaluator
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.numeric.configurations import sample
+from armproof.verification.check import DocumentChecker
+from armproof.verification.document import Display, Document
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 TOLERANCE = 1e-12  # for configurations up to 1; scaled by their size beyond
 

@@ -21,14 +21,14 @@ LAYERS = ("course", "verification", "models")  # each may import those to its ri
 
 
 def imported_packages(source: str) -> set[str]:
-    """Return the top-level packages that a module imports, wherever in it."""
+    """Return the top-level packages that a module imports, wherever in it; of our own, the rooms."""
     found = set()
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Import):
-            found |= {alias.name.partition(".")[0] for alias in node.names}
+            found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
-            found.add(node.module.partition(".")[0])
-    return found
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return {name.removeprefix("armproof.").partition(".")[0] for name in found}
 
 
 def imports_against_the_arrows(room: str, source: str) -> set[str]:
@@ -82,9 +82,9 @@ def pretend_command(tmp_path: Path):
 def test_the_import_contract_is_course_over_verification_over_models():
     settings = PYPROJECT["tool"]["importlinter"]
     contracts = [contract for contract in settings["contracts"] if contract["type"] == "layers"]
-    assert [contract["layers"] for contract in contracts] == [list(LAYERS)]
-    assert set(settings["root_packages"]) == set(LAYERS)
-    assert "ignore_imports" not in contracts[0]
+    assert contracts[0]["layers"] == [f"armproof.{room}" for room in LAYERS]
+    assert settings["root_package"] == "armproof"
+    assert not any("ignore_imports" in contract for contract in contracts)
 
 
 def test_no_module_imports_against_the_arrows():
@@ -97,9 +97,10 @@ def test_no_module_imports_against_the_arrows():
 @pytest.mark.parametrize(
     ("room", "source"),
     [
-        ("models", "import verification.cli"),
-        ("models", "def late():\n    from course import lessons"),
-        ("verification", "import json, course"),
+        ("models", "import armproof.verification.cli"),
+        ("models", "def late():\n    from armproof.course import lessons"),
+        ("models", "from armproof import verification"),
+        ("verification", "import json, armproof.course"),
         ("course", "from sympy import simplify"),
     ],
 )
@@ -109,10 +110,36 @@ def test_an_import_against_the_arrows_is_noticed(room: str, source: str):
 
 @pytest.mark.parametrize(
     ("room", "source"),
-    [("course", "import verification, models"), ("verification", "from . import course"), ("models", "import numpy")],
+    [
+        ("course", "import armproof.verification, armproof.models"),
+        ("verification", "from . import course"),
+        ("models", "import numpy"),
+    ],
 )
 def test_an_import_along_the_arrows_is_allowed(room: str, source: str):
     assert not imports_against_the_arrows(room, source)
+
+
+@pytest.mark.parametrize("room", LAYERS)
+def test_the_linter_refuses_a_room_under_a_second_name(room: str):
+    """`import models` beside `import armproof.models` would make every class twice."""
+    ruff = Path(sys.executable).with_name("ruff")
+    if not ruff.exists():
+        pytest.skip("needs ruff: make lint installs it")
+    for source, refused in (
+        (f"import {room}.x", True),
+        (f"from {room} import x", True),
+        (f"import armproof.{room}", False),
+    ):
+        command = [ruff, "check", "--select", "TID251", "--stdin-filename", "tests/test_x.py", "-"]
+        run = subprocess.run(command, cwd=ROOT, input=source, capture_output=True, text=True, timeout=60)
+        assert bool(run.returncode) == refused, run.stdout
+
+
+def test_the_packages_installed_are_the_folders_with_code():
+    kept = {path.parent for room in LAYERS for path in (ROOT / room).rglob("*.py")} - {ROOT / "course/lessons"}
+    named = {"armproof", *(".".join(("armproof", *folder.relative_to(ROOT).parts)) for folder in kept)}
+    assert PYPROJECT["tool"]["setuptools"]["packages"] == sorted(named)
 
 
 def test_a_drake_deprecation_is_an_error():

@@ -10,29 +10,29 @@ from pathlib import Path
 
 import numpy as np
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.configurations import FAMILIES, sample
-from models.errors import ArmproofError
-from verification.angle_ring import AngleFraction
-from verification.clock import now
-from verification.correction.corrector import Corrector
-from verification.correction.tables import correct_array, correct_table
-from verification.diagnose import Diagnostician
-from verification.document import Display, Document, Table, read_document
-from verification.equation import ChainChecker
-from verification.errors import DocumentError, ReadError, TooComplex
-from verification.exact_algebra import ExactAlgebra
-from verification.inverse.record import check_inverse
-from verification.latex import nodes as n
-from verification.latex.tokens import normalise_unicode, original_offset
-from verification.names import read_names
-from verification.outcome import Outcome
-from verification.ring import Ring
-from verification.sampled_algebra import SampledAlgebra
-from verification.statements import Statements
-from verification.tables import check_array_table, check_table
-from verification.verdict import DocumentResult, Record, Verdict, worst
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ArmproofError
+from armproof.models.numeric.configurations import FAMILIES, sample
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.clock import now
+from armproof.verification.correction.corrector import Corrector
+from armproof.verification.correction.tables import correct_array, correct_table
+from armproof.verification.diagnosis.diagnosis import Diagnostician
+from armproof.verification.display import Statements
+from armproof.verification.document import Display, Document, Table, read_document
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import DocumentError, ReadError, TooComplex
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.inverse.record import check_inverse
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.tokens import normalise_unicode, original_offset
+from armproof.verification.naming.names import read_names
+from armproof.verification.tables import check_array_table, check_table
+from armproof.verification.verdict import DocumentResult, Record, Verdict, worst
 
 SECONDS_TO_DECIDE = 1.1  # a display is bounded by two seconds in all: so long to decide it,
 SECONDS_TO_EXPLAIN = 0.9  # and so long to say what is wrong in it

@@ -18,13 +18,20 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from models.errors import ArmproofError
+from armproof.models.errors import ArmproofError
 
 if TYPE_CHECKING:
-    from verification.document import Document
-    from verification.verdict import DocumentResult, Record
+    from armproof.verification.document import Document
+    from armproof.verification.verdict import DocumentResult, Record
 
-SUFFIXES = (".md", ".ipynb", ".py", ".qmd", ".tex", ".rst")  # as verification.document has them, without its imports
+SUFFIXES = (
+    ".md",
+    ".ipynb",
+    ".py",
+    ".qmd",
+    ".tex",
+    ".rst",
+)  # as armproof.verification.document has them, without its imports
 RESULTS = pytest.StashKey[dict[Path, "DocumentResult | ArmproofError"]]()
 
 
@@ -54,7 +61,7 @@ def _has_front_matter(path: Path) -> bool:
         return False  # most files: neither YAML nor Markdown is loaded for them
     if path.suffix == ".py" and not head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"#"):
         return False  # a lesson begins with a comment, its header or first cell; a program may hold one in its strings
-    from verification.document import read_document
+    from armproof.verification.document import read_document
 
     try:
         front = read_document(path).front
@@ -68,7 +75,7 @@ class DocumentFile(pytest.File):
 
     def collect(self) -> Iterator[pytest.Item]:
         """Yield a test for each display and each table of the document; one that fails where it cannot be read."""
-        from verification.document import read_document
+        from armproof.verification.document import read_document
 
         try:
             document = read_document(self.path)
@@ -82,7 +89,7 @@ class DocumentFile(pytest.File):
         """Return the verdicts of the document; raises ArmproofError where it cannot be checked as a whole."""
         results = self.config.stash.setdefault(RESULTS, {})
         if self.path not in results:
-            from verification.check import verify
+            from armproof.verification.check import verify
 
             try:
                 results[self.path] = verify(self.path)
@@ -128,7 +135,7 @@ class EquationItem(pytest.Item):
         record = self._record(result)
         if record is None:
             pytest.skip("claims nothing about the arm")
-        from verification.verdict import Verdict
+        from armproof.verification.verdict import Verdict
 
         self.user_properties.append(("verdict", record.verdict.value))
         strict = self.config.getini("armproof_strict") and record.verdict is Verdict.UNCHECKED
@@ -169,7 +176,7 @@ def _places(document: Document) -> Iterator[tuple[str, str, int, int | None, int
 
 
 def _described(record: Record, kind: str, path: Path) -> str:
-    from verification.report.text import describe_record
+    from armproof.verification.report.text import describe_record
 
     own = record if path.suffix == ".ipynb" else replace(record, cell=None)
     return dedent("\n".join("".join(text for text, _ in line).rstrip() for line in describe_record(own, kind)))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from verification.discrepancy import Discrepancy
+from armproof.verification.diagnosis.discrepancy import Discrepancy
 
 
 class Verdict(StrEnum):

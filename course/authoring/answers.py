@@ -8,12 +8,12 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
-from course.authoring.lesson_source import LessonSource
-from course.authoring.places import Place
-from course.authoring.tasks import task_lines, tasks_file
+from armproof.course.authoring.lesson_source import LessonSource
+from armproof.course.authoring.places import Place
+from armproof.course.authoring.tasks import task_lines, tasks_file
 
 if TYPE_CHECKING:
-    from course.feedback import Feedback, Lesson, Task
+    from armproof.course.feedback import Feedback, Lesson, Task
 
 
 def check_answers(place: Place, source: LessonSource, lesson: Lesson) -> Iterator[str]:
@@ -34,7 +34,7 @@ def count_answers(lesson: Lesson) -> tuple[int, int]:
 @contextmanager
 def progress_left_alone() -> Iterator[None]:
     """Keep no progress for a while: whoever tries answers is no student."""
-    from course.feedback.progress import VARIABLE
+    from armproof.course.feedback.progress import VARIABLE
 
     before = os.environ.get(VARIABLE)
     os.environ[VARIABLE] = ""
@@ -48,7 +48,7 @@ def progress_left_alone() -> Iterator[None]:
 
 
 def _of_task(task: Task) -> Iterator[str]:
-    from course.feedback import Outcome, WithSympy
+    from armproof.course.feedback import Outcome, WithSympy
 
     for number, answer in enumerate(task.right, 1):
         if isinstance(answer, WithSympy) and find_spec("sympy") is None:

@@ -6,12 +6,12 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from course.authoring.editions import instructor_notebook, student_notebook
-from course.authoring.errors import AuthoringError
-from course.authoring.lesson_source import LessonSource, read_lesson_source
-from course.authoring.nbgrader import nbgrader_notebook
-from course.authoring.places import Place
-from verification.atomic import write_atomically
+from armproof.course.authoring.editions import instructor_notebook, student_notebook
+from armproof.course.authoring.errors import AuthoringError
+from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
+from armproof.course.authoring.nbgrader import nbgrader_notebook
+from armproof.course.authoring.places import Place
+from armproof.verification.running.atomic import write_atomically
 
 Files = dict[Path, bytes]
 

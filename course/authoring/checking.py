@@ -13,17 +13,17 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
-from course.authoring.answers import check_answers, count_answers
-from course.authoring.building import stale, student_files
-from course.authoring.editions import solved_cells, student_cells
-from course.authoring.errors import SourceError
-from course.authoring.kernel import Run, run_cells
-from course.authoring.lesson_source import LessonSource, read_lesson_source
-from course.authoring.places import Place
-from course.authoring.report import Report
-from course.authoring.tasks import load_tasks
-from models.errors import ArmproofError
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.course.authoring.answers import check_answers, count_answers
+from armproof.course.authoring.building import stale, student_files
+from armproof.course.authoring.editions import solved_cells, student_cells
+from armproof.course.authoring.errors import SourceError
+from armproof.course.authoring.kernel import Run, run_cells
+from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
+from armproof.course.authoring.places import Place
+from armproof.course.authoring.report import Report
+from armproof.course.authoring.tasks import load_tasks
+from armproof.models.errors import ArmproofError
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 PROVED, NOT_ATTEMPTED = "correct (proved)", "not attempted"
 REBUILD = "armproof lesson build"
@@ -104,7 +104,7 @@ def _check(place: Place, source: Path) -> Report:
 
 
 def _verify(source: Path) -> DocumentResult:
-    from verification.check import verify
+    from armproof.verification.check import verify
 
     return verify(source)
 

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Any
 import typer
 from typer.core import TyperGroup
 
-from course.authoring import options as o
-from models.errors import ArmproofError
-from verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
-from verification.cli.loading import give_up
-from verification.cli.messages import complain
-from verification.cli.plugins import as_command
+from armproof.course.authoring import options as o
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
+from armproof.verification.cli.loading import give_up
+from armproof.verification.cli.messages import complain
+from armproof.verification.cli.plugins import as_command
 
 if TYPE_CHECKING:
-    from course.authoring.building import Files
-    from course.authoring.places import Place
+    from armproof.course.authoring.building import Files
+    from armproof.course.authoring.places import Place
 
 
 class LessonGroup(TyperGroup):
@@ -31,7 +31,7 @@ class LessonGroup(TyperGroup):
         """Return a command by its name; None if there is none."""
         if name != "site":
             return super().get_command(ctx, name)
-        from course.site.command import site
+        from armproof.course.site.command import site
 
         return as_command(name, site)
 
@@ -49,9 +49,9 @@ lesson = typer.Typer(
 @lesson.command("list")
 def list_lessons(folder: o.Folder = None) -> None:
     """List the lessons: number, name, title, tasks, arms."""
-    from course.authoring.listing import described
-    from course.authoring.table import rows
-    from verification.report.lines import write_lines
+    from armproof.course.authoring.listing import described
+    from armproof.course.authoring.table import rows
+    from armproof.verification.report.lines import write_lines
 
     try:
         place = _place(folder)
@@ -75,8 +75,8 @@ def build(
 
     Only what changed is written, and over no notebook that somebody has worked in. Exit code 0: all is up to date; 1: with --check, something is not; 2: a source is malformed.
     """
-    from course.authoring.building import orphans, refuse_worked_in, stale, write_stale
-    from course.authoring.table import relative
+    from armproof.course.authoring.building import orphans, refuse_worked_in, stale, write_stale
+    from armproof.course.authoring.table import relative
 
     try:
         place = _place(folder)
@@ -104,7 +104,7 @@ def check_command(
 
     Exit code 0: all pass; 1: one does not; 2: one cannot be checked.
     """
-    from course.authoring.kernel import require_jupyter
+    from armproof.course.authoring.kernel import require_jupyter
 
     try:
         require_jupyter()
@@ -126,8 +126,8 @@ def new(
 
     It passes `armproof lesson check` as it is written. Exit code 0: it is written; 2: it cannot be.
     """
-    from course.authoring.new import new_lesson
-    from course.authoring.table import relative
+    from armproof.course.authoring.new import new_lesson
+    from armproof.course.authoring.table import relative
 
     try:
         place = _place_for_writing(folder)
@@ -142,15 +142,15 @@ def new(
 
 
 def _place(folder: Path | None) -> Place:
-    from course.authoring.places import place_of
+    from armproof.course.authoring.places import place_of
 
     return place_of(folder)
 
 
 def _place_for_writing(folder: Path | None) -> Place:
     """Return where a new lesson goes: the folder named, which need not be there, else the course of the working folder."""
-    from course.authoring.errors import AuthoringError
-    from course.authoring.places import COURSE, Place
+    from armproof.course.authoring.errors import AuthoringError
+    from armproof.course.authoring.places import COURSE, Place
 
     if folder is not None and not folder.exists():
         return Place(folder)
@@ -162,8 +162,8 @@ def _place_for_writing(folder: Path | None) -> Place:
 
 
 def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out: Path | None) -> Files:
-    from course.authoring.building import instructor_files, nbgrader_files, student_files
-    from course.authoring.errors import AuthoringError
+    from armproof.course.authoring.building import instructor_files, nbgrader_files, student_files
+    from armproof.course.authoring.errors import AuthoringError
 
     if instructor and nbgrader:
         raise AuthoringError("--instructor and --nbgrader are two editions; build one at a time")
@@ -182,8 +182,8 @@ def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out
 
 def _check(place: Place, sources: list[Path], processes: int, report_format: o.Format) -> int:
     """Write the reports as they come; return the exit code."""
-    from course.authoring.checking import check_lessons
-    from course.authoring.writing import write_json, write_text
+    from armproof.course.authoring.checking import check_lessons
+    from armproof.course.authoring.writing import write_json, write_text
 
     write = write_json if report_format is o.Format.json else write_text
     reports = write(check_lessons(place, sources, processes), sources)

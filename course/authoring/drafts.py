@@ -6,15 +6,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from course.authoring.answers import progress_left_alone
-from course.authoring.code import written
-from course.authoring.exact_text import ExactText, write_quantity
-from course.authoring.slips import slips
-from models.arm import Arm
-from verification.quantities import numbered_frames
+from armproof.course.authoring.answers import progress_left_alone
+from armproof.course.authoring.code import written
+from armproof.course.authoring.exact_text import ExactText, write_quantity
+from armproof.course.authoring.slips import slips
+from armproof.models.arm import Arm
+from armproof.verification.naming.quantities import numbered_frames
 
 if TYPE_CHECKING:
-    from course.feedback import Formula, Quantity, Task
+    from armproof.course.feedback import Formula, Quantity, Task
 
 WRONG = 4
 TRIED = 24  # slips, until there are enough that get words of their own
@@ -76,7 +76,7 @@ def draft_of_quantity(
         printed: the right answer as a document prints it.
         front: `symbols` and `transforms` of the document.
     """
-    from course.feedback import Quantity
+    from armproof.course.feedback import Quantity
 
     exact = write_quantity(arm, asked)
     if exact is None:
@@ -92,7 +92,7 @@ def draft_of_quantity(
 
 def completed(draft: Draft, arm: Arm) -> Draft | None:
     """Return a draft with those of its other forms that are accepted and with wrong answers; None if it is not proved itself."""
-    from course.feedback import Outcome
+    from armproof.course.feedback import Outcome
 
     task = as_task(draft)
     with progress_left_alone():
@@ -104,14 +104,14 @@ def completed(draft: Draft, arm: Arm) -> Draft | None:
 
 def as_task(draft: Draft) -> Task:
     """Return the task that a draft stands for, without hints and answers."""
-    from course.feedback import Task
+    from armproof.course.feedback import Task
 
     return Task(draft.name, draft.title, draft.text, draft.asks, (), (draft.latex, *draft.others))
 
 
 def _wrong_answers(task: Task, draft: Draft, arm: Arm) -> Iterator[tuple[str, str]]:
     """Yield slips in the right answer and what is said of them, those with a sentence of their own first."""
-    from course.feedback import Outcome
+    from armproof.course.feedback import Outcome
 
     found: dict[str, str] = {}
     for number, latex in enumerate(slips(draft.latex, arm)):

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from course.authoring.lesson_source import LessonSource
-from course.authoring.notebook import NotebookCell, as_bytes, as_notebook
-from course.authoring.solutions import without_solutions
-from course.authoring.source import Cell
+from armproof.course.authoring.lesson_source import LessonSource
+from armproof.course.authoring.notebook import NotebookCell, as_bytes, as_notebook
+from armproof.course.authoring.solutions import without_solutions
+from armproof.course.authoring.source import Cell
 
 FOLDED = {"jupyter": {"source_hidden": True}}  # JupyterLab shows the front matter as a bar
 

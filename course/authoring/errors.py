@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from models.errors import ArmproofError
+from armproof.models.errors import ArmproofError
 
 
 class AuthoringError(ArmproofError):

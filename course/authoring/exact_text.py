@@ -7,18 +7,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from course.authoring.python_text import NotPython, names_in, write_python
-from models.arm import Arm
-from verification.angle_ring import AngleFraction
-from verification.bounded_form import write_bounded
-from verification.closed_form import write_scalar
-from verification.errors import EvaluationError
-from verification.exact_algebra import ExactAlgebra
-from verification.latex.reader import Reader
-from verification.latex.writer import Notation
-from verification.matrix import Matrix
-from verification.quantities import read_quantity
-from verification.ring import Ring
+from armproof.course.authoring.python_text import NotPython, names_in, write_python
+from armproof.models.arm import Arm
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.bounded_form import write_bounded
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.written import write_scalar
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.latex.reader import Reader
+from armproof.verification.latex.writer import Notation
+from armproof.verification.naming.quantities import read_quantity
 
 SECONDS = 5.0
 LONGEST = 4000  # characters of a matrix that anybody would type

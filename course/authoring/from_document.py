@@ -7,17 +7,17 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
-from course.authoring.code import written
-from course.authoring.drafts import Draft, completed, draft_of_quantity
-from models.arm import Arm
-from verification.angle_ring import AngleFraction
-from verification.check import DocumentChecker
-from verification.clock import now
-from verification.document import Display, Document
-from verification.latex import nodes as n
-from verification.names import Names
-from verification.quantities import COMPONENTS, Quantity
-from verification.verdict import Verdict
+from armproof.course.authoring.code import written
+from armproof.course.authoring.drafts import Draft, completed, draft_of_quantity
+from armproof.models.arm import Arm
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.clock import now
+from armproof.verification.check import DocumentChecker
+from armproof.verification.document import Display, Document
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import COMPONENTS, Quantity
+from armproof.verification.verdict import Verdict
 
 SECONDS = 2.0
 MOST = 6  # tasks of one lesson
@@ -69,7 +69,7 @@ def _draft(document: Document, arm: Arm, checker: DocumentChecker, display: Disp
 def _draft_of_formula(
     document: Document, arm: Arm, names: Names, chain: n.Chain, sides: tuple[str, str], told: tuple[str, str, str]
 ) -> Draft | None:
-    from course.feedback import Formula
+    from armproof.course.feedback import Formula
 
     asked, answer = sides
     arguments = tuple(sorted(_symbols(names, arm, chain.members[-1])))

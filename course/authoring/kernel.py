@@ -15,9 +15,9 @@ from pathlib import Path
 from subprocess import DEVNULL
 from typing import Any
 
-from course.authoring.errors import AuthoringError
-from course.authoring.notebook import NotebookCell, as_bytes, as_notebook
-from course.authoring.places import COURSE, Place
+from armproof.course.authoring.errors import AuthoringError
+from armproof.course.authoring.notebook import NotebookCell, as_bytes, as_notebook
+from armproof.course.authoring.places import COURSE, Place
 
 NEEDED = ("nbclient", "nbformat", "ipykernel")
 SECONDS_A_CELL = 60
@@ -120,7 +120,7 @@ def _client(notebook: Any, home: Path, folder: Path) -> Any:
 
 def _environment(folder: Path) -> dict[str, str]:
     """Return the environment of a kernel: nothing of the user's is read, nothing is left behind."""
-    from course.feedback.progress import VARIABLE
+    from armproof.course.feedback.progress import VARIABLE
 
     environment = {name: value for name, value in os.environ.items() if name not in ("MPLBACKEND", "PYTHONSTARTUP")}
     paths = [str(COURSE.root.parent), environment.get("PYTHONPATH", "")]

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.authoring.errors import SourceError
-from course.authoring.solutions import BEGIN, END, Block, find_blocks
-from course.authoring.source import Cell, read_cells
+from armproof.course.authoring.errors import SourceError
+from armproof.course.authoring.solutions import BEGIN, END, Block, find_blocks
+from armproof.course.authoring.source import Cell, read_cells
 
 FILE = re.compile(r"(?P<number>\d\d)_(?P<name>[a-z][a-z0-9_]*)\.py")
 

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from course.authoring.lesson_source import read_lesson_source
-from course.authoring.places import Place
-from course.authoring.tasks import load_tasks
+from armproof.course.authoring.lesson_source import read_lesson_source
+from armproof.course.authoring.places import Place
+from armproof.course.authoring.tasks import load_tasks
 
 if TYPE_CHECKING:
-    from course.feedback import Lesson
+    from armproof.course.feedback import Lesson
 
 
 def described(place: Place, source: Path) -> tuple[str, str, str, str, str]:

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from course.authoring.code import raw, written
-from course.authoring.drafts import Draft
-from models.arm import Arm
+from armproof.course.authoring.code import raw, written
+from armproof.course.authoring.drafts import Draft
+from armproof.models.arm import Arm
 
 _HEAD = '''"""Tasks of lesson {number}, {title}; begun by `armproof lesson new`."""
 
@@ -53,7 +53,7 @@ def write_module(heading: Heading, drafts: Sequence[Draft]) -> str:
     functions = any(draft.has_function for draft in drafts)
     asked = sorted({draft.asks_text.partition("(")[0] for draft in drafts})
     names = ", ".join(sorted(["Lesson", "Task", "Wrong", *asked, *(["WithSympy"] if functions else [])]))
-    imports = ("import numpy as np\n\n" if functions else "") + f"from course.feedback import {names}"
+    imports = ("import numpy as np\n\n" if functions else "") + f"from armproof.course.feedback import {names}"
     text = _HEAD.format(number=heading.number, title=_plain(heading.title), imports=imports, arm=written(heading.spec))
     for draft in drafts:
         if draft.has_function:

@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from course.authoring.editions import metadata_of
-from course.authoring.errors import SourceError
-from course.authoring.lesson_source import Check, LessonSource
-from course.authoring.notebook import NotebookCell, as_bytes, as_notebook
-from course.authoring.source import Cell
+from armproof.course.authoring.editions import metadata_of
+from armproof.course.authoring.errors import SourceError
+from armproof.course.authoring.lesson_source import Check, LessonSource
+from armproof.course.authoring.notebook import NotebookCell, as_bytes, as_notebook
+from armproof.course.authoring.source import Cell
 
 POINTS = 1
 _GRADED = """_feedback = {call}

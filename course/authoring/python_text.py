@@ -5,8 +5,8 @@ from __future__ import annotations
 import keyword
 from collections.abc import Iterator
 
-from models.errors import ArmproofError
-from verification.latex import nodes as n
+from armproof.models.errors import ArmproofError
+from armproof.verification.latex import nodes as n
 
 _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(5)  # how strongly the written term holds together
 _FUNCTIONS = ("cos", "sin", "sqrt")

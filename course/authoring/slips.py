@@ -6,11 +6,11 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
-from models.arm import Arm
-from verification.edits import Edit, Letters, single_edits
-from verification.latex import nodes as n
-from verification.latex.reader import Reader
-from verification.latex.writer import Notation, Writer, symbol_as_latex
+from armproof.models.arm import Arm
+from armproof.verification.diagnosis.slips import Edit, Letters, single_edits
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader
+from armproof.verification.latex.writer import Notation, Writer, symbol_as_latex
 
 EDITS = 60  # of a cell that are looked at
 

@@ -8,8 +8,8 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.authoring.errors import SourceError
-from course.authoring.source import Cell
+from armproof.course.authoring.errors import SourceError
+from armproof.course.authoring.source import Cell
 
 BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"
 CODE, ANSWER = "...  # your code here", "...  # your answer here"

@@ -10,7 +10,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from course.authoring.errors import AuthoringError, SourceError
+from armproof.course.authoring.errors import AuthoringError, SourceError
 
 MARKER = re.compile(r"# %%(?:\s|$)")
 _KIND = re.compile(r"\[(markdown|md|raw)\]")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from course.authoring.report import Report
-from verification.report.lines import Line
+from armproof.course.authoring.report import Report
+from armproof.verification.report.lines import Line
 
 HEAD = ("lesson", "tasks", "answers", "equations", "solved", "student", "check", "")
 _ORDER = ("proved", "confirmed", "defined", "refuted", "unchecked", "unreadable")

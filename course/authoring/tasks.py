@@ -6,12 +6,12 @@ import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from course.authoring.errors import SourceError
-from course.authoring.lesson_source import LessonSource
-from course.authoring.places import Place
+from armproof.course.authoring.errors import SourceError
+from armproof.course.authoring.lesson_source import LessonSource
+from armproof.course.authoring.places import Place
 
 if TYPE_CHECKING:
-    from course.feedback import Lesson
+    from armproof.course.feedback import Lesson
 
 
 def tasks_file(place: Place, name: str) -> Path:
@@ -21,7 +21,7 @@ def tasks_file(place: Place, name: str) -> Path:
 
 def load_tasks(place: Place, source: LessonSource) -> Lesson:
     """Return the lesson that the tasks' module declares; raises SourceError where that cannot be done."""
-    from course.feedback import LessonError, open_lesson
+    from armproof.course.feedback import LessonError, open_lesson
 
     file = tasks_file(place, source.name)
     if not file.is_file():

@@ -8,10 +8,10 @@ import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from course.authoring.report import Report
-from course.authoring.table import head, relative, row
-from verification.cli.progress import Progress
-from verification.report.lines import write_lines
+from armproof.course.authoring.report import Report
+from armproof.course.authoring.table import head, relative, row
+from armproof.verification.cli.progress import Progress
+from armproof.verification.report.lines import write_lines
 
 
 def write_text(reports: Iterable[Report], sources: Sequence[Path]) -> list[Report]:

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback.errors import AnswerError
-from course.feedback.plain_text import read_plain
-from models.errors import ArmproofError
-from models.tracing.from_sympy import FromSympy, is_expression
-from models.tracing.number import as_traced
-from verification.latex import nodes as n
-from verification.latex.reader import Reader
-from verification.latex.tokens import normalise_unicode
-from verification.python.latex import write_matrix
+from armproof.course.feedback.errors import AnswerError
+from armproof.course.feedback.plain_text import read_plain
+from armproof.models.errors import ArmproofError
+from armproof.verification.functions.latex import write_matrix
+from armproof.verification.functions.tracing.from_sympy import FromSympy, is_expression
+from armproof.verification.functions.tracing.number import as_traced
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader
+from armproof.verification.latex.tokens import normalise_unicode
 
 MOST_CHARACTERS = 20_000
 _DOLLARS = re.compile(r"^\s*(\$\$?|\\\[|\\\()(.*?)(\$\$?|\\\]|\\\))\s*$", re.DOTALL)

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback.answer import is_function
-from course.feedback.outcome import Feedback, Outcome
-from course.feedback.plain_text import read_plain
-from models.errors import ArmproofError
+from armproof.course.feedback.answer import is_function
+from armproof.course.feedback.outcome import Feedback, Outcome
+from armproof.course.feedback.plain_text import read_plain
+from armproof.models.errors import ArmproofError
 
 _TOLERANCE = 1e-6
 

@@ -11,24 +11,24 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback.answer import as_latex, is_number
-from course.feedback.errors import AnswerError, LessonError
-from course.feedback.outcome import Feedback, Outcome, Row
-from course.feedback.wording import ASKED, place, sentence, without_asked
-from models.arm import Arm
-from verification.angle_ring import AngleFraction
-from verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
-from verification.clock import now
-from verification.document import Display, Document
-from verification.equality import TABLE_ANGLES
-from verification.errors import ReadError, TooComplex
-from verification.evaluate import Evaluator
-from verification.latex import nodes as n
-from verification.matrix import Matrix
-from verification.report.html.figures import Figure, painter_of
-from verification.sampled_algebra import SampledAlgebra
-from verification.scalar import Scalar
-from verification.verdict import Record, Verdict
+from armproof.course.feedback.answer import as_latex, is_number
+from armproof.course.feedback.errors import AnswerError, LessonError
+from armproof.course.feedback.outcome import Feedback, Outcome, Row
+from armproof.course.feedback.wording import ASKED, place, sentence, without_asked
+from armproof.models.arm import Arm
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
+from armproof.verification.document import Display, Document
+from armproof.verification.equations.equality import TABLE_ANGLES
+from armproof.verification.errors import ReadError, TooComplex
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
+from armproof.verification.report.html.figures import Figure, painter_of
+from armproof.verification.verdict import Record, Verdict
 
 _FILE = Path("answer")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")

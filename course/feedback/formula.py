@@ -11,17 +11,17 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback.answer import as_latex, is_function
-from course.feedback.claim import ANGLE, Claim, judge_formula
-from course.feedback.errors import AnswerError, LessonError
-from course.feedback.outcome import NOTHING, Feedback, Outcome, Row
-from course.feedback.wording import ASKED, place
-from models.errors import ArmproofError
-from models.guarded_call import CallError, Guard
-from models.traced_function import trace_function
-from verification.names import FREE
-from verification.python.latex import write_matrix
-from verification.python.returned import NotAttempted, NotNumbers, read_returned
+from armproof.course.feedback.answer import as_latex, is_function
+from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
+from armproof.course.feedback.errors import AnswerError, LessonError
+from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome, Row
+from armproof.course.feedback.wording import ASKED, place
+from armproof.models.errors import ArmproofError
+from armproof.verification.functions.guarded_call import CallError, Guard
+from armproof.verification.functions.latex import write_matrix
+from armproof.verification.functions.returned import NotAttempted, NotNumbers, read_returned
+from armproof.verification.functions.traced_function import trace_function
+from armproof.verification.naming.names import FREE
 
 SECONDS = 2.0  # that a function may run
 FEW = 8  # samples by which two answers are told apart
@@ -67,7 +67,7 @@ class Formula:
 
     def _free(self) -> dict[str, str]:
         """Bind each argument that is no symbol of the arm as a free letter."""
-        from models.catalogue import load_arm
+        from armproof.models.catalogue import load_arm
 
         arm = load_arm(self.arm) if self.arm is not None else None
         known = {joint.symbol for joint in arm.joints} | {*arm.lengths, *arm.angles} if arm is not None else set()
@@ -257,6 +257,6 @@ def _stopped(value: Any, error: CallError | None) -> Feedback | None:
 
 
 def _as_latex(name: str) -> str:
-    from verification.latex.writer import symbol_as_latex
+    from armproof.verification.latex.writer import symbol_as_latex
 
     return name if "\\" in name else symbol_as_latex(name)

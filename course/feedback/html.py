@@ -8,9 +8,9 @@ from importlib import resources
 
 from markupsafe import Markup
 
-from course.feedback.outcome import Feedback, Outcome
-from course.feedback.text import MARKS, MOST_ROWS, configuration, number, pretty, rest
-from verification.report.html.templating import sketch_style
+from armproof.course.feedback.outcome import Feedback, Outcome
+from armproof.course.feedback.text import MARKS, MOST_ROWS, configuration, number, pretty, rest
+from armproof.verification.report.html.templating import sketch_style
 
 _KINDS = {
     Outcome.PROVED: "right",
@@ -76,4 +76,7 @@ def _sentence(text: str) -> str:
 
 @cache
 def _style() -> str:
-    return resources.files("course.feedback").joinpath("feedback.css").read_text(encoding="utf-8") + sketch_style()
+    return (
+        resources.files("armproof.course.feedback").joinpath("feedback.css").read_text(encoding="utf-8")
+        + sketch_style()
+    )

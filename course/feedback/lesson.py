@@ -12,14 +12,14 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from course.feedback.errors import LessonError
-from course.feedback.notebook import show_figures
-from course.feedback.outcome import Feedback, Outcome
-from course.feedback.progress import keep_progress, reached, read_progress
-from course.feedback.task import Task
-from course.feedback.text import MARKS
+from armproof.course.feedback.errors import LessonError
+from armproof.course.feedback.notebook import show_figures
+from armproof.course.feedback.outcome import Feedback, Outcome
+from armproof.course.feedback.progress import keep_progress, reached, read_progress
+from armproof.course.feedback.task import Task
+from armproof.course.feedback.text import MARKS
 
-PACKAGE = "course.tasks"
+PACKAGE = "armproof.course.tasks"
 
 
 @dataclass(eq=False)
@@ -95,7 +95,7 @@ class Lesson:
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
-        from course.feedback.html import block
+        from armproof.course.feedback.html import block
 
         states = self.progress()
         titles = {task.name: task.title for task in self.tasks}

@@ -27,7 +27,7 @@ def show_figures() -> None:
 
 def as_svg(figure: Figure) -> str:
     """Return a figure as SVG, in the style of the course."""
-    from course.figures.save import save_figure
+    from armproof.course.figures.output.save import save_figure
 
     with tempfile.TemporaryDirectory() as folder:
         svg = save_figure(figure, Path(folder) / "figure.svg", trimmed=True).read_text(encoding="utf-8")

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from models.guarded_call import CallError
-from verification.python.function_check import FunctionVerdict
-from verification.report.html.figures import Figure
+from armproof.verification.functions.function_check import FunctionVerdict
+from armproof.verification.functions.guarded_call import CallError
+from armproof.verification.report.html.figures import Figure
 
 
 class Outcome(StrEnum):
@@ -93,14 +93,14 @@ class Feedback:
         }
 
     def __str__(self) -> str:
-        from course.feedback.text import write_text
+        from armproof.course.feedback.text import write_text
 
         return write_text(self)
 
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        from course.feedback.html import write_html
+        from armproof.course.feedback.html import write_html
 
         return write_html(self)
 

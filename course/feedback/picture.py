@@ -7,16 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback.errors import AnswerError
-from models.arm import Arm
-from models.errors import ArmproofError
-from models.guarded_call import Guard
-from verification.discrepancy import Discrepancy, Drawn, Rows
-from verification.python.arguments import constants_of, read_layout
-from verification.python.asked import read_asked
-from verification.python.returned import NotAttempted, fit, read_returned
-from verification.report.html.figures import Figure, painter_of
-from verification.verdict import Record, Verdict
+from armproof.course.feedback.errors import AnswerError
+from armproof.models.arm import Arm
+from armproof.models.errors import ArmproofError
+from armproof.verification.diagnosis.discrepancy import Discrepancy, Drawn, Rows
+from armproof.verification.functions.arguments import constants_of, read_layout
+from armproof.verification.functions.asked import read_asked
+from armproof.verification.functions.guarded_call import Guard
+from armproof.verification.functions.returned import NotAttempted, fit, read_returned
+from armproof.verification.report.html.figures import Figure, painter_of
+from armproof.verification.verdict import Record, Verdict
 
 SECONDS = 0.5
 

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from course.feedback.errors import AnswerError
-from models.errors import ArmproofError
-from models.tracing.number import TracedNumber, as_traced, constant, function, symbol
+from armproof.course.feedback.errors import AnswerError
+from armproof.models.errors import ArmproofError
+from armproof.verification.functions.tracing.number import TracedNumber, as_traced, constant, function, symbol
 
 _OPERATORS: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: lambda a, b: a + b,

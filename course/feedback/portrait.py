@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from course.feedback.answer import is_function, is_missing
-from course.feedback.errors import AnswerError
-from course.feedback.html import block
-from course.feedback.picture import call_at, draw_answer
-from course.feedback.quantity import Quantity
-from course.feedback.shown import Shown
-from models.errors import ArmproofError
-from verification.python.returned import NotAttempted
-from verification.report.html.figures import Figure
+from armproof.course.feedback.answer import is_function, is_missing
+from armproof.course.feedback.errors import AnswerError
+from armproof.course.feedback.html import block
+from armproof.course.feedback.picture import call_at, draw_answer
+from armproof.course.feedback.quantity import Quantity
+from armproof.course.feedback.shown import Shown
+from armproof.models.errors import ArmproofError
+from armproof.verification.functions.returned import NotAttempted
+from armproof.verification.report.html.figures import Figure
 
 if TYPE_CHECKING:
-    from course.feedback.task import Task
+    from armproof.course.feedback.task import Task
 
 NOTHING_YET = "`{}`: no answer yet, nothing to draw."
 _USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres

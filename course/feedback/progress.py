@@ -7,8 +7,8 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from course.feedback.outcome import Feedback, Outcome
-from verification.atomic import write_atomically
+from armproof.course.feedback.outcome import Feedback, Outcome
+from armproof.verification.running.atomic import write_atomically
 
 VARIABLE = "ARMPROOF_PROGRESS"  # another file; empty: none
 _NAMES = {outcome.value for outcome in Outcome}

@@ -9,17 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback.answer import as_latex, is_function
-from course.feedback.claim import Claim, judge_formula
-from course.feedback.outcome import OF_FUNCTION, Feedback, Row
-from course.feedback.picture import call_at, draw_answer
-from course.feedback.wording import ASKED, place, sentence
-from models.arm import Arm
-from models.catalogue import load_arm
-from verification.python import check_function
-from verification.python.asked import read_asked
-from verification.python.function_check import FunctionVerdict
-from verification.python.telling import unit_of
+from armproof.course.feedback.answer import as_latex, is_function
+from armproof.course.feedback.claim import Claim, judge_formula
+from armproof.course.feedback.outcome import OF_FUNCTION, Feedback, Row
+from armproof.course.feedback.picture import call_at, draw_answer
+from armproof.course.feedback.wording import ASKED, place, sentence
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.verification.functions import check_function
+from armproof.verification.functions.asked import read_asked
+from armproof.verification.functions.function_check import FunctionVerdict
+from armproof.verification.functions.telling import unit_of
 
 FEW = 8  # samples by which two answers are told apart
 

@@ -8,19 +8,19 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from course.feedback.answer import as_latex, is_function, is_missing
-from course.feedback.errors import AnswerError
-from course.feedback.outcome import NOTHING, Feedback, Outcome
-from models.arm import Arm
-from models.catalogue import load_arm
-from verification.check import check_document
-from verification.document import Document
-from verification.document import Table as Printed
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.reader import Reader
-from verification.names import Names, read_names
-from verification.verdict import Record, Verdict
+from armproof.course.feedback.answer import as_latex, is_function, is_missing
+from armproof.course.feedback.errors import AnswerError
+from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.verification.check import check_document
+from armproof.verification.document import Document
+from armproof.verification.document import Table as Printed
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader
+from armproof.verification.naming.names import Names, read_names
+from armproof.verification.verdict import Record, Verdict
 
 COLUMNS = {
     "classic": (r"\theta_i", "d_i", "a_i", r"\alpha_i"),

@@ -12,11 +12,11 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from course.feedback.answer import WithSympy, as_latex, is_function, is_missing
-from course.feedback.errors import AnswerError
-from course.feedback.outcome import NOTHING, Feedback, Outcome
-from course.feedback.shown import Shown
-from models.errors import ArmproofError
+from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
+from armproof.course.feedback.errors import AnswerError
+from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome
+from armproof.course.feedback.shown import Shown
+from armproof.models.errors import ArmproofError
 
 
 class Question(Hashable, Protocol):
@@ -110,7 +110,7 @@ class Task:
 
         Every joint that is not named has a value of its own, none of them zero.
         """
-        from course.feedback.portrait import show_answer
+        from armproof.course.feedback.portrait import show_answer
 
         return show_answer(self, answer, at)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from course.feedback.outcome import Feedback, Outcome, Row
+from armproof.course.feedback.outcome import Feedback, Outcome, Row
 
 MOST_ROWS = 8
 _NOTHING = 1e-12

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from verification.verdict import WrongEntry
+from armproof.verification.verdict import WrongEntry
 
 ASKED = r"\Xi"  # the name that what is asked has in a claim; no course uses it
 _TELLING = re.compile(r"^(?:entry \(\d+, \d+\): )?is .*, should be .*$", re.DOTALL)

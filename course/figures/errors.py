@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from models.errors import ArmproofError
+from armproof.models.errors import ArmproofError
 
 
 class FigureError(ArmproofError):

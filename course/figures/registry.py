@@ -11,12 +11,12 @@ from types import MappingProxyType
 
 from matplotlib.figure import Figure
 
-from course.figures.errors import FigureError
-from course.figures.labels import arm_title, say
-from course.figures.style import GREY, TEXT, new_figure, styled
-from models.arm import Arm
+from armproof.course.figures.drawing.labels import arm_title, say
+from armproof.course.figures.drawing.style import GREY, TEXT, new_figure, styled
+from armproof.course.figures.errors import FigureError
+from armproof.models.arm import Arm
 
-MODULES = (  # of course/figures/, each with its KIND
+MODULES = (  # of course/figures/kinds/, each with its KIND
     "sketch",
     "singular",
     "postures",
@@ -58,7 +58,7 @@ class Kind:
 @cache
 def kinds() -> Mapping[str, Kind]:
     """Return all kinds by name, in the order in which a course meets them."""
-    found = [import_module(f"course.figures.{module}").KIND for module in MODULES]
+    found = [import_module(f"armproof.course.figures.kinds.{module}").KIND for module in MODULES]
     return MappingProxyType({kind.name: kind for kind in found})
 
 

@@ -13,11 +13,11 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
-from course.grading.errors import GradingError
+from armproof.course.grading.errors import GradingError
 
 _PRELOADED = (
-    "numpy", "matplotlib.pyplot", "pydrake.math", "pydrake.multibody.plant", "pydrake.symbolic", "models.catalogue",
-    "course.feedback",
+    "numpy", "matplotlib.pyplot", "pydrake.math", "pydrake.multibody.plant", "pydrake.symbolic", "armproof.models.catalogue",
+    "armproof.course.feedback",
 )  # fmt: skip
 OWN_FOLDER = ".."  # as the notebooks that `armproof lesson build` makes say
 _OF_STUDENTS = ("sympy",)  # where it is installed
@@ -71,7 +71,7 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
     Raises:
         ArmproofError: a lesson is declared wrongly, or there is none in the folder.
     """
-    from course.feedback import Task, lessons
+    from armproof.course.feedback import Task, lessons
 
     named = {lesson.name: lesson for lesson in lessons()} | (_own_lessons(Path(own), base) if own else {})
     course = sorted(named.values(), key=lambda lesson: lesson.number)
@@ -94,8 +94,8 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
 
 def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
     """Return a teacher's own lessons by name, opened from where the notebooks will look for them."""
-    from course.feedback import lesson as opened
-    from course.feedback import open_lesson
+    from armproof.course.feedback import lesson as opened
+    from armproof.course.feedback import open_lesson
 
     names = sorted(
         path.stem for path in (folder / "tasks").glob("*.py") if path.stem.isidentifier() and path.stem != "__init__"

@@ -17,10 +17,10 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from course.grading.errors import GradingError
-from course.grading.keeper import Ended
-from course.grading.limits import Limits
-from course.grading.own_folder import remove
+from armproof.course.grading.errors import GradingError
+from armproof.course.grading.keeper import Ended
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.own_folder import remove
 
 _GRACE = 30.0  # s beyond a submission's own time, after which a keeper that does not answer is given up
 _STARTING = 300.0
@@ -108,7 +108,7 @@ class Client:
             sys.executable,
             "-P",
             "-m",
-            "course.grading.server",
+            "armproof.course.grading.server",
             self._base,
             self._used,
             self._own,

@@ -8,12 +8,12 @@ from typing import Annotated
 
 import typer
 
-from course.grading.errors import GradingError
-from models.errors import ArmproofError
-from verification.cli.app import CANNOT_RUN, INTERRUPTED
-from verification.cli.loading import give_up
-from verification.cli.messages import complain
-from verification.cli.progress import Progress
+from armproof.course.grading.errors import GradingError
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import CANNOT_RUN, INTERRUPTED
+from armproof.verification.cli.loading import give_up
+from armproof.verification.cli.messages import complain
+from armproof.verification.cli.progress import Progress
 
 Folder = Annotated[
     Path, typer.Argument(metavar="FOLDER", help="Notebooks, one a student, or a folder of them for each.")
@@ -47,12 +47,12 @@ def grade(
     """
     if os.name != "posix":
         give_up(GradingError("armproof grade needs Linux or macOS: no other system can run a student's code apart"))
-    from course.grading.grading import grade as grade_all
-    from course.grading.limits import MEGABYTE, Limits
-    from course.grading.pages import GRADES, write_grades
-    from course.grading.submissions import find_submissions
-    from course.grading.summary import summarise
-    from verification.report.html.folder import new_report
+    from armproof.course.grading.grading import grade as grade_all
+    from armproof.course.grading.limits import MEGABYTE, Limits
+    from armproof.course.grading.pages import GRADES, write_grades
+    from armproof.course.grading.submissions import find_submissions
+    from armproof.course.grading.summary import summarise
+    from armproof.verification.report.html.folder import new_report
 
     try:
         submissions = find_submissions(folder)

@@ -11,7 +11,7 @@ import types
 from collections.abc import Iterator
 from typing import Any
 
-_ROOMS = ("models", "verification", "course")
+_OURS = "armproof."
 
 
 def snapshot() -> dict[str, tuple[object, object]]:
@@ -31,7 +31,7 @@ def _same(was: tuple[object, object], now: tuple[object, object]) -> bool:
 
 def _functions() -> Iterator[tuple[str, tuple[object, object]]]:
     for module_name, module in list(sys.modules.items()):
-        if module_name.partition(".")[0] not in _ROOMS or not isinstance(module, types.ModuleType):
+        if not module_name.startswith(_OURS) or not isinstance(module, types.ModuleType):
             continue
         for name, value in list(vars(module).items()):
             if getattr(value, "__module__", None) == module_name:

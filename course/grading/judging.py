@@ -6,13 +6,13 @@ import signal
 from collections.abc import Sequence
 from typing import Any
 
-from course.grading.keeper import Ended
-from course.grading.limits import MEGABYTE, Limits
-from course.grading.notebook import Notebook
-from course.grading.reports import NOT_ATTEMPTED, Report, read_report
-from course.grading.results import Graded, Status, TaskResult
-from course.grading.submissions import Submission
-from course.grading.text import clean, clean_lines
+from armproof.course.grading.keeper import Ended
+from armproof.course.grading.limits import MEGABYTE, Limits
+from armproof.course.grading.notebook import Notebook
+from armproof.course.grading.reports import NOT_ATTEMPTED, Report, read_report
+from armproof.course.grading.results import Graded, Status, TaskResult
+from armproof.course.grading.submissions import Submission
+from armproof.course.grading.text import clean, clean_lines
 
 _STARVED = 0.5  # of its time
 _SHOWN = 4000  # characters of the output on a page

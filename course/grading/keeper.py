@@ -19,13 +19,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn
 
-from course.grading.limits import Limits
-from course.grading.own_folder import remove, size_of
-from course.grading.processes import descendants, end_all, memory_of
-from course.grading.sandbox.kernel import PR_SET_CHILD_SUBREAPER, prctl
-from course.grading.sandbox.namespaces import enter_namespaces
-from course.grading.sandbox.plan import Plan, enter
-from course.grading.sandbox.privileges import give_folder
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.own_folder import remove, size_of
+from armproof.course.grading.processes import descendants, end_all, memory_of
+from armproof.course.grading.sandbox.kernel import PR_SET_CHILD_SUBREAPER, prctl
+from armproof.course.grading.sandbox.namespaces import enter_namespaces
+from armproof.course.grading.sandbox.plan import Plan, enter
+from armproof.course.grading.sandbox.privileges import give_folder
 
 _TICK = 0.05  # s between looks at the run's memory
 _SURVEY = 0.5  # s between looks at all of its processes, and at its folder

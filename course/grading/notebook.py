@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from course.grading.limits import MEGABYTE
+from armproof.course.grading.limits import MEGABYTE
 
 _LARGEST = 20 * MEGABYTE
 _OPENED = re.compile(r"open_lesson\(\s*[\"'](\w+)[\"']")

@@ -11,15 +11,15 @@ from pathlib import Path
 
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
-from course.grading.grading import Grades
-from course.grading.limits import MEGABYTE
-from course.grading.protections import describe
-from course.grading.results import Graded, Status
-from course.grading.tables import RESULTS, SUBMISSIONS, results_table, submissions_table
-from verification.report.html.folder import Kind, is_page
-from verification.report.html.site import INDEX, page_names
-from verification.report.html.states import State
-from verification.report.html.templating import every_page, versions
+from armproof.course.grading.grading import Grades
+from armproof.course.grading.limits import MEGABYTE
+from armproof.course.grading.protections import describe
+from armproof.course.grading.results import Graded, Status
+from armproof.course.grading.tables import RESULTS, SUBMISSIONS, results_table, submissions_table
+from armproof.verification.report.html.folder import Kind, is_page
+from armproof.verification.report.html.site import INDEX, page_names
+from armproof.verification.report.html.states import State
+from armproof.verification.report.html.templating import every_page, versions
 
 OUTCOMES = {
     "correct (proved)": State("proved", "✓", "correct (proved)"),
@@ -103,7 +103,9 @@ def _render(template: str, **values: object) -> str:
 @lru_cache(maxsize=1)
 def _environment() -> Environment:
     return Environment(
-        loader=ChoiceLoader([PackageLoader("course.grading"), PackageLoader("verification.report.html")]),
+        loader=ChoiceLoader(
+            [PackageLoader("armproof.course.grading"), PackageLoader("armproof.verification.report.html")]
+        ),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,

@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from course.grading.keeper import Ended, keep
-from course.grading.limits import Limits
-from course.grading.sandbox.landlock import landlock_version
-from course.grading.sandbox.places import readable_places
-from course.grading.sandbox.plan import Plan
-from course.grading.sandbox.privileges import choose_user, is_readable_by
-from course.grading.sandbox.resources import count_threads
+from armproof.course.grading.keeper import Ended, keep
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.sandbox.landlock import landlock_version
+from armproof.course.grading.sandbox.places import readable_places
+from armproof.course.grading.sandbox.plan import Plan
+from armproof.course.grading.sandbox.privileges import choose_user, is_readable_by
+from armproof.course.grading.sandbox.resources import count_threads
 
 ATTEMPTS = {
     "own": "has a folder of its own, and can write there",

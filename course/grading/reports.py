@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from course.grading.results import CellError
-from course.grading.text import clean
+from armproof.course.grading.results import CellError
+from armproof.course.grading.text import clean
 
 _MOST = 200  # errors and notes that are kept
 NOT_ATTEMPTED = "not attempted"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from course.grading.submissions import Submission
+from armproof.course.grading.submissions import Submission
 
 
 class Status(StrEnum):

@@ -17,14 +17,14 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, NoReturn
 
-from course.grading.keeper import keep
-from course.grading.limits import Limits
-from course.grading.own_folder import remove
-from course.grading.protections import make_plan
-from course.grading.sandbox.kernel import PR_SET_PDEATHSIG, prctl
-from course.grading.sandbox.plan import Plan
-from course.grading.sandbox.privileges import choose_user
-from models.errors import ArmproofError
+from armproof.course.grading.keeper import keep
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.own_folder import remove
+from armproof.course.grading.protections import make_plan
+from armproof.course.grading.sandbox.kernel import PR_SET_PDEATHSIG, prctl
+from armproof.course.grading.sandbox.plan import Plan
+from armproof.course.grading.sandbox.privileges import choose_user
+from armproof.models.errors import ArmproofError
 
 Results = Callable[[], list[dict[str, Any]]]
 
@@ -41,7 +41,7 @@ def main(base: str, used: list[str], own: str, sockets: list[int]) -> None:
     prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
     slots = [socket.socket(fileno=number) for number in sockets]
     try:
-        from course.grading.checker import load_course, preload
+        from armproof.course.grading.checker import load_course, preload
 
         preload()
         catalogue, results = load_course(used, own, base)
@@ -143,7 +143,7 @@ class _Server:
             os._exit(code)
 
     def _task(self, slot: socket.socket) -> tuple[Any, Plan, Limits]:
-        from course.grading.runner import run_cells
+        from armproof.course.grading.runner import run_cells
 
         with slot.makefile("rb") as file:
             task = json.loads(file.readline())

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from unicodedata import normalize
 
-from course.grading.errors import GradingError
-from course.grading.text import clean
+from armproof.course.grading.errors import GradingError
+from armproof.course.grading.text import clean
 
 _NOTEBOOK = ".ipynb"
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
-from course.grading.grading import Grades
-from course.grading.protections import describe
-from course.grading.results import Status
-from verification.cli.app import FAILS, PASSES
-from verification.cli.messages import complain
-from verification.report.html.site import INDEX
-from verification.report.lines import Line, write_lines
+from armproof.course.grading.grading import Grades
+from armproof.course.grading.protections import describe
+from armproof.course.grading.results import Status
+from armproof.verification.cli.app import FAILS, PASSES
+from armproof.verification.cli.messages import complain
+from armproof.verification.report.html.site import INDEX
+from armproof.verification.report.lines import Line, write_lines
 
 
 def summarise(grades: Grades, out: Path) -> int:

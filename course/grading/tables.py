@@ -6,8 +6,8 @@ import csv
 import io
 from collections.abc import Iterable, Sequence
 
-from course.grading.results import Graded
-from course.grading.text import as_cell
+from armproof.course.grading.results import Graded
+from armproof.course.grading.text import as_cell
 
 RESULTS, SUBMISSIONS = "results.csv", "submissions.csv"
 _OF_TASKS = ("student", "file", "lesson", "task", "outcome", "message")

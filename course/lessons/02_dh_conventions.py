@@ -24,10 +24,10 @@
 # %%
 import numpy as np
 
-from course.feedback import open_lesson
-from course.figures.sketch import sketch
-from course.tasks.dh_conventions import CLASSIC, MODIFIED
-from models.catalogue import load_arm
+from armproof.course.feedback import open_lesson
+from armproof.course.figures.kinds.sketch import sketch
+from armproof.course.tasks.dh_conventions import CLASSIC, MODIFIED
+from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("dh_conventions")
 lesson

@@ -49,9 +49,9 @@
 # %%
 import numpy as np
 
-from course.feedback import open_lesson
-from course.figures.sketch import sketch
-from models.catalogue import load_arm
+from armproof.course.feedback import open_lesson
+from armproof.course.figures.kinds.sketch import sketch
+from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("scara_forward")
 lesson

@@ -36,7 +36,7 @@
 # `lesson.prediction.hint()` gives a hint, one more at each call.
 
 # %%
-from course.feedback import open_lesson
+from armproof.course.feedback import open_lesson
 
 lesson = open_lesson("spatial_rrr")
 lesson
@@ -61,8 +61,8 @@ lesson
 # beyond it; which of the two is meant is the question.
 
 # %%
-from course.figures.sketch import sketch
-from models.catalogue import load_arm
+from armproof.course.figures.kinds.sketch import sketch
+from armproof.models.catalogue import load_arm
 
 sketch(load_arm("spatial_rrr"), table=False)
 
@@ -207,7 +207,7 @@ lesson.determinant.check(determinant)
 # In both families a velocity is lost, along the arm in one and across its plane in the other:
 
 # %%
-from course.figures.registry import draw_kind, find_kind
+from armproof.course.figures.registry import draw_kind, find_kind
 
 draw_kind(find_kind("singular"), load_arm("spatial_rrr"))
 

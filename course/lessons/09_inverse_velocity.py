@@ -35,10 +35,10 @@
 # %%
 import numpy as np
 
-from course.feedback import open_lesson
-from course.figures.registry import draw_kind, find_kind
-from course.tasks.inverse_velocity import show_rates
-from models.catalogue import load_arm
+from armproof.course.feedback import open_lesson
+from armproof.course.figures.registry import draw_kind, find_kind
+from armproof.course.tasks.inverse_velocity import show_rates
+from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("inverse_velocity")
 lesson
@@ -243,4 +243,4 @@ lesson.limit.check(behaviour)
 # - `course/handouts/inverse-velocity.md`: damped least squares, with the error it costs everywhere.
 # - `course/handouts/planar-3r-pseudo-inverse.md`: a wide Jacobian, and the joint motions that leave the gripper where
 #   it is.
-# - `models.inverse_velocity` computes all of these from singular values, for one Jacobian or a million.
+# - `armproof.models.motion.inverse_velocity` computes all of these from singular values, for one Jacobian or a million.

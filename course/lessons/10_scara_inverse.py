@@ -39,10 +39,10 @@
 # %%
 import numpy as np
 
-from course.feedback import open_lesson
-from course.figures.registry import draw_kind, find_kind
-from course.tasks.scara_inverse import show_inverse
-from models.catalogue import load_arm
+from armproof.course.feedback import open_lesson
+from armproof.course.figures.registry import draw_kind, find_kind
+from armproof.course.tasks.scara_inverse import show_inverse
+from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("scara_inverse")
 lesson
@@ -249,5 +249,5 @@ lesson.equal_links.check(number)
 # ## Further
 #
 # - `course/handouts/scara-004.md` proves that these two postures are all there are.
-# - `inverse_of("scara_column").solve(targets)` from `course.inverse` returns every posture of many targets at once,
+# - `inverse_of("scara_column").solve(targets)` from `armproof.course.inverse` returns every posture of many targets at once,
 #   with a mark for targets on the edge, out of reach or degenerate.

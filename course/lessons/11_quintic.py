@@ -30,10 +30,10 @@
 # %%
 import numpy as np
 
-from course.feedback import open_lesson
-from course.figures.registry import draw_kind, find_kind
-from course.tasks.quintic import show_motion, show_tracking
-from models.catalogue import load_arm
+from armproof.course.feedback import open_lesson
+from armproof.course.figures.registry import draw_kind, find_kind
+from armproof.course.tasks.quintic import show_motion, show_tracking
+from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("quintic")
 lesson
@@ -231,7 +231,7 @@ lesson.halved.check(factors)
 #
 # - `course/handouts/quintic-004.md` proves the peaks, and finds the distance at which the acceleration stops being the
 #   limit.
-# - `models.motion.quintic` takes any velocities and accelerations at the ends; `models.motion.time_optimal` is faster,
+# - `armproof.models.motion.quintic` takes any velocities and accelerations at the ends; `armproof.models.motion.time_optimal` is faster,
 #   and less smooth.
-# - `track(..., mass_factor=0.8)` of `models.motion.tracking` gives the controller wrong masses: see what error that
+# - `track(..., mass_factor=0.8)` of `armproof.models.motion.tracking` gives the controller wrong masses: see what error that
 #   makes.

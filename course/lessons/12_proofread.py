@@ -29,10 +29,10 @@
 # %%
 import numpy as np
 
-from course.feedback import open_lesson
-from course.figures.registry import draw_kind, find_kind
-from course.tasks.proofread import proofread, show_sheet
-from models.catalogue import load_arm
+from armproof.course.feedback import open_lesson
+from armproof.course.figures.registry import draw_kind, find_kind
+from armproof.course.tasks.proofread import proofread, show_sheet
+from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("proofread")
 lesson
@@ -217,7 +217,7 @@ lesson.inverse.check(inverse)
 # ## Then the tool
 #
 # `proofread` writes the sheet to a temporary file and has it verified. In a terminal you would type
-# `armproof verify sheet.md`; in Python, `verify(Path("sheet.md"))` with `from verification.check import verify`. It
+# `armproof verify sheet.md`; in Python, `verify(Path("sheet.md"))` with `from armproof.verification.check import verify`. It
 # proves or refutes each display for all joint values and all lengths, so that neither a lucky pose nor equal links can
 # hide an error. Are its corrections yours?
 

@@ -9,13 +9,13 @@ from typing import Annotated
 
 import typer
 
-from models.errors import ArmproofError
-from verification.batch import Failure
-from verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED
-from verification.cli.documents import check_paths
-from verification.cli.loading import give_up
-from verification.cli.messages import complain
-from verification.verdict import DocumentResult
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED
+from armproof.verification.cli.documents import check_paths
+from armproof.verification.cli.loading import give_up
+from armproof.verification.cli.messages import complain
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult
 
 
 class Format(StrEnum):
@@ -47,8 +47,8 @@ def handout(
 
     Exit code 0: all are printed; 1: one does not pass, and is printed as a draft only; 2: one cannot be printed.
     """
-    from course.printing.document import Edition
-    from course.printing.printing import Printer, prepare
+    from armproof.course.printing.document import Edition
+    from armproof.course.printing.printing import Printer, prepare
 
     try:
         printer = Printer(sheet_format.value, out, Edition(draft, solutions, lang))

@@ -5,21 +5,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.printing.editions import for_students, has_solutions, with_solutions
-from course.printing.errors import PrintError
-from course.printing.figures import draw_figures
-from course.printing.inline import InlineReader
-from course.printing.reading import BlockReader
-from course.printing.sheet import Block, Heading, Inline, Picture, Sheet, Text, plain
-from course.printing.words import check_language, say
-from models.catalogue import load_arm
-from verification.document import Document
-from verification.document.front_matter import split_front_matter
-from verification.document.markdown import markdown_reader
-from verification.document.notebook import notebook_cells
-from verification.document.text import read_text
-from verification.names import read_names
-from verification.verdict import DocumentResult
+from armproof.course.printing.editions import for_students, has_solutions, with_solutions
+from armproof.course.printing.errors import PrintError
+from armproof.course.printing.figures import draw_figures
+from armproof.course.printing.inline import InlineReader
+from armproof.course.printing.reading import BlockReader
+from armproof.course.printing.sheet import Block, Heading, Inline, Picture, Sheet, Text, plain
+from armproof.course.printing.words import check_language, say
+from armproof.models.catalogue import load_arm
+from armproof.verification.document import Document
+from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.markdown import markdown_reader
+from armproof.verification.document.notebook import notebook_cells
+from armproof.verification.document.text import read_text
+from armproof.verification.naming.names import read_names
+from armproof.verification.verdict import DocumentResult
 
 PRINTED = (".md", ".qmd", ".ipynb")
 

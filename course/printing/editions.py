@@ -13,8 +13,19 @@ from dataclasses import replace
 from itertools import zip_longest
 from typing import TypeGuard
 
-from course.printing.reading import is_solution
-from course.printing.sheet import Blank, Block, Display, Heading, Listing, Paragraph, Picture, Quote, Table, plain
+from armproof.course.printing.reading import is_solution
+from armproof.course.printing.sheet import (
+    Blank,
+    Block,
+    Display,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Quote,
+    Table,
+    plain,
+)
 
 _LINE = 7.0  # mm of a line in handwriting
 _HIGHEST = 100.0  # mm, so that two with their questions fill a page

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from course.figures.registry import caption_kind, draw_kind, find_kind
-from course.figures.save import save_figure
-from course.figures.style import MM
-from course.printing.errors import PrintError
-from course.printing.sheet import Inline, Picture
-from models.arm import Arm
-from verification.document import Document
+from armproof.course.figures.drawing.style import MM
+from armproof.course.figures.output.save import save_figure
+from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
+from armproof.course.printing.errors import PrintError
+from armproof.course.printing.sheet import Inline, Picture
+from armproof.models.arm import Arm
+from armproof.verification.document import Document
 
 DEFAULT = "sketch"
 

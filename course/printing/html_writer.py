@@ -9,11 +9,11 @@ from importlib import resources
 
 from markupsafe import Markup, escape
 
-from course.printing import sheet as s
-from course.printing.proof import proof_line, remark
-from course.printing.words import say
-from verification.latex.mathml.display import Line
-from verification.verdict import Record
+from armproof.course.printing import sheet as s
+from armproof.course.printing.proof import proof_line, remark
+from armproof.course.printing.words import say
+from armproof.verification.latex.mathml.display import Line
+from armproof.verification.verdict import Record
 
 _TYPES = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg", ".gif": "gif", ".svg": "svg+xml", ".webp": "webp"}
 _PAGE = 46.0  # em of mathematics on a line of A4
@@ -62,7 +62,9 @@ class HtmlWriter:
     def page(self) -> str:
         """Return the whole page."""
         sheet = self.sheet
-        style = resources.files("course.printing").joinpath("templates", "sheet.css").read_text(encoding="utf-8")
+        style = (
+            resources.files("armproof.course.printing").joinpath("templates", "sheet.css").read_text(encoding="utf-8")
+        )
         digest = f"sha256-{base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()}"
         draft = Markup('<div class="across" aria-hidden="true">{}</div>\n').format(say("draft", sheet.lang))
         source = Markup('<p class="source">{}</p>\n').format(self._content(sheet.source))

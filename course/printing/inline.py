@@ -13,13 +13,13 @@ from urllib.parse import unquote
 
 from markdown_it.token import Token
 
-from course.printing.sheet import Break, Code, Formula, Inline, Link, Styled, Text, plain
-from models.errors import ArmproofError
-from verification.document import SUFFIXES, read_document
-from verification.errors import ReadError
-from verification.latex.mathml.display import pieces, write_display
-from verification.latex.mathml.writer import Read
-from verification.latex.plain import plain_text
+from armproof.course.printing.sheet import Break, Code, Formula, Inline, Link, Styled, Text, plain
+from armproof.models.errors import ArmproofError
+from armproof.verification.document import SUFFIXES, read_document
+from armproof.verification.errors import ReadError
+from armproof.verification.latex.mathml.display import pieces, write_display
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.latex.plain import plain_text
 
 _INLINE = 24.0  # em of a formula within words; a wider one may end a line at its relations
 _SAFE = re.compile(r"(?:https?://|mailto:)[^\s\x00-\x1f]+", re.IGNORECASE)

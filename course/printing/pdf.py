@@ -8,9 +8,9 @@ from importlib import resources
 from importlib.util import find_spec
 from pathlib import Path
 
-from course.printing import sheet as s
-from course.printing.errors import PrintError
-from course.printing.typst_writer import TypstWriter
+from armproof.course.printing import sheet as s
+from armproof.course.printing.errors import PrintError
+from armproof.course.printing.typst_writer import TypstWriter
 
 MISSING = "a PDF sheet is typeset by Typst, which is not installed: pip install 'armproof[print]'; --format html needs nothing"
 
@@ -35,7 +35,7 @@ def write_pdf(sheet: s.Sheet) -> bytes:
     with tempfile.TemporaryDirectory(prefix="armproof-sheet-") as name:
         folder = Path(name)
         names = _copy_pictures(sheet, folder)
-        template = resources.files("course.printing").joinpath("templates", "sheet.typ")
+        template = resources.files("armproof.course.printing").joinpath("templates", "sheet.typ")
         (folder / "sheet.typ").write_text(template.read_text(encoding="utf-8"), encoding="utf-8")
         main = folder / "main.typ"
         main.write_text(TypstWriter(sheet, names).source(), encoding="utf-8")

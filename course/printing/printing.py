@@ -7,16 +7,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.printing.document import Edition, make_sheet
-from course.printing.errors import PrintError
-from course.printing.html_writer import HtmlWriter
-from course.printing.pdf import check_installed, write_pdf
-from course.printing.sheet import Sheet
-from course.printing.words import check_language
-from verification.atomic import write_atomically
-from verification.cli.messages import complain
-from verification.document import Document
-from verification.verdict import DocumentResult
+from armproof.course.printing.document import Edition, make_sheet
+from armproof.course.printing.errors import PrintError
+from armproof.course.printing.html_writer import HtmlWriter
+from armproof.course.printing.pdf import check_installed, write_pdf
+from armproof.course.printing.sheet import Sheet
+from armproof.course.printing.words import check_language
+from armproof.verification.cli.messages import complain
+from armproof.verification.document import Document
+from armproof.verification.running.atomic import write_atomically
+from armproof.verification.verdict import DocumentResult
 
 FORMATS = ("pdf", "html")
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from importlib.metadata import PackageNotFoundError, version
 
-from course.printing.sheet import Sheet
-from course.printing.words import say
-from verification.verdict import Record, Verdict
+from armproof.course.printing.sheet import Sheet
+from armproof.course.printing.words import say
+from armproof.verification.verdict import Record, Verdict
 
 
 def proof_line(sheet: Sheet) -> str:

@@ -13,10 +13,10 @@ from pathlib import Path
 from markdown_it.token import Token
 from markdown_it.tree import SyntaxTreeNode
 
-from course.printing.errors import PrintError
-from course.printing.inline import InlineReader
-from course.printing.pictures import find_picture
-from course.printing.sheet import (
+from armproof.course.printing.errors import PrintError
+from armproof.course.printing.inline import InlineReader
+from armproof.course.printing.pictures import find_picture
+from armproof.course.printing.sheet import (
     Block,
     Display,
     Heading,
@@ -31,16 +31,16 @@ from course.printing.sheet import (
     Text,
     plain,
 )
-from verification.correction import edits
-from verification.document import Display as Source
-from verification.document.markdown import ADMONITIONS, markdown_reader, without_labels
-from verification.errors import ReadError
-from verification.latex.mathml.display import write_display
-from verification.latex.mathml.marks import WRONG
-from verification.latex.mathml.writer import WIDEST
-from verification.latex.tokens import normalise_unicode
-from verification.tables.array import read_array
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.correction import edits
+from armproof.verification.document import Display as Source
+from armproof.verification.document.markdown import ADMONITIONS, markdown_reader, without_labels
+from armproof.verification.errors import ReadError
+from armproof.verification.latex.mathml.display import write_display
+from armproof.verification.latex.mathml.marks import WRONG
+from armproof.verification.latex.mathml.writer import WIDEST
+from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.tables.array import read_array
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 _DIRECTIVE = re.compile(r"\s*\{?\s*\.?(?P<name>[\w:-]*)\}?\s*(?P<title>[^\n]*)")
 _ERRATUM = re.compile(r"[#*_\s]*errat(?:um|a)\b", re.IGNORECASE)

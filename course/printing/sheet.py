@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
-from verification.latex.mathml.box import Box
-from verification.latex.mathml.display import Line
-from verification.verdict import Record
+from armproof.verification.latex.mathml.box import Box
+from armproof.verification.latex.mathml.display import Line
+from armproof.verification.verdict import Record
 
 # -- inline ------------------------------------------------------------------------------------------------------------
 

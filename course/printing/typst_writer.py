@@ -11,11 +11,11 @@ import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from course.printing import sheet as s
-from course.printing.mathematics import quoted, typst_mathematics
-from course.printing.proof import proof_line, remark
-from course.printing.words import say
-from verification.latex.mathml.display import Line
+from armproof.course.printing import sheet as s
+from armproof.course.printing.mathematics import quoted, typst_mathematics
+from armproof.course.printing.proof import proof_line, remark
+from armproof.course.printing.words import say
+from armproof.verification.latex.mathml.display import Line
 
 _SPECIAL = re.compile(r"[!#$%&*+\-./:;<=>?@\[\\\]^_`{|}~]")
 _JOINT = re.compile(r"<mo>[⇒⇔⇐]</mo>|<mtext>[^<]*</mtext>")

@@ -9,13 +9,13 @@ from pathlib import Path
 
 from markupsafe import Markup, escape
 
-from course.figures.meshcat import no_page, write_page
-from models.arm import Arm
-from models.catalogue import load_arm
-from verification.latex.mathml.writer import Read
-from verification.report.html.card import ArmCard, arm_card
-from verification.report.html.figures import Figure, painter_of
-from verification.report.html.templating import GENERATOR
+from armproof.course.figures.output.meshcat import no_page, write_page
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.report.html.card import ArmCard, arm_card
+from armproof.verification.report.html.figures import Figure, painter_of
+from armproof.verification.report.html.templating import GENERATOR
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 
 from markupsafe import Markup
 
-from course.feedback import Lesson, Task
-from course.printing import sheet as s
-from course.site.cells import Cell, Output
-from course.site.outputs import show_outputs
-from course.site.reading import LessonReader
-from course.site.writer import Entry, PageWriter, python
+from armproof.course.feedback import Lesson, Task
+from armproof.course.printing import sheet as s
+from armproof.course.site.cells import Cell, Output
+from armproof.course.site.outputs import show_outputs
+from armproof.course.site.reading import LessonReader
+from armproof.course.site.writer import Entry, PageWriter, python
 
 NOTHING = Markup("")
 _WAITING = "not attempted"  # what a task says before there is an answer

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
 
-from course.authoring.places import COURSE, Place
-from course.site.errors import SiteError
-from models.errors import ArmproofError
-from verification.report.html.folder import Kind, is_page, new_report
+from armproof.course.authoring.places import COURSE, Place
+from armproof.course.site.errors import SiteError
+from armproof.models.errors import ArmproofError
+from armproof.verification.report.html.folder import Kind, is_page, new_report
 
 FILES = "files.json"  # the digest of each file that is no page
 MOST_WORKERS = 4
@@ -88,7 +88,7 @@ def kind_of(target: Path) -> Kind:
 
 def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
     """Yield what became of each lesson; the processes begin before Drake is imported."""
-    from course.site import work
+    from armproof.course.site import work
 
     with ProcessPoolExecutor(workers, get_context("fork"), initializer=_begin) as pool:
         try:

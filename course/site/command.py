@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from models.errors import ArmproofError
-from verification.cli.app import FAILS, INTERRUPTED
-from verification.cli.loading import give_up
-from verification.cli.messages import complain
-from verification.cli.progress import Progress
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import FAILS, INTERRUPTED
+from armproof.verification.cli.loading import give_up
+from armproof.verification.cli.messages import complain
+from armproof.verification.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from course.site.build import Built
+    from armproof.course.site.build import Built
 
 Names = Annotated[
     list[str] | None,
@@ -47,10 +47,10 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
     there; 1: a lesson does not run or does not pass; 2: an unknown lesson, or a folder that cannot be written. What is there stays
     unless all of the new site is there.
     """
-    from course.authoring.kernel import require_jupyter
-    from course.authoring.places import place_of
-    from course.site.build import Order, build_site
-    from course.site.errors import SiteError
+    from armproof.course.authoring.kernel import require_jupyter
+    from armproof.course.authoring.places import place_of
+    from armproof.course.site.build import Order, build_site
+    from armproof.course.site.errors import SiteError
 
     started = time.perf_counter()
     target = out or Path("build/site-solutions" if solutions else "build/site")

@@ -1,6 +1,6 @@
 """What may go wrong when the course site is built."""
 
-from models.errors import ArmproofError
+from armproof.models.errors import ArmproofError
 
 
 class SiteError(ArmproofError):

@@ -5,12 +5,12 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from course.authoring.kernel import Fault, run_cells
-from course.authoring.lesson_source import LessonSource
-from course.authoring.notebook import NotebookCell
-from course.authoring.places import COURSE, Place
-from course.site.cells import Cell, cells_of, with_outputs
-from course.site.errors import SiteError
+from armproof.course.authoring.kernel import Fault, run_cells
+from armproof.course.authoring.lesson_source import LessonSource
+from armproof.course.authoring.notebook import NotebookCell
+from armproof.course.authoring.places import COURSE, Place
+from armproof.course.site.cells import Cell, cells_of, with_outputs
+from armproof.course.site.errors import SiteError
 
 _CONFIG = "c.InlineBackend.figure_formats = {'svg'}\nc.HistoryManager.enabled = False\n"
 _LONGEST = 300  # characters of what was raised

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from course.feedback import Lesson
-from course.site.arms import picture_of, view_name
-from course.site.page import Neighbour
-from course.site.templating import render
-from models.arm import Arm
-from models.catalogue import load_arm
-from verification.latex.mathml.writer import Read
-from verification.names import read_names
-from verification.report.html.figures import Figure
-from verification.report.html.prose import title
+from armproof.course.feedback import Lesson
+from armproof.course.site.arms import picture_of, view_name
+from armproof.course.site.page import Neighbour
+from armproof.course.site.templating import render
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.naming.names import read_names
+from armproof.verification.report.html.figures import Figure
+from armproof.verification.report.html.prose import title
 
 
 @dataclass(frozen=True)

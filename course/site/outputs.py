@@ -10,8 +10,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from course.site.cells import Output
-from course.site.cleaning import clean
+from armproof.course.site.cells import Output
+from armproof.course.site.cleaning import clean
 
 _ANSI = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 _ADDRESS = re.compile(r"^<[\w.]+(?: object)? at 0x[0-9a-f]+>$|^<[\w.]+ object.*0x[0-9a-f]+.*>$")

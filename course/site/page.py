@@ -5,18 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.feedback import Lesson
-from course.printing import sheet as s
-from course.printing.proof import proof_line
-from course.site.arms import arm_panel
-from course.site.body import BodyWriter
-from course.site.cells import Cell
-from course.site.errors import SiteError
-from course.site.reading import LessonReader
-from course.site.templating import render
-from verification.document import Document
-from verification.report.html.prose import plain_title, title
-from verification.verdict import DocumentResult
+from armproof.course.feedback import Lesson
+from armproof.course.printing import sheet as s
+from armproof.course.printing.proof import proof_line
+from armproof.course.site.arms import arm_panel
+from armproof.course.site.body import BodyWriter
+from armproof.course.site.cells import Cell
+from armproof.course.site.errors import SiteError
+from armproof.course.site.reading import LessonReader
+from armproof.course.site.templating import render
+from armproof.verification.document import Document
+from armproof.verification.report.html.prose import plain_title, title
+from armproof.verification.verdict import DocumentResult
 
 INDEX = "index.html"
 

@@ -9,17 +9,17 @@ from urllib.parse import unquote
 
 from markdown_it.token import Token
 
-from course.printing.editions import with_solutions
-from course.printing.inline import InlineReader
-from course.printing.reading import BlockReader
-from course.printing.sheet import Block, Heading, Inline, Link, Listing, Paragraph, Quote, Styled, Text
-from course.site.cells import Cell
-from models.arm import Arm
-from models.catalogue import load_arm
-from verification.document import Document
-from verification.latex.mathml.writer import Read
-from verification.names import read_names
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.course.printing.editions import with_solutions
+from armproof.course.printing.inline import InlineReader
+from armproof.course.printing.reading import BlockReader
+from armproof.course.printing.sheet import Block, Heading, Inline, Link, Listing, Paragraph, Quote, Styled, Text
+from armproof.course.site.cells import Cell
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.verification.document import Document
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.naming.names import read_names
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 _LESSON = re.compile(r"(?:\.\./)?(?:\./)?(?:\w+/)?(?P<stem>(?:\d\d_)?[a-z]\w*)(?:\.ipynb|\.py|\.html)?(?P<at>#[\w-]+)?")
 

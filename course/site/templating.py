@@ -12,7 +12,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from verification.report.html.templating import GENERATOR, sketch_style, versions
+from armproof.verification.report.html.templating import GENERATOR, sketch_style, versions
 
 
 def render(template: str, styles: Iterable[str] = (), **values: Any) -> str:
@@ -55,7 +55,7 @@ def _style() -> str:
 @lru_cache(maxsize=1)
 def _environment() -> Environment:
     return Environment(
-        loader=PackageLoader("course.site"),
+        loader=PackageLoader("armproof.course.site"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -65,7 +65,7 @@ def _environment() -> Environment:
 
 @lru_cache(maxsize=8)
 def _resource(name: str) -> str:
-    return resources.files("course.site").joinpath("templates", name).read_text(encoding="utf-8")
+    return resources.files("armproof.course.site").joinpath("templates", name).read_text(encoding="utf-8")
 
 
 def _digest(text: str) -> str:

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from course.site.build import Built, Order
-from course.site.errors import SiteError
-from models.errors import ArmproofError
+from armproof.course.site.build import Built, Order
+from armproof.course.site.errors import SiteError
+from armproof.models.errors import ArmproofError
 
 if TYPE_CHECKING:
-    from course.feedback import Lesson
+    from armproof.course.feedback import Lesson
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ class Described:
 
 def describe(order: Order) -> list[Described]:
     """Return what is known of each lesson before it is executed; raises SiteError."""
-    from course.site.page import neighbour
-    from models.catalogue import arm_names
-    from verification.document import read_document
+    from armproof.course.site.page import neighbour
+    from armproof.models.catalogue import arm_names
+    from armproof.verification.document import read_document
 
     found = []
     try:
@@ -55,9 +55,9 @@ def build_lesson(order: Order, described: Sequence[Described], index: int, folde
 
 def build_rest(order: Order, described: Sequence[Described], folder: Path) -> None:
     """Write the index and the 3D views of the arms."""
-    from course.site.arms import write_views
-    from course.site.index import Listed, write_index
-    from course.site.page import INDEX, neighbour
+    from armproof.course.site.arms import write_views
+    from armproof.course.site.index import Listed, write_index
+    from armproof.course.site.page import INDEX, neighbour
 
     listed = [
         Listed(lesson, neighbour(lesson, source), each.arm)
@@ -69,12 +69,12 @@ def build_rest(order: Order, described: Sequence[Described], folder: Path) -> No
 
 
 def _write_lesson(order: Order, described: Sequence[Described], index: int, folder: Path) -> tuple[str, ...]:
-    from course.authoring.editions import student_notebook
-    from course.authoring.lesson_source import read_lesson_source
-    from course.site.execution import execute
-    from course.site.page import Neighbour, Surroundings, write_page
-    from verification.check import check_document
-    from verification.document import read_document
+    from armproof.course.authoring.editions import student_notebook
+    from armproof.course.authoring.lesson_source import read_lesson_source
+    from armproof.course.site.execution import execute
+    from armproof.course.site.page import Neighbour, Surroundings, write_page
+    from armproof.verification.check import check_document
+    from armproof.verification.document import read_document
 
     path = order.sources[index]
     source = read_lesson_source(path)
@@ -93,6 +93,6 @@ def _write_lesson(order: Order, described: Sequence[Described], index: int, fold
 
 
 def _open(order: Order, source: Path) -> Lesson:
-    from course.feedback import open_lesson
+    from armproof.course.feedback import open_lesson
 
     return open_lesson(source.stem.partition("_")[2], None if order.place.is_course else order.place.root)

@@ -9,10 +9,10 @@ from unicodedata import combining, normalize
 
 from markupsafe import Markup
 
-from course.printing import sheet as s
-from course.printing.html_writer import HtmlWriter
-from course.site.code import highlight
-from course.site.reading import unlinked
+from armproof.course.printing import sheet as s
+from armproof.course.printing.html_writer import HtmlWriter
+from armproof.course.site.code import highlight
+from armproof.course.site.reading import unlinked
 
 _TAG = re.compile(r"\\tag\*?\{([^{}$\\]{1,20})\}")  # by which words refer to a display
 _NARROW = 16.0  # em that fit on a phone

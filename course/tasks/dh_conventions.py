@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
 
 # The arm of the lesson, a crane: a column, a horizontal axis e beside it at the height h, a slide. In both conventions.
 MODIFIED = {

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
-from course.feedback.answer import is_function, is_missing
-from course.feedback.shown import Shown
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
+from armproof.course.feedback.answer import is_function, is_missing
+from armproof.course.feedback.shown import Shown
 
 ARM = "planar_2r"
 SPEED = 0.1  # m/s, what show_rates asks of the gripper
@@ -30,7 +30,7 @@ def show_rates(rates: Any, damping: float = 0.06) -> Any:
     """
     if is_missing(rates) or not is_function(rates):
         return Shown("`rates`: no function yet, nothing to draw.")
-    from models.catalogue import load_arm
+    from armproof.models.catalogue import load_arm
 
     arm = load_arm(ARM)
     elbow = np.radians(np.linspace(-60, 60, 240))  # an even number: 0 is not among them
@@ -49,9 +49,9 @@ def show_rates(rates: Any, damping: float = 0.06) -> Any:
 
 def _plot(arm, elbow, values, damping):
     """Plot both joint rates against θ_2: Drake's wide and grey, the student's over them, the damped ones dotted."""
-    from course.figures.plots import plot_axes
-    from course.figures.style import GREY, SMALL, STROKES, new_figure, styled
-    from models.inverse_velocity import joint_rates
+    from armproof.course.figures.drawing.plots import plot_axes
+    from armproof.course.figures.drawing.style import GREY, SMALL, STROKES, new_figure, styled
+    from armproof.models.motion.inverse_velocity import joint_rates
 
     q = np.column_stack([np.zeros_like(elbow), elbow])
     jacobians = arm.numeric(q).jacobian("2")[:, :2, :]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
 
 DH = {  # the arm by its modified table; frame 6 sits in the wrist's centre
     "dh": "modified",

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
-from course.feedback.answer import is_missing
-from course.feedback.html import block
-from course.feedback.shown import Shown
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback.answer import is_missing
+from armproof.course.feedback.html import block
+from armproof.course.feedback.shown import Shown
 
 ARM = "planar_2r"
 _JACOBIAN = {"jacobian": 2, "rows": [1, 2]}
@@ -47,9 +47,9 @@ def proofread(text: str, after: Any = True) -> Any:
     """
     if is_missing(after):
         return Shown("First find the wrong displays by hand; the tool answers when you have.")
-    from models.errors import ArmproofError
-    from verification.check import verify
-    from verification.report.text import describe_document
+    from armproof.models.errors import ArmproofError
+    from armproof.verification.check import verify
+    from armproof.verification.report.text import describe_document
 
     file = Path("sheet.md")
     try:

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
-from course.feedback.answer import is_function, is_missing
-from course.feedback.shown import Shown
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
+from armproof.course.feedback.answer import is_function, is_missing
+from armproof.course.feedback.shown import Shown
 
 ARM = "scara_column"
 Q_0, Q_F = (0.0, 0.3, 0.05, 0.0), (1.2, 1.3, 0.2, 0.5)  # rad, m: the motion that is simulated
@@ -28,9 +28,9 @@ def show_motion(coefficients: Any, q_0: float = 0.0, q_f: float = 1.2, t_f: floa
     found = _coefficients(coefficients, [q_0], [q_f], t_f)
     if isinstance(found, Shown):
         return found
-    from course.figures.style import GREY, SMALL, STROKES, new_figure, styled
-    from models.motion.quintic import quintic
-    from models.motion.samples import sample_motion
+    from armproof.course.figures.drawing.style import GREY, SMALL, STROKES, new_figure, styled
+    from armproof.models.motion.quintic import quintic
+    from armproof.models.motion.samples import sample_motion
 
     times = np.linspace(0.0, t_f, _SAMPLES)
     true, given = (sample_motion(motion, times) for motion in (quintic(q_0, q_f, t_f), _trajectory(found, t_f)))
@@ -69,10 +69,10 @@ def show_tracking(coefficients: Any, t_f: float = 0.8) -> Any:
     quintic = _coefficients(coefficients, Q_0, Q_F, t_f)
     if isinstance(quintic, Shown):
         return quintic
-    from course.figures.style import SMALL, STROKES, new_figure, styled
-    from models.catalogue import load_arm
-    from models.errors import ModelError
-    from models.motion.tracking import track
+    from armproof.course.figures.drawing.style import SMALL, STROKES, new_figure, styled
+    from armproof.models.catalogue import load_arm
+    from armproof.models.errors import ModelError
+    from armproof.models.motion.tracking import track
 
     arm, move = load_arm(ARM), np.subtract(Q_F, Q_0)
     none = np.zeros_like(move)
@@ -102,7 +102,7 @@ def show_tracking(coefficients: Any, t_f: float = 0.8) -> Any:
 
 def _panel(figure, place, name):
     """Return one of three plots against time, one above the other."""
-    from course.figures.plots import plot_axes
+    from armproof.course.figures.drawing.plots import plot_axes
 
     time = "$t$ (s)" if place == 2 else ""
     return plot_axes(figure, (15.0, 11.0 + 27.0 * (2 - place), 64.0, 22.0), "en", time, name)

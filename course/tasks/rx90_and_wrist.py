@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.feedback import Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
 
 ARM, WRIST = "rx90", "spherical_wrist"
 HALF = "pi/2"

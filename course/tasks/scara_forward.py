@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
 
 ARM = "scara_modified"
 ROWS = [(0, 0, 0, "theta_1"), (0, "a_2", 0, "theta_2"), (0, "a_3", "-d_2", 0), (0, 0, 0, "theta_4")]

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
-from course.feedback.answer import is_function, is_missing
-from course.feedback.shown import Shown
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback.answer import is_function, is_missing
+from armproof.course.feedback.shown import Shown
 
 ARM = "scara_column"
 _REACHED = {"X": r"a_1 C_1 + a_2 C_{12}", "Y": r"a_1 S_1 + a_2 S_{12}"}
@@ -34,7 +34,7 @@ def show_inverse(inverse: Any, X: float, Y: float, Z: float, psi: float) -> Any:
     """
     if is_missing(inverse) or not is_function(inverse):
         return Shown("`inverse`: no function yet, nothing to draw.")
-    from models.catalogue import load_arm
+    from armproof.models.catalogue import load_arm
 
     arm = load_arm(ARM)
     lengths = [arm.lengths[name] for name in ("a_1", "a_2", "d_1", "d_4")]
@@ -54,12 +54,12 @@ def show_inverse(inverse: Any, X: float, Y: float, Z: float, psi: float) -> Any:
 
 def _draw(arm, q, target):
     """Draw the answer in full over the two postures of the closed form, pale, seen from above."""
-    from course.figures.fitting import fit_arm
-    from course.figures.projection import plane_projection
-    from course.figures.scene import finish
-    from course.figures.stick import stick_points
-    from course.figures.style import GREY, STROKES, new_figure, styled
-    from course.inverse import inverse_of
+    from armproof.course.figures.drawing.fitting import fit_arm
+    from armproof.course.figures.drawing.projection import plane_projection
+    from armproof.course.figures.drawing.scene import finish
+    from armproof.course.figures.drawing.stick import stick_points
+    from armproof.course.figures.drawing.style import GREY, STROKES, new_figure, styled
+    from armproof.course.inverse import inverse_of
 
     solved = inverse_of(ARM).solve(target[None])
     right = solved.q[0][solved.valid[0]]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
 
 
 def elbow(q, l_1, l_2):

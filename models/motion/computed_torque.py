@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.motion.samples import MotionSamples
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.samples import MotionSamples
 
 
 class InverseDynamics:

@@ -7,10 +7,10 @@ from operator import index
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.inverse_velocity import damped_inverse
-from models.motion.pose_error import pose_error
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.inverse_velocity import damped_inverse
+from armproof.models.motion.pose_error import pose_error
 
 # From the pose (4, 4) of the tool in frame 0 and joint values (n,) nearby to the joint values (n,); NaN or a ModelError
 # where there are none.

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.joint_values import read_joint_values
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.numeric.joint_values import read_joint_values
 
 SHORTEST = 1e-9  # s; Drake ends the process on breaks that are nearer to each other than its rounding
 

@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.joint_values import read_configuration
-from models.motion.inputs import read_duration, read_points, read_times
-from models.motion.limits import read_rate_limits, require_within_limits
-from models.motion.quintic import quintic, shortest_duration
-from models.motion.samples import interval
-from models.motion.spline import cubic_spline
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.inputs import read_duration, read_points, read_times
+from armproof.models.motion.limits import read_rate_limits, require_within_limits
+from armproof.models.motion.quintic import quintic, shortest_duration
+from armproof.models.motion.samples import interval
+from armproof.models.motion.spline import cubic_spline
+from armproof.models.numeric.joint_values import read_configuration
 
 
 def point_to_point(arm: Arm, q_0: Any, q_f: Any, duration: float | None = None, *, acceleration: Any = None) -> Any:

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.motion.extremes import extremes
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.extremes import extremes
 
 LEAST, GREATEST = (
     1e-6,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from models.errors import ModelError
+from armproof.models.errors import ModelError
 
 _RIGID = 1e-6
 

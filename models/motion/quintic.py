@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from models.errors import ModelError
-from models.motion.inputs import SHORTEST, read_duration, read_vector
-from models.motion.limits import read_limits
+from armproof.models.errors import ModelError
+from armproof.models.motion.inputs import SHORTEST, read_duration, read_vector
+from armproof.models.motion.limits import read_limits
 
 PEAK_SPEED = 15 / 8  # of |q_f − q_0| / t_f, at t_f/2
 PEAK_ACCELERATION = 10 / sqrt(3)  # of |q_f − q_0| / t_f², at t_f (1/2 ∓ √3/6)

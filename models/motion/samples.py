@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from models.errors import ModelError
-from models.motion.inputs import SHORTEST, read_vector
+from armproof.models.errors import ModelError
+from armproof.models.motion.inputs import SHORTEST, read_vector
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.joint_values import limit_notes, read_configuration
-from models.motion.differential_solver import ALL_ROWS, Solver, differential_solver, read_rows
-from models.motion.pose_error import pose_error, read_pose
-from models.motion.spline import cubic_spline
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.differential_solver import ALL_ROWS, Solver, differential_solver, read_rows
+from armproof.models.motion.pose_error import pose_error, read_pose
+from armproof.models.motion.spline import cubic_spline
+from armproof.models.numeric.joint_values import limit_notes, read_configuration
 
 
 @dataclass(frozen=True)

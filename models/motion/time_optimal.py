@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.motion.computed_torque import InverseDynamics
-from models.motion.limits import RateLimits, read_rate_limits
-from models.motion.samples import interval, sample_motion
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.computed_torque import InverseDynamics
+from armproof.models.motion.limits import RateLimits, read_rate_limits
+from armproof.models.motion.samples import interval, sample_motion
 
 _CHECKED = 1001  # instants at which the result is held against the limits
 _MOST_SOLUTIONS = 6

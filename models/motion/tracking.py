@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ModelError
-from models.joint_values import read_configuration
-from models.motion.computed_torque import InverseDynamics, make_controller
-from models.motion.inputs import read_duration, read_vector
-from models.motion.limits import read_rate_limits
-from models.motion.pose_error import pose_error
-from models.motion.samples import MotionSamples, interval, sample_motion
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.computed_torque import InverseDynamics, make_controller
+from armproof.models.motion.inputs import read_duration, read_vector
+from armproof.models.motion.limits import read_rate_limits
+from armproof.models.motion.pose_error import pose_error
+from armproof.models.motion.samples import MotionSamples, interval, sample_motion
+from armproof.models.numeric.joint_values import read_configuration
 
 BANDWIDTH = 20.0  # rad/s: an error of the closed loop decays like (1 + 20 t) exp(−20 t)
 PERIOD = 0.25e-3  # s, of the controller

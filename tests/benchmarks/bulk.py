@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.catalogue import load_arm
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
 
 LOOPED = 2_000  # configurations of a loop
 BULK = 100_000

@@ -11,8 +11,8 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from verification.check import verify
-from verification.verdict import Verdict
+from armproof.verification.check import verify
+from armproof.verification.verdict import Verdict
 
 ROOT = Path(__file__).resolve().parents[2]
 HANDOUTS = ROOT / "course" / "handouts"

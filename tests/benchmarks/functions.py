@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from models.catalogue import arm_names, load_arm
-from tests.verification.python.right import by_products, last_frame
-from tests.verification.python.test_mistakes import changing, is_named
-from verification.python import FunctionVerdict, check_function
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.verification.functions import FunctionVerdict, check_function
+from tests.verification.functions.right import by_products, last_frame
+from tests.verification.functions.test_mistakes import changing, is_named
 
 ROUNDS = 9
 QUANTITIES = ({"pose": 6}, {"jacobian": 6})

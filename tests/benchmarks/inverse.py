@@ -6,7 +6,7 @@ import time
 
 import numpy as np
 
-from course.inverse import arms_with_inverse, inverse_of
+from armproof.course.inverse import arms_with_inverse, inverse_of
 from tests.sweeps.inverse_targets import generic
 
 COUNT = 200_000

@@ -6,11 +6,11 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from models import catalogue
-from verification.check import DocumentChecker
-from verification.document import Display, Document, read_document
-from verification.latex import nodes as n
-from verification.verdict import Verdict
+from armproof.models import catalogue
+from armproof.verification.check import DocumentChecker
+from armproof.verification.document import Display, Document, read_document
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Verdict
 
 HANDOUT = Path(__file__).resolve().parents[2] / "course" / "handouts" / "rx90-001.md"
 COMPONENTS = ("s_x", "s_y", "s_z", "n_x", "n_y", "n_z", "a_x", "a_y", "a_z", "P_x", "P_y", "P_z")

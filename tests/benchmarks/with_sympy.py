@@ -40,10 +40,10 @@ def simplify_in_subprocess(part: str, timeout: float) -> Simplification:
 def _main(part: str) -> None:
     import sympy
 
-    from models.catalogue import load_arm
+    from armproof.models.catalogue import load_arm
+    from armproof.verification.evaluation.evaluator import Evaluator
+    from armproof.verification.naming.names import read_names
     from tests.benchmarks.rx90 import read_claims, right_sides
-    from verification.evaluate import Evaluator
-    from verification.names import read_names
 
     claims = read_claims()
     names = read_names(load_arm("rx90"), claims.document.front)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from course.inverse import arms_with_inverse, inverse_of
-from verification.inverse import InverseError, Mark
+from armproof.course.inverse import arms_with_inverse, inverse_of
+from armproof.verification.inverse import InverseError, Mark
 
 ARMS = ("planar_2r", "planar_3r", "polar_rp", "rx90", "scara_column", "spatial_rrr", "spherical_wrist")
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
 
 ORIGIN = '<origin xyz="{xyz}" rpy="{rpy}"/>'
 LIMIT = '<limit lower="-2" upper="2.5" effort="1" velocity="1"/>'

@@ -7,13 +7,13 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.bulk import BulkKinematics
-from models.catalogue import arm_names, load_arm
-from models.configurations import sample
-from models.errors import ModelError
-from models.joint_values import outside_limits
-from models.program import BLOCK
+from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import BulkKinematics
+from armproof.models.bulk.program import BLOCK
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
+from armproof.models.numeric.configurations import sample
+from armproof.models.numeric.joint_values import outside_limits
 
 TOLERANCE = 1e-12
 

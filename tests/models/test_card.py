@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.errors import ModelError
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
 
 from .conftest import joint, link
 

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.dh_entry import read_entry
-from models.errors import ModelError
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.dh.entry import read_entry
+from armproof.models.errors import ModelError
 
 ROW = {"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"}
 SCARA = {

@@ -9,9 +9,28 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydrake.math import RollPitchYaw
 
-from models.entry import ONE, ZERO, Entry, add, evaluate, generator, multiply, normal_form, root, root_value, scale
-from models.errors import ModelError
-from models.exact import IDENTITY, angle_value, cos_sin_of_pi, exact_cos_sin, exact_number, exact_rotation
+from armproof.models.errors import ModelError
+from armproof.models.exact.numbers import (
+    IDENTITY,
+    angle_value,
+    cos_sin_of_pi,
+    exact_cos_sin,
+    exact_number,
+    exact_rotation,
+)
+from armproof.models.exact.polynomial import (
+    ONE,
+    ZERO,
+    Entry,
+    add,
+    evaluate,
+    generator,
+    multiply,
+    normal_form,
+    root,
+    root_value,
+    scale,
+)
 
 SAMPLE = {"theta_1": 0.7, "alpha_1": -1.3, "l_1": 0.45}
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from models.guarded_call import Call, Guard
+from armproof.verification.functions.guarded_call import Call, Guard
 
 HERE = __file__
 

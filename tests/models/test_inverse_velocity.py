@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.configurations import sample
-from models.errors import ModelError
-from models.inverse_velocity import (
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.inverse_velocity import (
     applicable_form,
     damped_inverse,
     joint_rates,
@@ -17,6 +16,7 @@ from models.inverse_velocity import (
     right_inverse,
     svd_pseudo_inverse,
 )
+from armproof.models.numeric.configurations import sample
 
 SHAPES = [(2, 2), (3, 3), (6, 6), (2, 3), (3, 6), (6, 3), (6, 4), (1, 5), (5, 1)]
 

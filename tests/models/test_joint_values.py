@@ -5,10 +5,10 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.errors import ModelError
-from models.joint_values import limit_notes, outside_limits, read_configuration, read_joint_values
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.numeric.joint_values import limit_notes, outside_limits, read_configuration, read_joint_values
 
 ROUTES = {
     "bulk": lambda arm, q: arm.bulk.pose(q, arm.frames[-1]),

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.errors import ArmproofError, ModelError
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ArmproofError, ModelError
 
 from .conftest import SLANTED, joint, link
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.configurations import sample
-from models.errors import ModelError
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.numeric.configurations import sample
 
 TOLERANCE = 1e-12
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.errors import ModelError
-from models.motion.extremes import extremes
-from models.motion.joint_space import follow_path, joint_path, point_to_point, via_points
-from models.motion.limits import read_rate_limits
-from models.motion.samples import sample_motion
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.extremes import extremes
+from armproof.models.motion.joint_space import follow_path, joint_path, point_to_point, via_points
+from armproof.models.motion.limits import read_rate_limits
+from armproof.models.motion.samples import sample_motion
 
 
 def configurations(arm: Arm, count: int, margin: float = 0.3) -> np.ndarray:

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from pydrake.trajectories import PiecewisePolynomial
 
-from models.errors import ModelError
-from models.motion.extremes import extremes
-from models.motion.quintic import PEAK_ACCELERATION, PEAK_SPEED, quintic, shortest_duration
-from models.motion.samples import sample_motion
+from armproof.models.errors import ModelError
+from armproof.models.motion.extremes import extremes
+from armproof.models.motion.quintic import PEAK_ACCELERATION, PEAK_SPEED, quintic, shortest_duration
+from armproof.models.motion.samples import sample_motion
 
 RNG = np.random.default_rng(0)
 NAN = float("nan")

@@ -5,14 +5,14 @@ import pytest
 from pydrake.common.eigen_geometry import AngleAxis
 from pydrake.math import RigidTransform, RotationMatrix
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.errors import ModelError
-from models.motion.differential_solver import differential_solver
-from models.motion.joint_space import follow_path
-from models.motion.pose_error import pose_error
-from models.motion.samples import sample_motion
-from models.motion.straight_line import pose_line, straight_line
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.differential_solver import differential_solver
+from armproof.models.motion.joint_space import follow_path
+from armproof.models.motion.pose_error import pose_error
+from armproof.models.motion.samples import sample_motion
+from armproof.models.motion.straight_line import pose_line, straight_line
 from tests.models.test_motion_joint_space import configurations
 
 

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 from pydrake.trajectories import DiscreteTimeTrajectory, PiecewisePolynomial
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.errors import ModelError
-from models.motion.joint_space import joint_path, point_to_point
-from models.motion.limits import read_rate_limits
-from models.motion.quintic import quintic, shortest_duration
-from models.motion.samples import sample_motion
-from models.motion.straight_line import straight_line
-from models.motion.time_optimal import TimeOptimalMotion
-from models.motion.time_optimal import time_optimal as solve
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.joint_space import joint_path, point_to_point
+from armproof.models.motion.limits import read_rate_limits
+from armproof.models.motion.quintic import quintic, shortest_duration
+from armproof.models.motion.samples import sample_motion
+from armproof.models.motion.straight_line import straight_line
+from armproof.models.motion.time_optimal import TimeOptimalMotion
+from armproof.models.motion.time_optimal import time_optimal as solve
 from tests.models.test_motion_joint_space import configurations
 from tests.models.test_motion_straight_line import target
 

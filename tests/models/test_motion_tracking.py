@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 from pydrake.trajectories import DiscreteTimeTrajectory, PiecewisePolynomial
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.errors import ModelError
-from models.motion.computed_torque import InverseDynamics
-from models.motion.joint_space import joint_path, point_to_point
-from models.motion.quintic import quintic
-from models.motion.samples import sample_motion
-from models.motion.time_optimal import time_optimal
-from models.motion.tracking import PERIOD, TrackingLog, track
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.computed_torque import InverseDynamics
+from armproof.models.motion.joint_space import joint_path, point_to_point
+from armproof.models.motion.quintic import quintic
+from armproof.models.motion.samples import sample_motion
+from armproof.models.motion.time_optimal import time_optimal
+from armproof.models.motion.tracking import PERIOD, TrackingLog, track
 from tests.models.test_motion_joint_space import configurations
 
 TARGET = 1e-3  # rad and m

@@ -5,10 +5,10 @@ from time import perf_counter
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.configurations import FAMILIES, sample
-from models.errors import ModelError
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.numeric.configurations import FAMILIES, sample
 
 
 def test_poses_are_rigid(arm: Arm) -> None:

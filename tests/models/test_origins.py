@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.origins import joint_origins
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.loading.origins import joint_origins
 
 
 def test_the_joints_of_the_chain_lead_from_link_to_link(arm: Arm) -> None:

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from models.arm import Joint
-from models.constants import constant_value
-from models.entry import Entry, Generator, evaluate
-from models.graph import ONE, ZERO, Graph
-from models.minors import maximal_minors
-from models.program import BLOCK, Program
+from armproof.models.arm import Joint
+from armproof.models.bulk.graph import ONE, ZERO, Graph
+from armproof.models.bulk.minors import maximal_minors
+from armproof.models.bulk.program import BLOCK, Program
+from armproof.models.exact.constants import constant_value
+from armproof.models.exact.polynomial import Entry, Generator, evaluate
 
 JOINTS = (
     Joint(1, "j1", "theta_1", "revolute", -np.inf, np.inf),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from models.recording import _camera
+from armproof.models.showing.recording import _camera
 
 HALF_ANGLE = np.radians(75.0) / 2  # of Meshcat's camera, from top to bottom
 
@@ -23,7 +23,7 @@ def test_every_point_is_in_view_and_some_far_from_its_middle(size):
 
 
 def test_a_camera_too_near_is_noticed(monkeypatch):
-    monkeypatch.setattr("models.recording._DISTANCE", 0.8)
+    monkeypatch.setattr("armproof.models.showing.recording._DISTANCE", 0.8)
     assert angles(np.random.default_rng(3).uniform(-1, 1, (200, 3))).max() > HALF_ANGLE
 
 

@@ -5,10 +5,10 @@ import ctypes
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.errors import ModelError
-from models.rendering import ArmRenderer, look_at, require_renderer
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.showing.rendering import ArmRenderer, look_at, require_renderer
 
 TABLE = {"dh": "classic", "rows": [{"a": "l_1", "alpha": 0, "d": 0, "theta": "theta_1"}]}
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from models.catalogue import arm_names, load_arm
-from models.errors import ModelError
-from models.skeleton import place_skeleton
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
+from armproof.models.numeric.skeleton import place_skeleton
 
 STEP = 1e-6
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from pydrake.autodiffutils import ExtractGradient, ExtractValue, InitializeAutoDiff
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.configurations import FAMILIES, sample
-from models.entry import ONE, ZERO, add, generator, matrix_product, multiply, scale, transpose
-from models.errors import ModelError
-from models.exact import IDENTITY
-from models.trace import Trace
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.exact.numbers import IDENTITY
+from armproof.models.exact.polynomial import ONE, ZERO, add, generator, matrix_product, multiply, scale, transpose
+from armproof.models.exact.trace import Trace
+from armproof.models.numeric.configurations import FAMILIES, sample
 
 TOLERANCE = 1e-12
 

@@ -14,8 +14,8 @@ import pytest
 import sympy
 from numpy import array, linalg, zeros
 
-from models.traced_function import trace_function
-from models.tracing.number import FUNCTIONS, TracedNumber, Untraceable
+from armproof.verification.functions.traced_function import trace_function
+from armproof.verification.functions.tracing.number import FUNCTIONS, TracedNumber, Untraceable
 
 TABLE = [(0.45, 0.0, 0.1, pi / 2), (0.3, -pi / 2, 0.0, 0.0)]
 LENGTHS = np.array([0.45, 0.3])

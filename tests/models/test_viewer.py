@@ -6,9 +6,9 @@ from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
 from pydrake.systems.framework import DiagramBuilder
 
-from models.catalogue import arm_names, load_arm
-from models.errors import ModelError
-from models.viewer import add_arm, view_arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
+from armproof.models.showing.viewer import add_arm, view_arm
 
 TABLE = {"dh": "classic", "rows": [{"a": "l_1", "alpha": 0, "d": 0, "theta": "theta_1"}]}
 

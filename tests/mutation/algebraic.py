@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from verification.latex import nodes as n
+from armproof.verification.latex import nodes as n
 
 IsScalar = Callable[[n.Node], bool]
 Rule = Callable[[n.Node, random.Random, IsScalar], n.Node | None]

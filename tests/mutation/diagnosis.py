@@ -7,12 +7,12 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Verdict
 from tests.mutation.mutants import Mutant, mutants_of
 from tests.mutation.place import Place, proved_places
-from verification.latex import nodes as n
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.verdict import Verdict
 
 KINDS = ("sign", "index", "function", "length")
 EACH = 3  # of a display

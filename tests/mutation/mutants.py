@@ -9,12 +9,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
+from armproof.verification.diagnosis.slips import Edit, single_edits
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.writer import Notation, Writer
 from tests.mutation.place import Place
 from tests.mutation.sites import Site, find_sites, letters_of
-from verification.edits import Edit, single_edits
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.writer import Notation, Writer
 
 CELLS = 8  # of a display whose slips are tried
 CONSTANT_CELLS = 3

@@ -6,13 +6,13 @@ from enum import Enum
 
 import numpy as np
 
-from models.errors import ArmproofError
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.values import Identity, as_scalar, identity
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
 from tests.mutation.place import Place
-from verification.evaluate import Evaluator
-from verification.latex import nodes as n
-from verification.matrix import Matrix
-from verification.sampled_algebra import SampledAlgebra
-from verification.values import Identity, as_scalar, identity
 
 SAMPLES = 24
 TOLERANCE = 1e-9

@@ -9,15 +9,15 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from models.catalogue import load_arm
-from verification.angle_ring import AngleFraction
-from verification.check import DocumentChecker
-from verification.diagnose import Diagnostician
-from verification.document import Display, Document, read_document
-from verification.latex import nodes as n
-from verification.members import Member
-from verification.outcome import Outcome
-from verification.verdict import Record, Verdict
+from armproof.models.catalogue import load_arm
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.check import DocumentChecker
+from armproof.verification.diagnosis.diagnosis import Diagnostician
+from armproof.verification.document import Display, Document, read_document
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Member
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Record, Verdict
 
 SECONDS = 60.0  # for what no display may take as long as
 HANDOUTS = Path(__file__).resolve().parents[2] / "course" / "handouts"

@@ -7,16 +7,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.written import write_scalar
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.writer import Notation, Writer
+from armproof.verification.verdict import Verdict
 from tests.mutation import spelling
 from tests.mutation.algebraic import RULES, rewritten
 from tests.mutation.place import Place, proved_places
 from tests.mutation.sites import Site, find_sites
-from verification.closed_form import write_scalar
-from verification.latex import nodes as n
-from verification.latex.writer import Notation, Writer
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.verdict import Verdict
 
 EACH = 10  # of a display
 

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from armproof.verification.diagnosis.slips import Letters
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.writer import symbol_as_latex
+from armproof.verification.verdict import Verdict
 from tests.mutation.place import Place
-from verification.edits import Letters
-from verification.latex import nodes as n
-from verification.latex.writer import symbol_as_latex
-from verification.outcome import Outcome
-from verification.verdict import Verdict
 
 _WRITTEN: dict[Path, dict[str, n.Name]] = {}  # how each document writes the symbols of its arm
 

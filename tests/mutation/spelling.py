@@ -7,9 +7,9 @@ import re
 from collections.abc import Callable
 from fractions import Fraction
 
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.writer import Notation
 from tests.mutation.place import Place
-from verification.latex import nodes as n
-from verification.latex.writer import Notation
 
 STYLES = {
     "C_{12}": Notation(style="index", cosine="C"),

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from models.errors import ArmproofError
+from armproof.models.errors import ArmproofError
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Verdict
 from tests.mutation.mutants import Mutant, mutants_of
 from tests.mutation.numeric import Opinion, compare, compare_conditions
 from tests.mutation.place import Place, proved_places
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.verdict import Verdict
 
 REFUTED, IDENTICAL, SURVIVED, FALSE_ALARM = "refuted", "identical", "survived", "refuted though equal"
 

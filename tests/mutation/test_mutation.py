@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from armproof.verification.verdict import Verdict
 from tests.mutation import sweep
 from tests.mutation.diagnosis import diagnoses
 from tests.mutation.mutants import Mutant, mutants_of
@@ -15,7 +16,6 @@ from tests.mutation.numeric import Opinion, compare
 from tests.mutation.place import HANDOUTS, Place, handouts, load, proved_indices, proved_places
 from tests.mutation.rewrites import Rewrite, chosen_rewrites, try_rewrites
 from tests.mutation.sites import find_sites
-from verification.verdict import Verdict
 
 PLACES, MUTANTS, REWRITES = 3, 3, 2  # of a document, of a place
 

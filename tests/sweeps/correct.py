@@ -14,13 +14,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import course
-from verification.correction.copy import CorrectedCopy, correct_text
-from verification.document import Display, Document, find_documents, parse_document
-from verification.document.rewriting import Change, change_of, rewrite
-from verification.verdict import Record, Verdict
+import armproof.course
+from armproof.verification.document import Display, Document, find_documents, parse_document
+from armproof.verification.document.rewriting import Change, change_of, rewrite
+from armproof.verification.running.copy import CorrectedCopy, correct_text
+from armproof.verification.verdict import Record, Verdict
 
-HANDOUTS = Path(course.__path__[0]) / "handouts"
+HANDOUTS = Path(armproof.course.__path__[0]) / "handouts"
 CELL = re.compile(r"&|\\\\")
 
 

@@ -19,22 +19,22 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
-import course
-from course.authoring.editions import instructor_notebook, student_notebook
-from course.authoring.lesson_source import LessonSource, read_lesson_source
-from course.grading.client import Client
-from course.grading.grading import default_jobs
-from course.grading.limits import Limits
-from course.grading.pages import render_student
-from course.grading.results import Status
-from models.errors import ArmproofError
+import armproof.course
+from armproof.course.authoring.editions import instructor_notebook, student_notebook
+from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
+from armproof.course.grading.client import Client
+from armproof.course.grading.grading import default_jobs
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.pages import render_student
+from armproof.course.grading.results import Status
+from armproof.models.errors import ArmproofError
 from tests.course.grading.conftest import notebook
 from tests.course.grading.hostile import BROKEN, KINDS
 
 SECONDS, MEMORY = 15, 700
-OPEN = "from course.feedback import open_lesson\nlesson = open_lesson('scara_jacobian')"
+OPEN = "from armproof.course.feedback import open_lesson\nlesson = open_lesson('scara_jacobian')"
 RIGHT = "lesson.determinant.check(lesson.determinant.right[0])"
-GRADE = [sys.executable, "-c", "from verification.cli import main; main()", "grade"]
+GRADE = [sys.executable, "-c", "from armproof.verification.cli import main; main()", "grade"]
 Expected = dict[str, tuple[Status, ...]]
 
 
@@ -125,7 +125,7 @@ def _write_ordinary(folder: Path, number: int) -> dict[str, bool]:
 
 
 def _lessons() -> Iterator[LessonSource]:
-    for path in sorted((Path(course.__path__[0]) / "lessons").glob("*.py")):
+    for path in sorted((Path(armproof.course.__path__[0]) / "lessons").glob("*.py")):
         try:
             yield read_lesson_source(path)
         except ArmproofError as error:

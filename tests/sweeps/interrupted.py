@@ -18,23 +18,23 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-import course
+import armproof.course
+from armproof.verification.running.copy import correct_text
 from tests.sweeps.correct import copies
-from verification.correction.copy import correct_text
 
-HANDOUT = Path(course.__path__[0]) / "handouts" / "spherical-wrist-001.md"
+HANDOUT = Path(armproof.course.__path__[0]) / "handouts" / "spherical-wrist-001.md"
 TIMES = 100
 WRITE = """
 import sys
 from pathlib import Path
-from verification.atomic import write_atomically
+from armproof.verification.running.atomic import write_atomically
 path = Path(sys.argv[1])
 print("begun", flush=True)
 while True:
     for letter in b"ab":
         write_atomically(path, bytes([letter]) * 3_000_000)
 """
-COMMAND = [sys.executable, "-c", "from verification.cli import main; main()"]
+COMMAND = [sys.executable, "-c", "from armproof.verification.cli import main; main()"]
 
 
 def main(times: int) -> int:

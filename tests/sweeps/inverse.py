@@ -14,9 +14,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from course.inverse import inverse_of
+from armproof.course.inverse import inverse_of
+from armproof.verification.inverse import InverseKinematics, Mark
 from tests.sweeps.inverse_targets import KINDS, equal_lengths, generic, out_of_reach, targets_of
-from verification.inverse import InverseKinematics, Mark
 
 MISS = 1e-10
 SAME = 1e-6

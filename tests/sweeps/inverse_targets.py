@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from models.arm import Arm
-from models.bulk import BulkKinematics
-from verification.inverse import InverseKinematics
+from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import BulkKinematics
+from armproof.verification.inverse import InverseKinematics
 
 Draw = Callable[[np.random.Generator, int, Mapping[str, float]], np.ndarray]
 PI = np.pi
@@ -102,7 +102,7 @@ def generic(arm: Arm, generator: np.random.Generator, count: int) -> np.ndarray:
 
 
 def targets_of(inverse: InverseKinematics, q: np.ndarray, lengths: Mapping[str, float] | None = None) -> np.ndarray:
-    """Return the targets, (N, m), of configurations: poses by models/bulk.py, names that displays define by their formulas."""
+    """Return the targets, (N, m), of configurations: poses by models/bulk/bulk.py, names that displays define by their formulas."""
     target = inverse.derivation.target
     values = inverse.forward(q, lengths).copy()
     bulk = BulkKinematics(inverse.arm, dict(lengths or {}))

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from models.catalogue import arm_names, load_arm
-from verification.singularities import SingularityAnalysis, analyse_singularities
-from verification.singularities.points import Sampler
-from verification.singularities.second_order import jacobian_derivatives
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
+from armproof.verification.singularities.points import Sampler
+from armproof.verification.singularities.second_order import jacobian_derivatives
 
 COUNT = 1_000_000
 BLOCK = 20_000

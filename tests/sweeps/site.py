@@ -16,9 +16,9 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from course.authoring.lesson_source import LessonSource, read_lesson_source
-from course.authoring.places import COURSE
-from course.site.build import Order, build_site
+from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
+from armproof.course.authoring.places import COURSE
+from armproof.course.site.build import Order, build_site
 from tests.course.site.test_in_browser import HELD
 from tests.course.site.test_page import check_valid
 from tests.verification.report.browser import Browser

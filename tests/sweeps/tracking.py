@@ -13,15 +13,15 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.errors import ModelError
-from models.motion.computed_torque import InverseDynamics
-from models.motion.joint_space import joint_path, point_to_point
-from models.motion.limits import read_rate_limits
-from models.motion.samples import sample_motion
-from models.motion.time_optimal import time_optimal
-from models.motion.tracking import TrackingLog, track
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.computed_torque import InverseDynamics
+from armproof.models.motion.joint_space import joint_path, point_to_point
+from armproof.models.motion.limits import read_rate_limits
+from armproof.models.motion.samples import sample_motion
+from armproof.models.motion.time_optimal import time_optimal
+from armproof.models.motion.tracking import TrackingLog, track
 
 TARGET = 1e-3  # rad and m
 SHARE = 0.8  # of the efforts: the rest is for the controller

@@ -15,11 +15,11 @@ import tempfile
 import time
 from pathlib import Path
 
-import course
-from verification.document import Display, parse_document
-from verification.document.rewriting import change_of, rewrite
+import armproof.course
+from armproof.verification.document import Display, parse_document
+from armproof.verification.document.rewriting import change_of, rewrite
 
-HANDOUTS = Path(course.__path__[0]) / "handouts"
+HANDOUTS = Path(armproof.course.__path__[0]) / "handouts"
 DEFAULT = ("planar-2r-002.md", "scara-001.md", "rx90-001.md", "kr210-001.md", "planar-3r-002.md")
 EDITS = 12  # of each handout
 TARGET = 0.3
@@ -48,7 +48,14 @@ def measure(path: Path) -> list[float]:
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / path.name
         copy.write_text(text, encoding="utf-8")
-        command = [sys.executable, "-c", "from verification.cli import main; main()", "verify", "--watch", str(copy)]
+        command = [
+            sys.executable,
+            "-c",
+            "from armproof.verification.cli import main; main()",
+            "verify",
+            "--watch",
+            str(copy),
+        ]
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
             assert process.stdout is not None
             try:

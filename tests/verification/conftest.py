@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from hypothesis import settings
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.configurations import sample
-from verification.check import check_document
-from verification.document import Display, Document
-from verification.evaluate import Evaluator
-from verification.exact_algebra import ExactAlgebra
-from verification.names import Names, read_names
-from verification.ring import Ring
-from verification.sampled_algebra import SampledAlgebra
-from verification.verdict import DocumentResult, Record
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.numeric.configurations import sample
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.check import check_document
+from armproof.verification.document import Display, Document
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.naming.names import Names, read_names
+from armproof.verification.verdict import DocumentResult, Record
 
 # The same examples at every run, none of them timed: a law holds or it does not.
 settings.register_profile("laws", derandomize=True, deadline=None, max_examples=50, database=None)

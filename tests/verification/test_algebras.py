@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from verification.algebra import OutsideAlgebra, elementary, link_matrix
-from verification.errors import EvaluationError
-from verification.quantities import Quantity
-from verification.sampled_algebra import SampledAlgebra
-from verification.values import identity
+from armproof.models.arm import Arm
+from armproof.verification.algebra.protocol import OutsideAlgebra, elementary, link_matrix
+from armproof.verification.algebra.values import identity
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.naming.quantities import Quantity
 
 
 def quantities(arm: Arm) -> list[Quantity]:

@@ -14,10 +14,10 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from models.catalogue import arm_names
-from verification.cli import app
-from verification.errors import ReadError
-from verification.latex.reader import Reader
+from armproof.models.catalogue import arm_names
+from armproof.verification.cli import app
+from armproof.verification.errors import ReadError
+from armproof.verification.latex.reader import Reader
 
 ROOT = Path(__file__).resolve().parents[2]
 ARMPROOF = Path(sys.executable).with_name("armproof")

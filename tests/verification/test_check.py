@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from models.errors import ArmproofError
-from verification.check import check_document, verify
-from verification.document import Document
-from verification.errors import DocumentError
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.models.errors import ArmproofError
+from armproof.verification.check import check_document, verify
+from armproof.verification.document import Document
+from armproof.verification.errors import DocumentError
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Judge = Callable[..., Record]
 Check = Callable[..., DocumentResult]

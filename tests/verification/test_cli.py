@@ -12,19 +12,19 @@ from pathlib import Path
 
 import pytest
 
-import verification.batch
-import verification.check
-from models.catalogue import arm_names
-from models.errors import ModelError
-from verification.batch import Failure, check_all, check_each
-from verification.cli import app
-from verification.cli.documents import check_paths
-from verification.cli.progress import Progress
-from verification.report.github import github_report
-from verification.report.json_ import json_report
-from verification.report.lines import to_ascii
-from verification.report.text import text_report
-from verification.verdict import DocumentResult, Record, Verdict, WrongEntry
+from armproof.models.catalogue import arm_names
+from armproof.models.errors import ModelError
+from armproof.verification import check as checking
+from armproof.verification.cli import app
+from armproof.verification.cli.documents import check_paths
+from armproof.verification.cli.progress import Progress
+from armproof.verification.report.github import github_report
+from armproof.verification.report.json_ import json_report
+from armproof.verification.report.lines import to_ascii
+from armproof.verification.report.text import text_report
+from armproof.verification.running import batch
+from armproof.verification.running.batch import Failure, check_all, check_each
+from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
 
 ARMPROOF = Path(sys.executable).with_name("armproof")
 FRONT = "---\narm: planar_2r\nquantities:\n  J_v: {jacobian: 2, rows: [1, 2]}\n---\n\n# The Jacobian\n\n"
@@ -136,10 +136,8 @@ def test_one_document_that_cannot_be_checked_does_not_hide_the_others(armproof, 
 
 def test_a_fault_of_our_own_is_reported_without_a_traceback(armproof, write, monkeypatch: pytest.MonkeyPatch):
     good, other = write(RIGHT, name="good.md"), write(RIGHT, name="other.md")
-    verify = verification.check.verify
-    monkeypatch.setattr(
-        verification.check, "verify", lambda path, **options: {}["theta_9"] if path == other else verify(path)
-    )
+    verify = checking.verify
+    monkeypatch.setattr(checking, "verify", lambda path, **options: {}["theta_9"] if path == other else verify(path))
     run = armproof("verify", other, good)
     assert run.code == 2
     assert f"passes {good}" in run.stdout
@@ -324,15 +322,15 @@ def test_several_processes_give_the_results_of_one_in_the_same_order(write, tmp_
 
 def test_a_document_that_ends_its_process_fails_alone(write, monkeypatch: pytest.MonkeyPatch):
     paths = [write(RIGHT, name=f"{k}.md") for k in range(4)]
-    check = verification.batch.check_one
+    check = batch.check_one
 
     def check_one(path: Path, **options: object) -> DocumentResult | Failure:
         if path == paths[1]:
             os._exit(134)  # as Drake does when it aborts
         return check(path)
 
-    check_one.__module__, check_one.__qualname__ = "verification.batch", "check_one"
-    monkeypatch.setattr(verification.batch, "check_one", check_one)
+    check_one.__module__, check_one.__qualname__ = "armproof.verification.running.batch", "check_one"
+    monkeypatch.setattr(batch, "check_one", check_one)
     results = check_all(paths, workers=2)
     assert [isinstance(result, Failure) for result in results] == [False, True, False, False]
     assert results[1].message == f"{paths[1]}: the process that checked it ended; Drake may have aborted on its arm"
@@ -357,12 +355,11 @@ def test_the_default_is_the_course_of_the_working_folder(
 def test_the_default_is_the_installed_course_elsewhere(armproof, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(
-        "verification.cli.verify.check_each_path", lambda paths, jobs: [Failure(str(path), "seen") for path in paths]
+        "armproof.verification.cli.verify.check_each_path",
+        lambda paths, jobs: [Failure(str(path), "seen") for path in paths],
     )
     report = json.loads(armproof("verify", "--format", "json").stdout)
-    assert [Path(error["path"]) for error in report["errors"]] == [
-        Path(verification.batch.__file__).parents[1] / "course"
-    ]
+    assert [Path(error["path"]) for error in report["errors"]] == [Path(batch.__file__).parents[2] / "course"]
 
 
 def test_a_report_that_nobody_takes_ends_without_a_traceback(write):
@@ -375,16 +372,16 @@ def test_a_report_that_nobody_takes_ends_without_a_traceback(write):
 
 def test_documents_that_end_processes_fail_alone_among_many(write, monkeypatch: pytest.MonkeyPatch):
     paths = [write(RIGHT, name=f"{k}.md") for k in range(40)]
-    check = verification.batch.check_one
+    check = batch.check_one
 
     def check_one(path: Path, **options: object) -> DocumentResult | Failure:
         if path in (paths[3], paths[37]):
             os._exit(134)
         return check(path)
 
-    check_one.__module__, check_one.__qualname__ = "verification.batch", "check_one"
-    monkeypatch.setattr(verification.batch, "check_one", check_one)
-    monkeypatch.setattr(verification.batch, "AHEAD", 2)
+    check_one.__module__, check_one.__qualname__ = "armproof.verification.running.batch", "check_one"
+    monkeypatch.setattr(batch, "check_one", check_one)
+    monkeypatch.setattr(batch, "AHEAD", 2)
     results = check_all(paths, workers=2)
     assert [result.path for result in results] == [str(path) for path in paths]
     assert [k for k, result in enumerate(results) if isinstance(result, Failure)] == [3, 37]
@@ -392,8 +389,8 @@ def test_documents_that_end_processes_fail_alone_among_many(write, monkeypatch: 
 
 def test_results_come_one_by_one_and_no_more_are_begun_than_are_needed(write, monkeypatch: pytest.MonkeyPatch):
     begun: list[Path] = []
-    check = verification.batch.check_one
-    monkeypatch.setattr(verification.batch, "check_one", lambda path, **options: begun.append(path) or check(path))
+    check = batch.check_one
+    monkeypatch.setattr(batch, "check_one", lambda path, **options: begun.append(path) or check(path))
     paths = [write(RIGHT, name=f"{k}.md") for k in range(4)]
     results = check_each(paths, 1)
     assert next(results).path == str(paths[0])
@@ -422,7 +419,7 @@ def test_the_bar_is_shown_on_a_terminal_alone_and_taken_away(monkeypatch: pytest
 
     for stream, shown in ((Terminal(), True), (io.StringIO(), False)):
         monkeypatch.setattr(sys, "stderr", stream)
-        monkeypatch.setattr("verification.cli.progress.SILENT", -1.0)
+        monkeypatch.setattr("armproof.verification.cli.progress.SILENT", -1.0)
         with Progress(3) as progress:
             progress.advance()
             assert ("1 of 3 documents" in stream.getvalue()) == shown
@@ -435,7 +432,7 @@ def test_the_bar_is_shown_on_a_terminal_alone_and_taken_away(monkeypatch: pytest
 
 def test_help_and_version_load_neither_drake_nor_numpy():
     heavy = "{'pydrake', 'numpy', 'lark', 'yaml', 'flint', 'rich', 'markdown_it'}"
-    program = f"import sys, verification.cli; print(sorted({heavy} & set(sys.modules)))"
+    program = f"import sys, armproof.verification.cli; print(sorted({heavy} & set(sys.modules)))"
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
     assert run.stdout == "[]\n", run.stderr
 
@@ -469,7 +466,9 @@ def test_an_unknown_arm_is_answered_with_the_known_ones(armproof, command: str):
 
 def test_view_shows_the_arm_named(armproof, monkeypatch: pytest.MonkeyPatch):
     shown = []
-    monkeypatch.setattr("models.viewer.view_arm", lambda arm, browser: shown.append((arm.name, browser)))
+    monkeypatch.setattr(
+        "armproof.models.showing.viewer.view_arm", lambda arm, browser: shown.append((arm.name, browser))
+    )
     assert armproof("view", "scara", "--no-browser").code == 0
     assert shown == [("scara", False)]
 
@@ -478,7 +477,7 @@ def test_view_says_why_an_arm_cannot_be_shown(armproof, monkeypatch: pytest.Monk
     def refuse(arm, browser):
         raise ModelError("arm 'scara' has no shape")
 
-    monkeypatch.setattr("models.viewer.view_arm", refuse)
+    monkeypatch.setattr("armproof.models.showing.viewer.view_arm", refuse)
     assert armproof("view", "scara") == Run(2, "", "armproof: arm 'scara' has no shape\n")
 
 

@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from models.catalogue import arm_names, load_arm
-from verification.closed_form import fold, write_scalar
-from verification.compare import exactly_equal
-from verification.evaluate import Evaluator
-from verification.exact_algebra import ExactAlgebra
-from verification.latex.writer import Notation
-from verification.names import Names, read_names
-from verification.ring import Ring
-from verification.scalar import Scalar
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.written import fold, write_scalar
+from armproof.verification.equations.alignment import exactly_equal
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.latex.writer import Notation
+from armproof.verification.naming.names import Names, read_names
 
 NOTATIONS = {
     "C_{12}": Notation(style="index", cosine="C"),

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from models.catalogue import load_arm
-from verification.verdict import Record, Verdict
+from armproof.models.catalogue import load_arm
+from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 DET = r"\det(J_v J_v^T)"

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Judge = Callable[..., Record]
 Check = Callable[..., DocumentResult]

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from models.catalogue import load_arm
-from verification.verdict import Record, Verdict
+from armproof.models.catalogue import load_arm
+from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 POSE = r"{}^0T_2 = \begin{bmatrix} C_{12} & -S_{12} & 0 & %s \\ S_{12} & C_{12} & 0 & l_1 S_1 + l_2 S_{12} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verification.document import Display, Document, find_documents, read_document
-from verification.errors import DocumentError
+from armproof.verification.document import Display, Document, find_documents, read_document
+from armproof.verification.errors import DocumentError
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from verification.edits import Edit, Letters, single_edits
-from verification.latex import nodes as n
-from verification.latex.reader import Reader
-from verification.latex.writer import Notation, Writer
+from armproof.verification.diagnosis.slips import Edit, Letters, single_edits
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader
+from armproof.verification.latex.writer import Notation, Writer
 
 FORMULAS = [
     r"l_1 C_1 + l_2 C_{12}",

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from verification.errors import EvaluationError, NoValue, ShapeError, UnboundName
-from verification.evaluate import Evaluator
-from verification.latex import nodes as n
-from verification.matrix import Matrix
-from verification.values import Identity, is_zero
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.values import Identity, is_zero
+from armproof.verification.errors import EvaluationError, NoValue, ShapeError, UnboundName
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.latex import nodes as n
 
 SAME = [
     (r"I_3 - R^0_1", r"I - R^0_1"),

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from verification.verdict import Record, Verdict
+from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-import course
-from models.catalogue import arm_names
-from verification.check import check_document, verify
-from verification.document import Display, find_documents, read_document
-from verification.verdict import DocumentResult, Record, Verdict
+import armproof.course
+from armproof.models.catalogue import arm_names
+from armproof.verification.check import check_document, verify
+from armproof.verification.document import Display, find_documents, read_document
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
-HANDOUTS = Path(course.__path__[0]) / "handouts"
+HANDOUTS = Path(armproof.course.__path__[0]) / "handouts"
 DOCUMENTS = find_documents([HANDOUTS])
 BEYOND = re.compile(r"arc(?:cos|sin|tan)|atan|\\pm|\\mp|\\le|\\ge|<|>|\\approx|\\sqrt|\|")
 SIGN = re.compile(r"(?<=[\s&(=\]}\d])(?P<sign>[-+])(?=\s*[A-Za-z\\\d(])")

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from verification.document import SUFFIXES
+from armproof.verification.document import SUFFIXES
 
 ROOT = Path(__file__).resolve().parents[2]
 HOOKS = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))

@@ -9,15 +9,15 @@ from pathlib import Path
 
 import pytest
 
-import course
-from verification.check import DocumentChecker, check_document, load_arm_of
-from verification.document import Display, Document, find_documents, parse_document
-from verification.errors import DocumentError
-from verification.incremental import IncrementalChecker
-from verification.snapshot import Snapshot
-from verification.verdict import DocumentResult, Verdict
+import armproof.course
+from armproof.verification.check import DocumentChecker, check_document, load_arm_of
+from armproof.verification.document import Display, Document, find_documents, parse_document
+from armproof.verification.errors import DocumentError
+from armproof.verification.running.incremental import IncrementalChecker
+from armproof.verification.running.snapshot import Snapshot
+from armproof.verification.verdict import DocumentResult, Verdict
 
-HANDOUTS = find_documents([Path(course.__path__[0]) / "handouts"])
+HANDOUTS = find_documents([Path(armproof.course.__path__[0]) / "handouts"])
 SMALL = [path for path in HANDOUTS if path.stat().st_size < 4_000]
 FRONT = "---\narm: planar_2r\nquantities:\n  J_v: {jacobian: 2, rows: [1, 2]}\n---\n"
 PARTS = [

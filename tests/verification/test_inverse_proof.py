@@ -5,12 +5,12 @@ from typing import Any
 
 import pytest
 
-from course.inverse import inverse_of
-from verification.inverse.configuration_ring import ConfigurationRing, OpenSign
-from verification.inverse.roots import SubstitutionRing
-from verification.inverse.substitution import returns_target
-from verification.inverse.target_values import target_of_a_configuration
-from verification.verdict import Record, Verdict
+from armproof.course.inverse import inverse_of
+from armproof.verification.inverse.configuration_ring import ConfigurationRing, OpenSign
+from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.inverse.substitution import returns_target
+from armproof.verification.inverse.target_values import target_of_a_configuration
+from armproof.verification.verdict import Record, Verdict
 
 BRANCHES = {"planar_2r": 2, "planar_3r": 2, "polar_rp": 2, "spatial_rrr": 4, "spherical_wrist": 2, "rx90": 8, "scara_column": 2}  # fmt: skip
 TWO_LINKS = {

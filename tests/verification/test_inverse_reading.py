@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from armproof.verification.check import verify
+from armproof.verification.document import Display, Document
+from armproof.verification.errors import DocumentError
+from armproof.verification.inverse import read_inverse
+from armproof.verification.inverse.conditions import read_conditions
+from armproof.verification.report.text import text_report
 from tests.verification.test_inverse_proof import ELBOW, SHOULDER, TWO_LINKS, XY, D, K
-from verification.check import verify
-from verification.document import Display, Document
-from verification.errors import DocumentError
-from verification.inverse import read_inverse
-from verification.inverse.conditions import read_conditions
-from verification.report.text import text_report
 
 STEPS = (D, ELBOW, K, SHOULDER)
 

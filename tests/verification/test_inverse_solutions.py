@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from course.inverse import inverse_of
+from armproof.course.inverse import inverse_of
+from armproof.verification.inverse import InverseError, InverseKinematics, Mark
 from tests.sweeps.inverse_targets import KINDS, equal_lengths, generic, out_of_reach, targets_of
-from verification.inverse import InverseError, InverseKinematics, Mark
 
 COUNT = 4000
 NAMES = sorted(KINDS)

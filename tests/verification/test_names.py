@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from models.catalogue import load_arm
-from verification.errors import DocumentError
-from verification.names import name_key, read_names
-from verification.verdict import Record, Verdict
+from armproof.models.catalogue import load_arm
+from armproof.verification.errors import DocumentError
+from armproof.verification.naming.names import name_key, read_names
+from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 

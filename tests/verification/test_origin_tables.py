@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
-from models.origins import joint_origins
-from verification.check import DocumentChecker, check_document, verify
-from verification.document import Document, Table
-from verification.tables import check_table
-from verification.verdict import Record, Verdict
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.loading.origins import joint_origins
+from armproof.verification.check import DocumentChecker, check_document, verify
+from armproof.verification.document import Document, Table
+from armproof.verification.tables import check_table
+from armproof.verification.verdict import Record, Verdict
 
 HEADER = ("Joint Name", "Parent Link", "Child Link", "x(m)", "y(m)", "z(m)", "roll", "pitch", "yaw")
 # document 001, the table at its head

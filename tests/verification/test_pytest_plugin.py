@@ -19,7 +19,7 @@ ERRATUM = "> **Erratum**\n> $$ C_{12} = S_{12} $$\n\n"
 UNBOUND = "$$ C_{12} = k_9 + k_8 $$\n\n"
 TABLE = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | $l_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | 0 | 0 | 0 | $\\theta_2$ |\n\n"
 OTHER = "| name | price |\n|---|---|\n| a | 3 |\n\n"
-INSTALLED = any(entry.value == "verification.pytest_plugin" for entry in entry_points(group="pytest11"))
+INSTALLED = any(entry.value == "armproof.verification.pytest_plugin" for entry in entry_points(group="pytest11"))
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def run(pytester: pytest.Pytester):
     """Run pytest in the folder of the documents."""
 
     def in_process(*arguments: str) -> pytest.RunResult:
-        plugin = () if INSTALLED else ("-p", "verification.pytest_plugin")
+        plugin = () if INSTALLED else ("-p", "armproof.verification.pytest_plugin")
         return pytester.runpytest_inprocess(*plugin, "-p", "no:cacheprovider", *arguments)
 
     return in_process
@@ -112,11 +112,11 @@ def test_a_document_that_cannot_be_checked_fails_with_its_message(pytester: pyte
 
 
 def test_a_document_is_verified_once(pytester: pytest.Pytester, run, monkeypatch: pytest.MonkeyPatch) -> None:
-    import verification.check
+    import armproof.verification.check
 
     verified = []
-    verify = verification.check.verify
-    monkeypatch.setattr(verification.check, "verify", lambda path: verified.append(path.name) or verify(path))
+    verify = armproof.verification.check.verify
+    monkeypatch.setattr(armproof.verification.check, "verify", lambda path: verified.append(path.name) or verify(path))
     write(pytester, a_md=FRONT + RIGHT + RIGHT + WRONG, b_md=FRONT + RIGHT)
     run().assert_outcomes(passed=3, failed=1)
     assert verified == ["a.md", "b.md"]
@@ -136,13 +136,13 @@ def test_the_choice_of_tests_and_the_junit_report_are_those_of_pytest(pytester: 
 
 def test_the_plugin_loads_nothing_heavy_before_there_is_a_document() -> None:
     heavy = "{'pydrake', 'numpy', 'lark', 'yaml', 'flint', 'markdown_it'}"
-    program = f"import sys, verification.pytest_plugin; print(sorted({heavy} & set(sys.modules)))"
+    program = f"import sys, armproof.verification.pytest_plugin; print(sorted({heavy} & set(sys.modules)))"
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
     assert run.stdout == "[]\n", run.stderr
 
 
 def test_the_suffixes_are_those_of_the_documents() -> None:
-    from verification.document import SUFFIXES
-    from verification.pytest_plugin import SUFFIXES as OURS
+    from armproof.verification.document import SUFFIXES
+    from armproof.verification.pytest_plugin import SUFFIXES as OURS
 
     assert set(OURS) == set(SUFFIXES)

@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from verification.errors import DocumentError
-from verification.matrix import Matrix
-from verification.names import read_names
-from verification.quantities import Quantity, frame_name, read_quantity
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.errors import DocumentError
+from armproof.verification.naming.names import read_names
+from armproof.verification.naming.quantities import Quantity, frame_name, read_quantity
 
 # notation → what it means on the SCARA; the upper index of T^i_j is the reference
 IMPLIED = {

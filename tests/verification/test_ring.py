@@ -10,12 +10,12 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from models.exact import angle_value
-from verification.angle_ring import AngleFraction
-from verification.clock import now
-from verification.errors import EvaluationError, TooComplex
-from verification.ring import Ring
-from verification.scalar import Scalar
+from armproof.models.exact.numbers import angle_value
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.errors import EvaluationError, TooComplex
 
 Tree = tuple[Any, ...]
 GENERATOR = np.random.default_rng(3)

@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from models.catalogue import arm_names, load_arm
-from models.errors import ModelError
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.errors import ModelError
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.singularities import Family, SingularityAnalysis, analyse_singularities
+from armproof.verification.singularities.factors import Factor
+from armproof.verification.singularities.variety import Variety
 from tests.sweeps.singularities import refine, sweep
-from verification.exact_algebra import ExactAlgebra
-from verification.matrix import Matrix
-from verification.sampled_algebra import SampledAlgebra
-from verification.singularities import Family, SingularityAnalysis, analyse_singularities
-from verification.singularities.factors import Factor
-from verification.singularities.variety import Variety
 
 CASES = [(name, None) for name in arm_names()] + [("planar_3r", (1, 2))]
 NAMES = [name if rows is None else f"{name}-{rows}" for name, rows in CASES]

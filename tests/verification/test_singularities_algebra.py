@@ -8,21 +8,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-from models.catalogue import load_arm
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.singularities.decomposition import Decomposer, Lengths
-from verification.singularities.elimination import BeyondReach, Relation, pseudo_remainder
-from verification.singularities.existence import existence
-from verification.singularities.factors import Factor, Kind, never_zero
-from verification.singularities.half_angles import HalfAngles
-from verification.singularities.jacobians import choose_jacobian, lost_from_simple
-from verification.singularities.linear import as_scalars, eliminate, polynomial_rows
-from verification.singularities.points import Sampler, joint_unknowns
-from verification.singularities.probe import Probe
-from verification.singularities.second_order import jacobian_derivatives
-from verification.singularities.variety import Variety
-from verification.singularities.writing import trigonometric_factors, write_condition, write_product
+from armproof.models.catalogue import load_arm
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.singularities.decomposition import Decomposer, Lengths
+from armproof.verification.singularities.elimination import BeyondReach, Relation, pseudo_remainder
+from armproof.verification.singularities.existence import existence
+from armproof.verification.singularities.factors import Factor, Kind, never_zero
+from armproof.verification.singularities.half_angles import HalfAngles
+from armproof.verification.singularities.jacobians import choose_jacobian, lost_from_simple
+from armproof.verification.singularities.linear import as_scalars, eliminate, polynomial_rows
+from armproof.verification.singularities.points import Sampler, joint_unknowns
+from armproof.verification.singularities.probe import Probe
+from armproof.verification.singularities.second_order import jacobian_derivatives
+from armproof.verification.singularities.variety import Variety
+from armproof.verification.singularities.writing import trigonometric_factors, write_condition, write_product
 
 LENGTHS = frozenset({"a_3", "d_3"})
 
@@ -206,8 +206,8 @@ def test_a_wrench_follows_the_jacobian_to_other_axes(bench: Any) -> None:
 
 def test_gradients_are_derivatives() -> None:
     arm = load_arm("rx90")
-    from verification.exact_algebra import ExactAlgebra
-    from verification.ring import Ring
+    from armproof.verification.algebra.calculus import Ring
+    from armproof.verification.evaluation.exact import ExactAlgebra
 
     chosen = choose_jacobian(ExactAlgebra(Ring(), arm), None, None, None, None)
     determinant = chosen.simple.determinant()

@@ -7,7 +7,7 @@ import json
 import pytest
 from typer.testing import CliRunner, Result
 
-from verification.cli import app
+from armproof.verification.cli import app
 
 runner = CliRunner()
 

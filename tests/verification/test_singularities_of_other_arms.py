@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from models.catalogue import load_arm
+from armproof.models.catalogue import load_arm
+from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
 from tests.sweeps.singularities import sweep
-from verification.singularities import SingularityAnalysis, analyse_singularities
 
 UP, DOWN = "pi/2", "-pi/2"
 TABLES: dict[str, list[tuple[str, str, str, str]]] = {  # a, alpha, d, theta, classic

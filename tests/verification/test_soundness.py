@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import pytest
 
-from verification.check import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.check import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Check = Callable[..., DocumentResult]
 Judge = Callable[..., Record]

@@ -10,11 +10,11 @@ from typing import Any
 
 import pytest
 
-from models.catalogue import arm_names, load_arm
-from verification.check import DocumentChecker, check_document, verify
-from verification.document import Display, Document, Table
-from verification.tables import check_array_table, check_table
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.models.catalogue import arm_names, load_arm
+from armproof.verification.check import DocumentChecker, check_document, verify
+from armproof.verification.document import Display, Document, Table
+from armproof.verification.tables import check_array_table, check_table
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 CLASSIC = ("i", "a_i", r"\alpha_i", "d_i", r"\theta_i")
 MODIFIED = ("i", "a_{i-1}", r"\alpha_{i-1}", "d_i", r"\theta_i")

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import pytest
 
-from verification.verdict import DocumentResult, Record, Verdict, WrongEntry, summary, worst
+from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry, summary, worst
 
 ALL = list(Verdict)
 

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from verification.batch import Failure
-from verification.cli import app
-from verification.verdict import DocumentResult, Verdict
-from verification.watch import Event, Gone, Settled, Told, Watch
+from armproof.verification.cli import app
+from armproof.verification.running.batch import Failure
+from armproof.verification.running.watch import Event, Gone, Settled, Told, Watch
+from armproof.verification.verdict import DocumentResult, Verdict
 
 ARMPROOF = Path(sys.executable).with_name("armproof")
 FRONT = "---\narm: planar_2r\n---\n"

@@ -6,9 +6,9 @@ from fractions import Fraction
 
 import pytest
 
-from verification.latex import nodes as n
-from verification.latex.reader import Reader
-from verification.latex.writer import Notation, Writer, number, symbol_as_latex
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader
+from armproof.verification.latex.writer import Notation, Writer, number, symbol_as_latex
 
 LINES = [
     r"l_1 \cos\theta_1 + l_2 \cos(\theta_1+\theta_2)",
@@ -114,7 +114,7 @@ def test_a_square_is_no_index_and_no_angle_is_squared(base: str, expected: str) 
     ],
 )
 def test_the_other_function_is_written_in_the_same_style(latex: str, expected: str) -> None:
-    from verification.edits import Letters, single_edits
+    from armproof.verification.diagnosis.slips import Letters, single_edits
 
     root = read(latex)
     texts = [

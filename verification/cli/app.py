@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
-from verification.cli.messages import complain
-from verification.cli.plugins import Group
+from armproof.verification.cli.messages import complain
+from armproof.verification.cli.plugins import Group
 
 PASSES, FAILS, CANNOT_RUN, INTERRUPTED = 0, 1, 2, 130
 

@@ -6,8 +6,8 @@ from typing import Annotated
 
 import typer
 
-from verification.cli.loading import load
-from verification.report.lines import write_lines
+from armproof.verification.cli.loading import load
+from armproof.verification.report.lines import write_lines
 
 AnyArm = Annotated[
     str | None, typer.Argument(metavar="[ARM]", help="An arm, or a path to a model file.", show_default=False)
@@ -16,10 +16,10 @@ AnyArm = Annotated[
 
 def arms(arm: AnyArm = None) -> None:
     """List the arms, or the joints, lengths and frames of one."""
-    from verification.report.arms import describe_arm, list_arms
+    from armproof.verification.report.arms import describe_arm, list_arms
 
     if arm is None:
-        from models.catalogue import arm_names
+        from armproof.models.catalogue import arm_names
 
         write_lines(list_arms([load(name) for name in arm_names()]))
     else:

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from models.errors import ArmproofError
-from verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
-from verification.cli.loading import give_up
-from verification.cli.messages import complain
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
+from armproof.verification.cli.loading import give_up
+from armproof.verification.cli.messages import complain
 
 if TYPE_CHECKING:
-    from verification.correction.copy import CorrectedCopy
+    from armproof.verification.running.copy import CorrectedCopy
 
 Source = Annotated[Path, typer.Argument(metavar="FILE", help="A document or a notebook.", show_default=False)]
 Diff = Annotated[bool, typer.Option("--diff", help="Print what would change, as a unified diff.")]
@@ -30,7 +30,7 @@ def correct(path: Source, diff: Diff = False, output: Output = None, in_place: I
     Nothing else changes, errata stay. Exit code 0: the copy passes; 1: something in it does not, as standard error says;
     2: the document cannot be checked or the copy cannot be written.
     """
-    from verification.correction.files import correct_file, save
+    from armproof.verification.running.files import correct_file, save
 
     if (problem := _conflict(path, diff, output, in_place)) is not None:
         complain([problem])
@@ -82,7 +82,7 @@ def _write(text: str) -> None:
 
 
 def _what_remains(copy: CorrectedCopy) -> list[str]:
-    from verification.report.text import describe_place
+    from armproof.verification.report.text import describe_place
 
     notebook = copy.path.suffix == ".ipynb"
     messages = []

@@ -7,13 +7,13 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from models.errors import ArmproofError
-from verification.batch import Failure, check_each
-from verification.cli.progress import Progress
-from verification.verdict import DocumentResult
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.progress import Progress
+from armproof.verification.running.batch import Failure, check_each
+from armproof.verification.verdict import DocumentResult
 
 if TYPE_CHECKING:
-    from verification.batch import After
+    from armproof.verification.running.batch import After
 
 
 def check_paths(
@@ -55,7 +55,7 @@ def check_each_path(
 
 def named_documents(paths: Sequence[Path]) -> dict[Path | Failure, None]:
     """Return the documents that paths name, each once and in their order, and a Failure for a path that names none."""
-    from verification.document import find_documents
+    from armproof.verification.document import find_documents
 
     found: dict[Path | Failure, None] = {}
     for path in paths:
@@ -74,5 +74,5 @@ def named_documents(paths: Sequence[Path]) -> dict[Path | Failure, None]:
 def find_course() -> Path:
     """Return course/ of the working folder, else the folder of the installed course."""
     here = Path("course")
-    spec = None if here.is_dir() else find_spec("course")
+    spec = None if here.is_dir() else find_spec("armproof.course")
     return Path(next(iter(spec.submodule_search_locations))) if spec and spec.submodule_search_locations else here

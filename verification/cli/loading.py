@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from models.errors import ArmproofError
-from verification.cli.app import CANNOT_RUN
-from verification.cli.messages import complain
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import CANNOT_RUN
+from armproof.verification.cli.messages import complain
 
 if TYPE_CHECKING:
-    from models.arm import Arm
+    from armproof.models.arm import Arm
 
 
 def load(name: str) -> Arm:
     """Load an arm, and say what is doubtful about its model; ends the command where there is no such arm."""
-    from models.catalogue import load_arm
+    from armproof.models.catalogue import load_arm
 
     try:
         arm = load_arm(name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable
 
-from verification.report.lines import write_lines
+from armproof.verification.report.lines import write_lines
 
 
 def complain(messages: Iterable[str]) -> None:

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from verification.batch import Failure
-from verification.cli.documents import check_paths
-from verification.verdict import DocumentResult
+from armproof.verification.cli.documents import check_paths
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult
 
 if TYPE_CHECKING:
-    from verification.batch import After
+    from armproof.verification.running.batch import After
 
 
 def check_and_report(
@@ -22,8 +22,8 @@ def check_and_report(
     Raises:
         ReportFolderError: the folder cannot be written, or holds what is no report.
     """
-    from verification.report.html.folder import new_report
-    from verification.report.html.site import page_names, page_writer, write_index
+    from armproof.verification.report.html.folder import new_report
+    from armproof.verification.report.html.site import page_names, page_writer, write_index
 
     names: dict[str, str] = {}
     with new_report(folder) as part:

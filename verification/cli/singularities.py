@@ -8,10 +8,10 @@ from typing import Annotated
 
 import typer
 
-from models.errors import ArmproofError
-from verification.cli.app import FAILS
-from verification.cli.loading import give_up, load
-from verification.report.lines import write_lines
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import FAILS
+from armproof.verification.cli.loading import give_up, load
+from armproof.verification.report.lines import write_lines
 
 
 class Format(StrEnum):
@@ -41,8 +41,8 @@ def singularities(
 
     Exit code 0: all families were found; 1: the analysis is beyond exact reach; 2: it cannot run.
     """
-    from verification.report.singularities import singularity_json, singularity_lines
-    from verification.singularities import analyse_singularities
+    from armproof.verification.report.singularities import singularity_json, singularity_lines
+    from armproof.verification.singularities import analyse_singularities
 
     model = load(arm)
     try:

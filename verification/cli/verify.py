@@ -10,17 +10,17 @@ from typing import Annotated, NoReturn
 
 import typer
 
-from models.errors import ArmproofError
-from verification.batch import Failure
-from verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
-from verification.cli.documents import check_each_path, find_course, named_documents
-from verification.cli.loading import give_up
-from verification.cli.messages import complain
-from verification.cli.pages import check_and_report
-from verification.report.lines import write_lines
-from verification.report.text import text_report
-from verification.report.totals import Totals
-from verification.verdict import DocumentResult
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
+from armproof.verification.cli.documents import check_each_path, find_course, named_documents
+from armproof.verification.cli.loading import give_up
+from armproof.verification.cli.messages import complain
+from armproof.verification.cli.pages import check_and_report
+from armproof.verification.report.lines import write_lines
+from armproof.verification.report.text import text_report
+from armproof.verification.report.totals import Totals
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult
 
 
 class Format(StrEnum):
@@ -94,7 +94,7 @@ def _watch(paths: Sequence[Path], report_format: Format, report: Path | None, st
     if report_format is not Format.text or report is not None:
         complain(["--watch writes text for people: give it neither --format nor --report"])
         raise typer.Exit(CANNOT_RUN)
-    from verification.cli.watching import watch_documents
+    from armproof.verification.cli.watching import watch_documents
 
     try:
         failures = [each for each in named_documents(paths) if isinstance(each, Failure)]
@@ -119,12 +119,12 @@ def exit_code(totals: Totals) -> int:
 def write_report(results: Iterable[DocumentResult | Failure], report_format: Format, strict: bool) -> None:
     """Write the report of the results on standard output, document by document."""
     if report_format is Format.json:
-        from verification.report.json_ import json_parts
+        from armproof.verification.report.json_ import json_parts
 
         for part in json_parts(results, strict=strict):
             sys.stdout.write(part)
     elif report_format is Format.github:
-        from verification.report.github import github_report
+        from armproof.verification.report.github import github_report
 
         write_lines(((line, ""),) for line in github_report(results, strict=strict))
     else:

@@ -6,8 +6,8 @@ from typing import Annotated
 
 import typer
 
-from models.errors import ArmproofError
-from verification.cli.loading import give_up, load
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.loading import give_up, load
 
 ArmName = Annotated[str, typer.Argument(metavar="ARM", help="An arm, or a path to a model file.", show_default=False)]
 Browser = Annotated[bool, typer.Option(help="Open a browser window.")]
@@ -15,7 +15,7 @@ Browser = Annotated[bool, typer.Option(help="Open a browser window.")]
 
 def view(arm: ArmName, browser: Browser = True) -> None:
     """Show an arm in Drake's visualizer, with its frames and joint sliders."""
-    from models.viewer import view_arm
+    from armproof.models.showing.viewer import view_arm
 
     loaded = load(arm)
     try:

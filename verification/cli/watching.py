@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from verification.batch import Failure
-from verification.cli.messages import complain
-from verification.report.lines import Line, write_lines
-from verification.report.text import BAD, FAINT, GOOD, STRONG, describe_document, describe_record, text_report
-from verification.report.totals import passes
-from verification.verdict import DocumentResult
-from verification.watch import Event, Gone, Settled, Told, Watch
+from armproof.verification.cli.messages import complain
+from armproof.verification.report.lines import Line, write_lines
+from armproof.verification.report.text import BAD, FAINT, GOOD, STRONG, describe_document, describe_record, text_report
+from armproof.verification.report.totals import passes
+from armproof.verification.running.batch import Failure
+from armproof.verification.running.watch import Event, Gone, Settled, Told, Watch
+from armproof.verification.verdict import DocumentResult
 
 
 def watch_documents(

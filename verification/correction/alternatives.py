@@ -5,16 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from verification.algebra import Value
-from verification.bounded_form import write_bounded
-from verification.correction.record import ELLIPSIS
-from verification.latex import nodes as n
-from verification.latex.writer import Notation
-from verification.matrix import Matrix
-from verification.outcome import Outcome
-from verification.trees import bare
-from verification.values import Identity, stacked
-from verification.verdict import Correction, WrongEntry
+from armproof.verification.algebra.bounded_form import write_bounded
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.values import Identity, stacked
+from armproof.verification.correction.record import ELLIPSIS
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.writer import Notation
+from armproof.verification.naming.trees import bare
+from armproof.verification.verdict import Correction, WrongEntry
 
 _IDENTITY = re.compile(r"(?P<letter>(?:\\math(?:bf|rm|bb)\s*)?\{?\s*(?:I|1)\s*\}?)\s*_\s*(?:\d|\{\d+\})")
 Corrections = tuple[Correction, ...]

@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
-from models.errors import ArmproofError
-from verification.algebra import OutsideAlgebra
-from verification.clock import now
-from verification.conditions import is_condition
-from verification.correction.alternatives import Corrections, alternatives, trimmed, true_value
-from verification.correction.record import applied
-from verification.correction.rephrasings import rephrasings
-from verification.diagnose import Diagnostician
-from verification.edits import single_edits
-from verification.equation import ChainChecker
-from verification.errors import NoValue
-from verification.latex import nodes as n
-from verification.latex.tokens import normalise_unicode, original_offset
-from verification.latex.writer import Notation, Writer
-from verification.outcome import Outcome
-from verification.verdict import Correction, Record, Verdict
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.protocol import OutsideAlgebra
+from armproof.verification.conditions.system import is_condition
+from armproof.verification.correction.alternatives import Corrections, alternatives, trimmed, true_value
+from armproof.verification.correction.record import applied
+from armproof.verification.correction.rephrasings import rephrasings
+from armproof.verification.diagnosis.diagnosis import Diagnostician
+from armproof.verification.diagnosis.slips import single_edits
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import NoValue
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.tokens import normalise_unicode, original_offset
+from armproof.verification.latex.writer import Notation, Writer
+from armproof.verification.verdict import Correction, Record, Verdict
 
 SECONDS_TO_CORRECT = 1.3
 MOST_TRIALS = 60

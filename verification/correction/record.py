@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from verification.latex.tokens import original_offset
-from verification.verdict import Correction, Record, WrongEntry
+from armproof.verification.latex.tokens import original_offset
+from armproof.verification.verdict import Correction, Record, WrongEntry
 
 ELLIPSIS = r"\ldots"  # stands for what is too long to be written: no correction
 

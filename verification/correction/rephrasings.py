@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from models.errors import ArmproofError
-from verification.correction.alternatives import Corrections
-from verification.equation import ChainChecker
-from verification.latex import nodes as n
-from verification.latex.reader import key_as_latex
-from verification.matrix import Matrix
-from verification.trees import bare, bare_key
-from verification.verdict import Correction
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.correction.alternatives import Corrections
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.naming.trees import bare, bare_key
+from armproof.verification.verdict import Correction
 
 _RELATIONS = re.compile(r"\\(?:neq|ne|leq?|geq?|l[te]|g[te])(?![A-Za-z])|[<>]|\\not\s*=")
 _OTHER = {"le": r"\geq", "leq": r"\geq", "lt": ">", "<": ">", "ge": r"\leq", "geq": r"\leq", "gt": "<", ">": "<"}

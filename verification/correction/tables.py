@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from verification.correction.record import ELLIPSIS, applied
-from verification.document import Display, Table
-from verification.equation import ChainChecker
-from verification.tables import check_array_table, check_table
-from verification.verdict import Correction, Record, Verdict, WrongEntry
+from armproof.verification.correction.record import ELLIPSIS, applied
+from armproof.verification.document import Display, Table
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.tables import check_array_table, check_table
+from armproof.verification.verdict import Correction, Record, Verdict, WrongEntry
 
 Place = tuple[int, int]  # row, the header's being 0, and column from 0
 

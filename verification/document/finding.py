@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from verification.document.formats import SUFFIXES, has_displays
-from verification.document.text import read_text
-from verification.errors import DocumentError
+from armproof.verification.document.formats import SUFFIXES, has_displays
+from armproof.verification.document.text import read_text
+from armproof.verification.errors import DocumentError
 
 
 def find_documents(paths: list[Path]) -> list[Path]:

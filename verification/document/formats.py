@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from verification.document.markdown import read_markdown_file
-from verification.document.model import Document
-from verification.document.notebook import read_notebook
-from verification.document.percent import read_percent
-from verification.document.rst import read_rst
-from verification.document.tex import ENVIRONMENTS, read_tex
-from verification.document.text import read_text
+from armproof.verification.document.markdown import read_markdown_file
+from armproof.verification.document.model import Document
+from armproof.verification.document.notebook import read_notebook
+from armproof.verification.document.percent import read_percent
+from armproof.verification.document.rst import read_rst
+from armproof.verification.document.tex import ENVIRONMENTS, read_tex
+from armproof.verification.document.text import read_text
 
 _READERS: dict[str, Callable[[Path, str], Document]] = {
     ".md": read_markdown_file,

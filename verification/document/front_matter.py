@@ -8,7 +8,7 @@ from typing import Any
 
 import yaml
 
-from verification.errors import DocumentError
+from armproof.verification.errors import DocumentError
 
 FRONT_MATTER_KEYS = ("title", "source", "arm", "symbols", "transforms", "quantities", "inverse")
 # keys that notebook and site tools put into the same block, and `figures`, which the course's printing reads

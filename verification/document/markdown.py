@@ -12,9 +12,9 @@ from markdown_it.token import Token
 from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from verification.document.front_matter import split_front_matter
-from verification.document.model import Display, Document, Table
-from verification.document.places import place_displays, place_table
+from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.model import Display, Document, Table
+from armproof.verification.document.places import place_displays, place_table
 
 ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "caution", "error", "hint", "attention", "danger",
                          "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin"])  # fmt: skip

@@ -6,10 +6,10 @@ import json
 from pathlib import Path
 from typing import Any
 
-from verification.document.front_matter import split_front_matter
-from verification.document.markdown import read_markdown
-from verification.document.model import Display, Document, Table
-from verification.errors import DocumentError
+from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.markdown import read_markdown
+from armproof.verification.document.model import Display, Document, Table
+from armproof.verification.errors import DocumentError
 
 
 def read_notebook(path: Path, text: str) -> Document:

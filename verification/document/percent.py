@@ -8,9 +8,9 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from verification.document.front_matter import split_front_matter
-from verification.document.markdown import read_markdown
-from verification.document.model import Display, Document, Piece, Table
+from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.markdown import read_markdown
+from armproof.verification.document.model import Display, Document, Piece, Table
 
 _COMMENT = re.compile(r"# ?")
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from verification.document.model import Display, Piece, Table
+from armproof.verification.document.model import Display, Piece, Table
 
 _BAR = re.compile(r"(?<!\\)\|")
 _BLANK = re.compile(r"[\s>]*")

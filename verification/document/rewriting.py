@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from verification.document.model import Display, Table
-from verification.document.notebook_text import rewrite_cells
+from armproof.verification.document.model import Display, Table
+from armproof.verification.document.notebook_text import rewrite_cells
 
 Place = tuple[int, int]  # line from 1, column from 0
 

@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
-from verification.document.model import Display, Document, Piece
+from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
+from armproof.verification.document.model import Display, Document, Piece
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
 _ERRATUM = re.compile(

@@ -18,10 +18,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
-from verification.document.model import Display, Document, Table
-from verification.document.tex_macros import blank, closing_brace, find_macros
-from verification.document.tex_tables import read_tabular
+from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
+from armproof.verification.document.model import Display, Document, Table
+from armproof.verification.document.tex_macros import blank, closing_brace, find_macros
+from armproof.verification.document.tex_tables import read_tabular
 
 ENVIRONMENTS = (
     "equation align gather multline flalign alignat eqnarray displaymath dmath dgroup math xalignat IEEEeqnarray"

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from verification.document.model import Piece
+from armproof.verification.document.model import Piece
 
 MOST_EXPANSIONS = 500  # in one display
 LONGEST = 50_000  # characters of a display

@@ -6,7 +6,7 @@ import os
 import time
 from pathlib import Path
 
-from verification.errors import DocumentError
+from armproof.verification.errors import DocumentError
 
 MAX_BYTES = 20_000_000
 ATTEMPTS = 5  # at a file that changes while it is read

@@ -1,8 +1,8 @@
-"""Graphs of formulas with roots and arc functions: models/graph.py with the operations that a closed-form inverse needs."""
+"""Graphs of formulas with roots and arc functions: models/bulk/graph.py with the operations that a closed-form inverse needs."""
 
 from __future__ import annotations
 
-from models.graph import ONE, ZERO, Graph, Node, Term
+from armproof.models.bulk.graph import ONE, ZERO, Graph, Node, Term
 
 MAX_MULTIPLE = 24
 ARC = "atan2"

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from models.arm import Arm
-from verification.errors import DocumentError
-from verification.names import Names, name_key
-from verification.quantities import Quantity, read_quantity
+from armproof.models.arm import Arm
+from armproof.verification.errors import DocumentError
+from armproof.verification.naming.names import Names, name_key
+from armproof.verification.naming.quantities import Quantity, read_quantity
 
 OPTIONS = ("target", "solve")
 _WHOLE = ("pose", "rotation", "origin")

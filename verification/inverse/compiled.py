@@ -8,22 +8,22 @@ from functools import cached_property
 
 import numpy as np
 
-from models.arm import Arm
-from models.configurations import sample
-from models.graph import Term
-from verification.inverse.branch_graph import BranchGraph
-from verification.inverse.derivation import Derivation
-from verification.inverse.formulas import Formula
-from verification.inverse.forward import forward_values
-from verification.inverse.numeric_algebra import NumericAlgebra
-from verification.inverse.numeric_scalar import NumericScalar
-from verification.inverse.program import Program, needed_nodes
-from verification.inverse.resolution import Resolution, solve_branch
-from verification.inverse.rounding import CarefulValues, evaluate_carefully
-from verification.inverse.symbolic_algebra import free_algebra, is_angle
-from verification.inverse.target import Target
-from verification.latex import nodes as n
-from verification.ring import Ring
+from armproof.models.arm import Arm
+from armproof.models.bulk.graph import Term
+from armproof.models.numeric.configurations import sample
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.inverse.branch_graph import BranchGraph
+from armproof.verification.inverse.derivation import Derivation
+from armproof.verification.inverse.formulas import Formula
+from armproof.verification.inverse.forward import forward_values
+from armproof.verification.inverse.numeric_algebra import NumericAlgebra
+from armproof.verification.inverse.numeric_scalar import NumericScalar
+from armproof.verification.inverse.program import Program, needed_nodes
+from armproof.verification.inverse.resolution import Resolution, solve_branch
+from armproof.verification.inverse.rounding import CarefulValues, evaluate_carefully
+from armproof.verification.inverse.symbolic_algebra import free_algebra, is_angle
+from armproof.verification.inverse.target import Target
+from armproof.verification.latex import nodes as n
 
 SAMPLES = 384
 SEED = 2014

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import product
 
-from models.arm import Arm
-from verification.inverse.configuration_ring import ConfigurationRing, OpenSign
-from verification.inverse.derivation import Derivation, Signs
-from verification.inverse.forward import forward_values
-from verification.inverse.resolution import Resolution
-from verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra
+from armproof.models.arm import Arm
+from armproof.verification.inverse.configuration_ring import ConfigurationRing, OpenSign
+from armproof.verification.inverse.derivation import Derivation, Signs
+from armproof.verification.inverse.forward import forward_values
+from armproof.verification.inverse.resolution import Resolution
+from armproof.verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra
 
 
 def find_lost_step(derivation: Derivation, denominators: Mapping[str, int], deadline: float) -> str | None:

@@ -7,9 +7,9 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from verification.inverse.roots import SubstitutionRing
-from verification.scalar import Scalar
-from verification.singularities.half_angles import HalfAngles
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.singularities.half_angles import HalfAngles
 
 
 class OpenSign(Exception):

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, Protocol
 
-from verification.algebra import Algebra
-from verification.errors import EvaluationError
-from verification.inverse.formulas import Formula
-from verification.inverse.target import Target
-from verification.names import Names
-from verification.quantities import Quantity
+from armproof.verification.algebra.protocol import Algebra
+from armproof.verification.errors import EvaluationError
+from armproof.verification.inverse.formulas import Formula
+from armproof.verification.inverse.target import Target
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import Quantity
 
 Meaning = Formula | Quantity
 Signs = Mapping[str, int]

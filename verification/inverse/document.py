@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from models.catalogue import load_arm
-from models.errors import ArmproofError
-from verification.document import Document, read_document
-from verification.errors import DocumentError, EvaluationError
-from verification.inverse.branch_graph import BranchGraph
-from verification.inverse.claim import read_claim
-from verification.inverse.derivation import Derivation
-from verification.inverse.formulas import read_formulas
-from verification.inverse.forward import forward_values
-from verification.inverse.kinematics import InverseKinematics
-from verification.inverse.numeric_algebra import NumericAlgebra
-from verification.inverse.planning import plan
-from verification.inverse.symbolic_algebra import free_algebra
-from verification.inverse.target import read_target
-from verification.names import Names, read_names
-from verification.ring import Ring
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.document import Document, read_document
+from armproof.verification.errors import DocumentError, EvaluationError
+from armproof.verification.inverse.branch_graph import BranchGraph
+from armproof.verification.inverse.claim import read_claim
+from armproof.verification.inverse.derivation import Derivation
+from armproof.verification.inverse.formulas import read_formulas
+from armproof.verification.inverse.forward import forward_values
+from armproof.verification.inverse.kinematics import InverseKinematics
+from armproof.verification.inverse.numeric_algebra import NumericAlgebra
+from armproof.verification.inverse.planning import plan
+from armproof.verification.inverse.symbolic_algebra import free_algebra
+from armproof.verification.inverse.target import read_target
+from armproof.verification.naming.names import Names, read_names
 
 
 def read_inverse(source: Path | str | Document) -> InverseKinematics:

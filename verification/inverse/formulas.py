@@ -6,17 +6,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from verification.blocks import partition
-from verification.document import Display, Document
-from verification.errors import EvaluationError, ReadError
-from verification.evaluate import Evaluator
-from verification.latex import nodes as n
-from verification.latex.statements import PREVIOUS
-from verification.latex.tokens import normalise_unicode
-from verification.matrix import Matrix
-from verification.names import Names
-from verification.sign_definitions import named_sign
-from verification.trees import bare, bare_key, has_branches
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.document import Display, Document
+from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.evaluation.blocks import partition
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.sign_definitions import named_sign
+from armproof.verification.naming.trees import bare, bare_key, has_branches
 
 _CONDITIONAL = ("⇔", "⇐", "⇒", "if", "or")
 

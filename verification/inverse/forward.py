@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from verification.errors import EvaluationError
-from verification.inverse.derivation import Derivation, SolvingAlgebra
-from verification.inverse.resolution import Resolution
-from verification.inverse.target import Slot, Target
-from verification.quantities import Quantity
+from armproof.verification.errors import EvaluationError
+from armproof.verification.inverse.derivation import Derivation, SolvingAlgebra
+from armproof.verification.inverse.resolution import Resolution
+from armproof.verification.inverse.target import Slot, Target
+from armproof.verification.naming.quantities import Quantity
 
 
 def forward_values(derivation: Derivation, algebra: SolvingAlgebra) -> list[Any]:

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from verification.algebra import Value
-from verification.arm_algebra import ArmAlgebra
-from verification.errors import EvaluationError
-from verification.inverse.target import Target
-from verification.matrix import Matrix
-from verification.quantities import Quantity
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.of_arm import ArmAlgebra
+from armproof.verification.inverse.target import Target
+from armproof.verification.naming.quantities import Quantity
 
 
 class NotGiven(EvaluationError):

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.joint_values import read_joint_values
-from verification.inverse.compiled import Compiled
-from verification.inverse.derivation import Derivation
-from verification.inverse.marks import judge, same_configuration
-from verification.inverse.proof import Proof, prove
-from verification.inverse.reading import read_lengths, read_targets
-from verification.inverse.returning import returns, sees_every_number
-from verification.inverse.solutions import Mark, Solutions
+from armproof.models.arm import Arm
+from armproof.models.numeric.joint_values import read_joint_values
+from armproof.verification.inverse.compiled import Compiled
+from armproof.verification.inverse.derivation import Derivation
+from armproof.verification.inverse.marks import judge, same_configuration
+from armproof.verification.inverse.proof import Proof, prove
+from armproof.verification.inverse.reading import read_lengths, read_targets
+from armproof.verification.inverse.returning import returns, sees_every_number
+from armproof.verification.inverse.solutions import Mark, Solutions
 
 MOST_COMPILED = 16  # choices of lengths that are kept
 CHUNK = 4096  # doubtful targets that are evaluated with error bounds at a time

@@ -6,9 +6,9 @@ from itertools import combinations
 
 import numpy as np
 
-from verification.inverse.compiled import Compiled
-from verification.inverse.returning import returns
-from verification.inverse.solutions import Mark
+from armproof.verification.inverse.compiled import Compiled
+from armproof.verification.inverse.returning import returns
+from armproof.verification.inverse.solutions import Mark
 
 COINCIDE = 1e-9  # rad or m between two branches that are one solution
 

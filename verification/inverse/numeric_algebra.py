@@ -7,17 +7,17 @@ from fractions import Fraction
 from math import pi
 from typing import Any
 
-from models.arm import Arm
-from models.entry import Entry, Rows, root_value
-from models.exact import angle_value
-from models.graph import ONE
-from verification.algebra import OutsideAlgebra, Value
-from verification.inverse.branch_graph import BranchGraph
-from verification.inverse.derivation import UnsolvedJoint
-from verification.inverse.given_target import GivenTarget
-from verification.inverse.numeric_scalar import NumericScalar
-from verification.inverse.target import Target
-from verification.matrix import Matrix
+from armproof.models.arm import Arm
+from armproof.models.bulk.graph import ONE
+from armproof.models.exact.numbers import angle_value
+from armproof.models.exact.polynomial import Entry, Rows, root_value
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import OutsideAlgebra, Value
+from armproof.verification.inverse.branch_graph import BranchGraph
+from armproof.verification.inverse.derivation import UnsolvedJoint
+from armproof.verification.inverse.given_target import GivenTarget
+from armproof.verification.inverse.numeric_scalar import NumericScalar
+from armproof.verification.inverse.target import Target
 
 
 class NumericAlgebra(GivenTarget):

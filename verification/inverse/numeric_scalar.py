@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from models.graph import ONE, ZERO, Term
-from verification.algebra import OutsideAlgebra
-from verification.inverse.branch_graph import BranchGraph
+from armproof.models.bulk.graph import ONE, ZERO, Term
+from armproof.verification.algebra.protocol import OutsideAlgebra
+from armproof.verification.inverse.branch_graph import BranchGraph
 
 HIGHEST_POWER = 64
 

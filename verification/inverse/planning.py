@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from verification.angle_ring import AngleFraction
-from verification.errors import DocumentError, EvaluationError, TooComplex
-from verification.inverse.derivation import Derivation, SolvingAlgebra, Step
-from verification.inverse.resolution import Resolution
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
+from armproof.verification.inverse.derivation import Derivation, SolvingAlgebra, Step
+from armproof.verification.inverse.resolution import Resolution
 
 MOST_SIGNS = 6  # independent signs: 64 branches
 

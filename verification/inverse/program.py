@@ -1,7 +1,7 @@
 """All branches of a solution as one straight-line program of NumPy operations, run over targets block by block.
 
 The instructions are data, shared subtrees are computed once, and each writes into a row of memory that is used again as
-soon as its value is no longer needed (as models/program.py does). A target at which a root, a hypotenuse or a denominator
+soon as its value is no longer needed (as models/bulk/program.py does). A target at which a root, a hypotenuse or a denominator
 comes near zero is only noted here: rounding.py decides what it is.
 """
 
@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from models.graph import Term
-from models.program import BLOCK
-from verification.inverse.branch_graph import BranchGraph, operands
+from armproof.models.bulk.graph import Term
+from armproof.models.bulk.program import BLOCK
+from armproof.verification.inverse.branch_graph import BranchGraph, operands
 
 TWO_PI = 2.0 * np.pi
 Array = np.ndarray

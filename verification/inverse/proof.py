@@ -9,22 +9,22 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from verification.angle_ring import AngleFraction
-from verification.clock import now
-from verification.errors import EvaluationError
-from verification.inverse.compiled import Compiled
-from verification.inverse.completeness import find_lost_step
-from verification.inverse.conditions import Conditions, read_conditions
-from verification.inverse.derivation import Derivation, Signs
-from verification.inverse.refutation import refute, refute_for_other_lengths
-from verification.inverse.roots import SubstitutionRing
-from verification.inverse.substitution import returns_target
-from verification.inverse.target_values import TargetValues, any_target, target_of_a_configuration
-from verification.inverse.trial import try_branches
-from verification.verdict import Verdict
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.clock import now
+from armproof.verification.errors import EvaluationError
+from armproof.verification.inverse.compiled import Compiled
+from armproof.verification.inverse.completeness import find_lost_step
+from armproof.verification.inverse.conditions import Conditions, read_conditions
+from armproof.verification.inverse.derivation import Derivation, Signs
+from armproof.verification.inverse.refutation import refute, refute_for_other_lengths
+from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.inverse.substitution import returns_target
+from armproof.verification.inverse.target_values import TargetValues, any_target, target_of_a_configuration
+from armproof.verification.inverse.trial import try_branches
+from armproof.verification.verdict import Verdict
 
 if TYPE_CHECKING:
-    from verification.inverse.kinematics import InverseKinematics
+    from armproof.verification.inverse.kinematics import InverseKinematics
 
 SECONDS = 10.0  # for each of the two parts of a proof
 MOST_FRACTIONS = 6

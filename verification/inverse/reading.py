@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from models.arm import Arm
-from models.errors import ArmproofError
-from models.program import BLOCK
-from verification.inverse.target import Pair, Target
+from armproof.models.arm import Arm
+from armproof.models.bulk.program import BLOCK
+from armproof.models.errors import ArmproofError
+from armproof.verification.inverse.target import Pair, Target
 
 ORTHONORMAL = 1e-6  # how far the rows of a rotation may be from a right-handed orthonormal frame
 

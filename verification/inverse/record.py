@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from models.arm import Arm
-from verification.document import Document
-from verification.errors import DocumentError, EvaluationError
-from verification.inverse.document import read_derivation
-from verification.inverse.kinematics import InverseKinematics
-from verification.inverse.planning import NoDerivation
-from verification.names import read_names
-from verification.verdict import Record, Verdict
+from armproof.models.arm import Arm
+from armproof.verification.document import Document
+from armproof.verification.errors import DocumentError, EvaluationError
+from armproof.verification.inverse.document import read_derivation
+from armproof.verification.inverse.kinematics import InverseKinematics
+from armproof.verification.inverse.planning import NoDerivation
+from armproof.verification.naming.names import read_names
+from armproof.verification.verdict import Record, Verdict
 
 LATEX = r"\mathrm{FK}(\mathrm{IK}(x)) = x"
 

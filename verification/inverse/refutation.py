@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from verification.inverse.derivation import Derivation
-from verification.inverse.trial import TOLERANCE, Trial, try_branches
+from armproof.verification.inverse.derivation import Derivation
+from armproof.verification.inverse.trial import TOLERANCE, Trial, try_branches
 
 if TYPE_CHECKING:
-    from verification.inverse.kinematics import InverseKinematics
+    from armproof.verification.inverse.kinematics import InverseKinematics
 
 OTHER_LENGTHS = 4  # choices of lengths that are tried where the proof is not exact
 

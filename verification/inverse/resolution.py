@@ -6,16 +6,16 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from verification.algebra import Value
-from verification.angle_ring import AngleFraction
-from verification.errors import EvaluationError, TooComplex
-from verification.evaluate import Evaluator
-from verification.inverse.derivation import Derivation, Meaning, Signs, SolvingAlgebra, UnsolvedJoint
-from verification.inverse.formulas import Formula, joint_function_key
-from verification.latex import nodes as n
-from verification.names import Definition, Names
-from verification.quantities import Quantity
-from verification.values import as_scalar
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.values import as_scalar
+from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.inverse.derivation import Derivation, Meaning, Signs, SolvingAlgebra, UnsolvedJoint
+from armproof.verification.inverse.formulas import Formula, joint_function_key
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Definition, Names
+from armproof.verification.naming.quantities import Quantity
 
 _SIGN = "sign "
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from verification.inverse.compiled import Compiled
+from armproof.verification.inverse.compiled import Compiled
 
 RETURNS = 1e-9  # how far a solution may miss its target, relative to the size of it
 MOVED = 1e-3  # how far targets are moved off those of the arm, relative to their size

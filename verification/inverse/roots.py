@@ -8,11 +8,11 @@ from typing import Any
 
 from flint import fmpq_mpoly
 
-from models.entry import Generator
-from verification.errors import NoValue
-from verification.ring import Ring
-from verification.scalar import Scalar
-from verification.singularities.half_angles import HalfAngles
+from armproof.models.exact.polynomial import Generator
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.errors import NoValue
+from armproof.verification.singularities.half_angles import HalfAngles
 
 
 class SubstitutionRing(Ring):

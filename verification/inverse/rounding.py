@@ -15,9 +15,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from models.graph import Node, Term
-from verification.inverse.branch_graph import BranchGraph
-from verification.inverse.program import TWO_PI, needed_nodes
+from armproof.models.bulk.graph import Node, Term
+from armproof.verification.inverse.branch_graph import BranchGraph
+from armproof.verification.inverse.program import TWO_PI, needed_nodes
 
 UNIT = float(np.finfo(float).eps)
 SAFETY = 2.0

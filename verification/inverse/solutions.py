@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from models.arm import Joint
+from armproof.models.arm import Joint
 
 TURN = 2.0 * np.pi
 

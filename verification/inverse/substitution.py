@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from models.arm import Arm
-from verification.inverse.derivation import Derivation, Signs
-from verification.inverse.forward import forward_values
-from verification.inverse.resolution import solve_branch
-from verification.inverse.roots import SubstitutionRing
-from verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra, is_angle
-from verification.inverse.target_values import TargetValues
-from verification.scalar import Scalar
+from armproof.models.arm import Arm
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.inverse.derivation import Derivation, Signs
+from armproof.verification.inverse.forward import forward_values
+from armproof.verification.inverse.resolution import solve_branch
+from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra, is_angle
+from armproof.verification.inverse.target_values import TargetValues
 
 
 def returns_target(

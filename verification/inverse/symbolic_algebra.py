@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from models.arm import Arm
-from models.entry import Rows
-from verification.algebra import Value
-from verification.exact_algebra import ExactAlgebra
-from verification.inverse.derivation import UnsolvedJoint
-from verification.inverse.given_target import GivenTarget
-from verification.inverse.roots import SubstitutionRing
-from verification.inverse.target import Target
-from verification.matrix import Matrix
-from verification.ring import Ring
-from verification.scalar import Scalar
+from armproof.models.arm import Arm
+from armproof.models.exact.polynomial import Rows
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.inverse.derivation import UnsolvedJoint
+from armproof.verification.inverse.given_target import GivenTarget
+from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.inverse.target import Target
 
 LONG = 6  # terms: a name with so many is a symbol until it has to be substituted
 

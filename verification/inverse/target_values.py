@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from verification.algebra import elementary
-from verification.inverse.derivation import Derivation
-from verification.inverse.forward import forward_values
-from verification.inverse.symbolic_algebra import free_algebra
-from verification.inverse.target import Pair, Slot
-from verification.matrix import Matrix
-from verification.ring import Ring
-from verification.scalar import Scalar
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import elementary
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.inverse.derivation import Derivation
+from armproof.verification.inverse.forward import forward_values
+from armproof.verification.inverse.symbolic_algebra import free_algebra
+from armproof.verification.inverse.target import Pair, Slot
 
 TargetValues = Callable[[Ring, Derivation], list[Scalar]]
 

@@ -7,9 +7,9 @@ from functools import partial
 
 import numpy as np
 
-from models.configurations import FAMILIES, sample
-from verification.inverse.compiled import Compiled
-from verification.inverse.marks import judge
+from armproof.models.numeric.configurations import FAMILIES, sample
+from armproof.verification.inverse.compiled import Compiled
+from armproof.verification.inverse.marks import judge
 
 SAMPLES = 1000
 SEED = 2019

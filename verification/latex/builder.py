@@ -8,13 +8,13 @@ from fractions import Fraction
 
 from lark import Token, Transformer
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.derivatives import partial_derivative, total_derivative
-from verification.latex.items import Differential, Item, argument_end, node_item, scripts_before
-from verification.latex.runs import RunReader, product
-from verification.latex.statements import Cell, build_statements, environment_node
-from verification.latex.tokens import span_of_token
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.derivatives import partial_derivative, total_derivative
+from armproof.verification.latex.items import Differential, Item, argument_end, node_item, scripts_before
+from armproof.verification.latex.runs import RunReader, product
+from armproof.verification.latex.statements import Cell, build_statements, environment_node
+from armproof.verification.latex.tokens import span_of_token
 
 
 class TreeBuilder(Transformer):

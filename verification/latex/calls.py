@@ -6,11 +6,11 @@ import re
 from collections.abc import Sequence as Seq
 from dataclasses import replace
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.indexed import NameReader
-from verification.latex.items import Item, Script
-from verification.latex.tokens import canonical_script
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.indexed import NameReader
+from armproof.verification.latex.items import Item, Script
+from armproof.verification.latex.tokens import canonical_script
 
 TRIG_LETTERS = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
 ANGLE_LETTERS = frozenset(["theta", "alpha", "beta", "gamma", "phi", "psi", "q", "delta"])

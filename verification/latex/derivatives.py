@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.items import DerivativeOperator, Differential
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.items import DerivativeOperator, Differential
 
 
 def partial_derivative(above: Differential, below: Differential, span: tuple[int, int]) -> n.Node:

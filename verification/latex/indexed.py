@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
-from verification.latex import nodes as n
-from verification.latex.items import OPERATORS, Item, Script
-from verification.latex.scripts import ScriptReader
-from verification.latex.tokens import canonical_script
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.items import OPERATORS, Item, Script
+from armproof.verification.latex.scripts import ScriptReader
+from armproof.verification.latex.tokens import canonical_script
 
 TRANSFORM_LETTERS = frozenset("TAHR")
 VECTOR_LETTERS = frozenset(

@@ -7,8 +7,8 @@ from collections.abc import Sequence as Seq
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from verification.latex import nodes as n
-from verification.latex.tokens import canonical_script
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.tokens import canonical_script
 
 Script = tuple[str, str, tuple[int, int]]  # ("SUB" | "SUP" | "PRIME" | "DOT", text, span)
 

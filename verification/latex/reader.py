@@ -10,10 +10,10 @@ from importlib import resources
 from lark import Lark, Tree
 from lark.exceptions import UnexpectedInput, UnexpectedToken, VisitError
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.builder import TreeBuilder
-from verification.latex.tokens import LatexLexer, normalise_unicode
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.builder import TreeBuilder
+from armproof.verification.latex.tokens import LatexLexer, normalise_unicode
 
 MAX_LENGTH = 100_000
 _READABLE = {
@@ -81,7 +81,7 @@ def _unexpected(error: UnexpectedToken, text: str) -> ReadError:
 
 @lru_cache(maxsize=1)
 def _grammar() -> Lark:
-    grammar = resources.files("verification.latex").joinpath("kinematics.lark").read_text(encoding="utf-8")
+    grammar = resources.files("armproof.verification.latex").joinpath("kinematics.lark").read_text(encoding="utf-8")
     return Lark(grammar, parser="lalr", lexer=LatexLexer)
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence as Seq
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.calls import CallReader
-from verification.latex.items import (
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.calls import CallReader
+from armproof.verification.latex.items import (
     DerivativeOperator,
     Differential,
     Item,
@@ -16,7 +16,7 @@ from verification.latex.items import (
     reassociate,
     span_of,
 )
-from verification.latex.tokens import canonical_script
+from armproof.verification.latex.tokens import canonical_script
 
 
 class RunReader(CallReader):

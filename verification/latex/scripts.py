@@ -7,10 +7,10 @@ from collections.abc import Callable
 from collections.abc import Sequence as Seq
 from dataclasses import replace
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.items import OPERATORS, Script
-from verification.latex.tokens import canonical_script
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.items import OPERATORS, Script
+from armproof.verification.latex.tokens import canonical_script
 
 MAX_EXPONENT = 24
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from lark import Token
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.tokens import span_of_token
-from verification.latex.vocabulary import LAYOUTS
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.tokens import span_of_token
+from armproof.verification.latex.vocabulary import LAYOUTS
 
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="

@@ -13,8 +13,8 @@ from functools import lru_cache
 from lark import Token
 from lark.lexer import Lexer
 
-from verification.errors import ReadError
-from verification.latex.vocabulary import (
+from armproof.verification.errors import ReadError
+from armproof.verification.latex.vocabulary import (
     BARE_GREEK,
     BARE_WORDS,
     CHARACTERS,

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
-from verification.latex import nodes as n
+from armproof.verification.latex import nodes as n
 
 SWAPPED = {"cos": "sin", "sin": "cos", "\\cos": "\\sin", "\\sin": "\\cos", "C": "S", "S": "C", "c": "s", "s": "c", "Cos": "Sin",
            "Sin": "Cos", "\\mathrm{c}": "\\mathrm{s}", "\\mathrm{s}": "\\mathrm{c}"}  # fmt: skip

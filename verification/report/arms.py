@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import degrees, isfinite
 
-from models.arm import Arm, Joint
-from verification.report.lines import Line
+from armproof.models.arm import Arm, Joint
+from armproof.verification.report.lines import Line
 
 
 def list_arms(arms: Sequence[Arm]) -> Iterator[Line]:

@@ -6,10 +6,10 @@ import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from verification.batch import Failure
-from verification.report.text import describe_entry, describe_place, ordered_records
-from verification.report.totals import Totals
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.report.text import describe_entry, describe_place, ordered_records
+from armproof.verification.report.totals import Totals
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 
 def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> Iterator[str]:

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 from math import isfinite
 from typing import Any
 
-from verification.batch import Failure
-from verification.verdict import DocumentResult, summary
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult, summary
 
 
 def json_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> str:

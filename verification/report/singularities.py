@@ -6,12 +6,12 @@ import json
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from verification.closed_form import write_scalar
-from verification.latex.plain import plain_text
-from verification.matrix import Matrix
-from verification.report.lines import Line
-from verification.singularities import Family, Position, SingularityAnalysis
-from verification.singularities.writing import compact_notation
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.written import write_scalar
+from armproof.verification.latex.plain import plain_text
+from armproof.verification.report.lines import Line
+from armproof.verification.singularities import Family, Position, SingularityAnalysis
+from armproof.verification.singularities.writing import compact_notation
 
 MOST_INTERSECTIONS = 12  # as text; a program gets all
 

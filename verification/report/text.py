@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from verification.batch import Failure
-from verification.report.lines import Line
-from verification.report.totals import Tally, Totals, passes
-from verification.verdict import DocumentResult, Record, Verdict, WrongEntry
+from armproof.verification.report.lines import Line
+from armproof.verification.report.totals import Tally, Totals, passes
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
 
 LONGEST = 600  # characters of a message or of an entry
 GOOD, BAD, WARN, FAINT, STRONG = "green", "bold red", "yellow", "dim", "bold"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from verification.batch import Failure
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 _ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
 

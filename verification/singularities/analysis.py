@@ -9,23 +9,28 @@ from types import MappingProxyType
 
 import numpy as np
 
-from models.arm import Arm
-from verification.clock import now
-from verification.errors import EvaluationError
-from verification.exact_algebra import ExactAlgebra
-from verification.ring import Ring
-from verification.singularities.decomposition import Decomposer, Lengths
-from verification.singularities.existence import existence
-from verification.singularities.families import Family, SingularityAnalysis, Whole
-from verification.singularities.half_angles import HalfAngles
-from verification.singularities.intersections import Descent
-from verification.singularities.jacobians import ChosenJacobian, choose_jacobian
-from verification.singularities.linear import Rows, eliminate, polynomial_rows
-from verification.singularities.minors import maximal_minors
-from verification.singularities.points import Sampler, joint_unknowns
-from verification.singularities.position import Placement
-from verification.singularities.variety import Variety
-from verification.singularities.writing import condition_scalar, trigonometric_factors, write_condition, write_product
+from armproof.models.arm import Arm
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.clock import now
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.singularities.decomposition import Decomposer, Lengths
+from armproof.verification.singularities.existence import existence
+from armproof.verification.singularities.families import Family, SingularityAnalysis, Whole
+from armproof.verification.singularities.half_angles import HalfAngles
+from armproof.verification.singularities.intersections import Descent
+from armproof.verification.singularities.jacobians import ChosenJacobian, choose_jacobian
+from armproof.verification.singularities.linear import Rows, eliminate, polynomial_rows
+from armproof.verification.singularities.minors import maximal_minors
+from armproof.verification.singularities.points import Sampler, joint_unknowns
+from armproof.verification.singularities.position import Placement
+from armproof.verification.singularities.variety import Variety
+from armproof.verification.singularities.writing import (
+    condition_scalar,
+    trigonometric_factors,
+    write_condition,
+    write_product,
+)
 
 SECONDS = 20.0
 SECONDS_BELOW = 8.0  # for the intersections

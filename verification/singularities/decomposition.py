@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from enum import Enum
 
-from verification.clock import now
-from verification.singularities.elimination import BeyondReach, arrange, resultant, variables
-from verification.singularities.factors import Factor, Kind
-from verification.singularities.half_angles import HalfAngles, Polynomial
-from verification.singularities.variety import Variety, solve_angle, solve_length
+from armproof.verification.algebra.clock import now
+from armproof.verification.singularities.elimination import BeyondReach, arrange, resultant, variables
+from armproof.verification.singularities.factors import Factor, Kind
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.variety import Variety, solve_angle, solve_length
 
 MOST_VARIETIES = 200
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import partial
 
-from verification.matrix import Matrix, column
-from verification.scalar import Scalar
-from verification.singularities.half_angles import Polynomial
-from verification.singularities.jacobians import ChosenJacobian, lost_from_simple
-from verification.singularities.linear import Rows, as_scalars, eliminate
-from verification.singularities.variety import Variety
+from armproof.verification.algebra.matrix import Matrix, column
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.singularities.half_angles import Polynomial
+from armproof.verification.singularities.jacobians import ChosenJacobian, lost_from_simple
+from armproof.verification.singularities.linear import Rows, as_scalars, eliminate
+from armproof.verification.singularities.variety import Variety
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log2
 
-from verification.errors import EvaluationError, TooComplex
-from verification.singularities.factors import Factor
-from verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.singularities.factors import Factor
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 
 MOST_TERMS = 20_000
 MOST_WORK = (

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from models.arm import Joint
-from verification.closed_form import write_scalar
-from verification.latex.writer import symbol_as_latex
-from verification.scalar import Scalar
-from verification.singularities.factors import Factor
-from verification.singularities.writing import compact_notation, condition_scalar, write_condition
+from armproof.models.arm import Joint
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.written import write_scalar
+from armproof.verification.latex.writer import symbol_as_latex
+from armproof.verification.singularities.factors import Factor
+from armproof.verification.singularities.writing import compact_notation, condition_scalar, write_condition
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from functools import cached_property
 
 from flint import fmpq
 
-from verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 
 MOST_ANGLES = 4  # in a sum of angles that is recognised
 

@@ -9,15 +9,15 @@ from typing import Literal
 
 import numpy as np
 
-from models.arm import Arm
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.singularities.directions import Directions, directions
-from verification.singularities.factors import Factor
-from verification.singularities.jacobians import ChosenJacobian
-from verification.singularities.linear import Rows
-from verification.singularities.points import Sampler
-from verification.singularities.variety import Variety
+from armproof.models.arm import Arm
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.singularities.directions import Directions, directions
+from armproof.verification.singularities.factors import Factor
+from armproof.verification.singularities.jacobians import ChosenJacobian
+from armproof.verification.singularities.linear import Rows
+from armproof.verification.singularities.points import Sampler
+from armproof.verification.singularities.variety import Variety
 
 Place = Literal["boundary", "inside", "boundary in part", "not decided"]
 

@@ -16,9 +16,9 @@ from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from models.entry import Generator
-from verification.ring import Ring
-from verification.scalar import Scalar
+from armproof.models.exact.polynomial import Generator
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.scalar import Scalar
 
 Polynomial = Any  # flint.fmpq_mpoly of the context of one HalfAngles
 

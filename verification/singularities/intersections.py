@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from verification.matrix import Matrix
-from verification.singularities.decomposition import Decomposer
-from verification.singularities.elimination import BeyondReach
-from verification.singularities.half_angles import Polynomial
-from verification.singularities.linear import Rows, eliminate
-from verification.singularities.minors import maximal_minors
-from verification.singularities.points import Sampler
-from verification.singularities.variety import Variety
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.singularities.decomposition import Decomposer
+from armproof.verification.singularities.elimination import BeyondReach
+from armproof.verification.singularities.half_angles import Polynomial
+from armproof.verification.singularities.linear import Rows, eliminate
+from armproof.verification.singularities.minors import maximal_minors
+from armproof.verification.singularities.points import Sampler
+from armproof.verification.singularities.variety import Variety
 
 MOST_SETS = 60
 SECONDS_A_SET = 1.0

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from models.arm import Arm
-from models.errors import ModelError
-from verification.exact_algebra import ExactAlgebra
-from verification.matrix import Matrix, exact_rank
-from verification.singularities.elimination import BeyondReach
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.verification.algebra.matrix import Matrix, exact_rank
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.singularities.elimination import BeyondReach
 
 MOST_JOINTS = 8
 

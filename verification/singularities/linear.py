@@ -9,11 +9,11 @@ from math import gcd, lcm
 
 from flint import fmpq
 
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.singularities.elimination import BeyondReach
-from verification.singularities.half_angles import HalfAngles, Polynomial
-from verification.singularities.variety import Variety
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.singularities.elimination import BeyondReach
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.variety import Variety
 
 MOST_TERMS = 4_000
 

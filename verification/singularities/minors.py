@@ -5,9 +5,9 @@ from __future__ import annotations
 import itertools
 from math import comb
 
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.singularities.elimination import BeyondReach
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.singularities.elimination import BeyondReach
 
 MOST_MINORS = 400
 

@@ -9,8 +9,8 @@ from functools import cached_property
 
 import numpy as np
 
-from models.arm import Arm
-from verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.models.arm import Arm
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 
 STEPS = 30
 ZERO = 1e-12  # what a condition may be off at a point that counts as on it, relative to the size of its terms

@@ -7,18 +7,18 @@ from functools import reduce
 
 import numpy as np
 
-from models.bulk import BulkKinematics
-from verification.matrix import Matrix
-from verification.singularities.decomposition import Decomposer, Lengths
-from verification.singularities.factors import Factor, Kind
-from verification.singularities.families import Position
-from verification.singularities.jacobians import ChosenJacobian
-from verification.singularities.linear import Rows, eliminate
-from verification.singularities.points import Sampler
-from verification.singularities.reach import Reach, typical_size
-from verification.singularities.second_order import image_dimension, image_rows, lost_and_signs
-from verification.singularities.variety import Variety
-from verification.singularities.writing import write_condition
+from armproof.models.bulk.bulk import BulkKinematics
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.singularities.decomposition import Decomposer, Lengths
+from armproof.verification.singularities.factors import Factor, Kind
+from armproof.verification.singularities.families import Position
+from armproof.verification.singularities.jacobians import ChosenJacobian
+from armproof.verification.singularities.linear import Rows, eliminate
+from armproof.verification.singularities.points import Sampler
+from armproof.verification.singularities.reach import Reach, typical_size
+from armproof.verification.singularities.second_order import image_dimension, image_rows, lost_and_signs
+from armproof.verification.singularities.variety import Variety
+from armproof.verification.singularities.writing import write_condition
 
 TRIED = 16
 MOST_TERMS = 2_000

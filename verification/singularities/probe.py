@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 from flint import nmod_poly
 
-from verification.singularities.elimination import Relation
-from verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.elimination import Relation
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 
 PRIMES = (2_147_483_647, 2_147_483_629, 2_147_483_587, 2_147_483_579, 2_147_483_563, 2_147_483_549)
 TRIALS = 40

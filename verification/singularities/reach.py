@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from models.arm import Arm
-from models.bulk import BulkKinematics
-from models.motion.pose_error import pose_error, rotations
+from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import BulkKinematics
+from armproof.models.motion.pose_error import pose_error, rotations
 
 STARTS = 32
 STEPS = 60

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from verification.singularities.half_angles import HalfAngles, Polynomial
-from verification.singularities.linear import Rows, eliminate
-from verification.singularities.points import Sampler
-from verification.singularities.variety import Variety
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.linear import Rows, eliminate
+from armproof.verification.singularities.points import Sampler
+from armproof.verification.singularities.variety import Variety
 
 CLEAR = 1e-6  # an eigenvalue counts as not zero above this share of the largest
 

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from verification.singularities.elimination import Relation, pseudo_remainder
-from verification.singularities.factors import Factor, half_sum
-from verification.singularities.half_angles import HalfAngles, Polynomial
-from verification.singularities.probe import Probe
+from armproof.verification.singularities.elimination import Relation, pseudo_remainder
+from armproof.verification.singularities.factors import Factor, half_sum
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.probe import Probe
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,13 +6,13 @@ import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from models.entry import Generator
-from verification.closed_form import write_scalar
-from verification.latex.writer import Notation, symbol_as_latex
-from verification.scalar import Scalar
-from verification.singularities.factors import AngleSum, Factor
-from verification.singularities.half_angles import HalfAngles, Polynomial
-from verification.singularities.linear import rational_content
+from armproof.models.exact.polynomial import Generator
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.written import write_scalar
+from armproof.verification.latex.writer import Notation, symbol_as_latex
+from armproof.verification.singularities.factors import AngleSum, Factor
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.linear import rational_content
 
 _TURNS = {0: "0", 1: r"\frac{\pi}{2}", 2: r"\pi", -1: r"-\frac{\pi}{2}"}
 

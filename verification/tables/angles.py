@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
-from verification.matrix import Matrix
-from verification.ring import Ring
-from verification.scalar import Scalar
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
 
 Angle = tuple[Scalar, Scalar]  # the cosine and the sine
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from verification.document import Display, Table
+from armproof.verification.document import Display, Table
 
 _OPENING = re.compile(
     r"\s*(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?\\begin\s*"

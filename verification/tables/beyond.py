@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from verification.equation import ChainChecker
-from verification.tables.entries import WrongEntries
-from verification.tables.mend import single_mends
-from verification.tables.plant import confirm_tool
-from verification.tables.reading import TableReading
-from verification.tables.tool import turned_tool
-from verification.verdict import Record, Verdict
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.tables.entries import WrongEntries
+from armproof.verification.tables.mend import single_mends
+from armproof.verification.tables.plant import confirm_tool
+from armproof.verification.tables.reading import TableReading
+from armproof.verification.tables.tool import turned_tool
+from armproof.verification.verdict import Record, Verdict
 
 
 def check_beyond_frames(

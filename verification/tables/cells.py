@@ -6,13 +6,13 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from verification.algebra import Algebra
-from verification.errors import EvaluationError, ReadError
-from verification.evaluate import Evaluator
-from verification.latex import nodes as n
-from verification.names import Names
-from verification.scalar import Scalar
-from verification.tables.columns import plain
+from armproof.verification.algebra.protocol import Algebra
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.tables.columns import plain
 
 _BLANK = re.compile(r"(?:-|–|—|−|−−|--|---|/|\\times|×|\.|\\cdot|\\dots|\\ldots)?")
 _KINDS = {

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from verification.document import Display, Table
-from verification.equation import ChainChecker
-from verification.errors import EvaluationError, TooComplex
-from verification.tables.array import read_array
-from verification.tables.cells import UnreadableCell
-from verification.tables.columns import read_columns
-from verification.tables.dh import DHTableCheck
-from verification.tables.origins import check_origins
-from verification.verdict import Record, Verdict
+from armproof.verification.document import Display, Table
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.tables.array import read_array
+from armproof.verification.tables.cells import UnreadableCell
+from armproof.verification.tables.columns import read_columns
+from armproof.verification.tables.dh import DHTableCheck
+from armproof.verification.tables.origins import check_origins
+from armproof.verification.verdict import Record, Verdict
 
 
 def check_table(checker: ChainChecker, table: Table) -> Record | None:

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from models.arm import Arm
-from verification.exact_algebra import ExactAlgebra
-from verification.matrix import Matrix
-from verification.names import Names
-from verification.quantities import Quantity
-from verification.scalar import Scalar
-from verification.tables.cells import Cell
-from verification.tables.columns import Columns
-from verification.tables.frames import Frames
-from verification.tables.row import PARAMETERS, RightRow
+from armproof.models.arm import Arm
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import Quantity
+from armproof.verification.tables.cells import Cell
+from armproof.verification.tables.columns import Columns
+from armproof.verification.tables.frames import Frames
+from armproof.verification.tables.row import PARAMETERS, RightRow
 
 
 @dataclass(frozen=True)

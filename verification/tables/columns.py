@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from verification.latex.tokens import normalise_unicode
-from verification.latex.vocabulary import STYLES
+from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.vocabulary import STYLES
 
 CONVENTIONS = ("classic", "modified")
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋", "0123456789ij-")

@@ -6,20 +6,20 @@ from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from models.arm import Arm
-from models.exact import exact_number
-from verification.document import Table
-from verification.equation import ChainChecker
-from verification.tables.beyond import check_beyond_frames
-from verification.tables.cells import Cell, UnreadableCell, read_cell
-from verification.tables.claim import Claim, Row
-from verification.tables.columns import CONVENTIONS, Columns
-from verification.tables.entries import WrongEntries
-from verification.tables.faults import fault_of_table, letter
-from verification.tables.frames import row_frames
-from verification.tables.plant import confirm_rows, counterexample
-from verification.tables.reading import TableReading
-from verification.verdict import Record, Verdict
+from armproof.models.arm import Arm
+from armproof.models.exact.numbers import exact_number
+from armproof.verification.document import Table
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.tables.beyond import check_beyond_frames
+from armproof.verification.tables.cells import Cell, UnreadableCell, read_cell
+from armproof.verification.tables.claim import Claim, Row
+from armproof.verification.tables.columns import CONVENTIONS, Columns
+from armproof.verification.tables.entries import WrongEntries
+from armproof.verification.tables.faults import fault_of_table, letter
+from armproof.verification.tables.frames import row_frames
+from armproof.verification.tables.plant import confirm_rows, counterexample
+from armproof.verification.tables.reading import TableReading
+from armproof.verification.verdict import Record, Verdict
 
 MOST_WORDS = 6  # wrong entries spelt out in a message; all are listed
 

@@ -5,18 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from verification.errors import EvaluationError
-from verification.latex.reader import key_as_latex
-from verification.scalar import Scalar
-from verification.tables.cells import read_kind
-from verification.tables.claim import Row, RowVerdict
-from verification.tables.columns import plain
-from verification.tables.faults import Fault, letter
-from verification.tables.notation import Notation
-from verification.tables.reading import TableReading
-from verification.tables.row import ANGLES, SCALES
-from verification.tables.words import change_of_angle, change_of_length, letter_of, symbols_of
-from verification.verdict import WrongEntry
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.errors import EvaluationError
+from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.tables.cells import read_kind
+from armproof.verification.tables.claim import Row, RowVerdict
+from armproof.verification.tables.columns import plain
+from armproof.verification.tables.faults import Fault, letter
+from armproof.verification.tables.notation import Notation
+from armproof.verification.tables.reading import TableReading
+from armproof.verification.tables.row import ANGLES, SCALES
+from armproof.verification.tables.words import change_of_angle, change_of_length, letter_of, symbols_of
+from armproof.verification.verdict import WrongEntry
 
 _DEGREE_SIGN = re.compile(r"\^\s*\{?\s*\\circ\s*\}?|°|\\degree")
 _PLAIN_DEGREES = re.compile(r"(?<![\d.{_])(?:15|30|45|60|75|90|120|135|150|180|270)(?![\d.}])")

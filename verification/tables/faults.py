@@ -6,10 +6,10 @@ import re
 from dataclasses import dataclass
 from itertools import combinations
 
-from verification.tables.reading import TableReading
-from verification.tables.row import PARAMETERS
-from verification.tables.tool import same_tool
-from verification.verdict import WrongEntry
+from armproof.verification.tables.reading import TableReading
+from armproof.verification.tables.row import PARAMETERS
+from armproof.verification.tables.tool import same_tool
+from armproof.verification.verdict import WrongEntry
 
 _LETTERS = {"alpha": "α", "theta": "θ"}
 

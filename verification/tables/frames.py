@@ -6,12 +6,12 @@ import re
 from dataclasses import dataclass
 from itertools import pairwise
 
-from models.arm import Arm
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.names import Names
-from verification.quantities import numbered_frames
-from verification.tables.columns import plain
+from armproof.models.arm import Arm
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import numbered_frames
+from armproof.verification.tables.columns import plain
 
 _TOOL = re.compile(
     r"\b(?:grip\w*|tool\w*|tcp|end|effect\w*|hand|flange|pince|outil|organe|preneur|greifer|e|ee|g|p|t)\b",

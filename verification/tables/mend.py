@@ -12,16 +12,16 @@ from functools import reduce
 
 import numpy as np
 
-from verification.matrix import Matrix
-from verification.quantities import Quantity
-from verification.sampled_algebra import SampledAlgebra
-from verification.scalar import Scalar
-from verification.tables.angles import within_a_turn
-from verification.tables.claim import RowVerdict
-from verification.tables.frames import last_frames
-from verification.tables.plant import sampled_link
-from verification.tables.reading import TableReading
-from verification.tables.row import ANGLES, PARAMETERS
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.naming.quantities import Quantity
+from armproof.verification.tables.angles import within_a_turn
+from armproof.verification.tables.claim import RowVerdict
+from armproof.verification.tables.frames import last_frames
+from armproof.verification.tables.plant import sampled_link
+from armproof.verification.tables.reading import TableReading
+from armproof.verification.tables.row import ANGLES, PARAMETERS
 
 CONFIGURATIONS = 4
 NEAR = 1e-9

@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
-from verification.latex import nodes as n
-from verification.latex.reader import key_as_latex
-from verification.names import Names
-from verification.scalar import Scalar
-from verification.tables.cells import Cell
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.naming.names import Names
+from armproof.verification.tables.cells import Cell
 
 
 class Notation:

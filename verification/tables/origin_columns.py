@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from verification.tables.columns import plain
+from armproof.verification.tables.columns import plain
 
 XYZ, RPY = ("x", "y", "z"), ("roll", "pitch", "yaw")
 _HEADERS = {

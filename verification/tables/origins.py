@@ -8,23 +8,23 @@ from fractions import Fraction
 
 import numpy as np
 
-from models.entry import generators
-from models.exact import exact_number
-from models.origins import JointOrigin, joint_origins
-from verification.document import Table
-from verification.equation import ChainChecker
-from verification.errors import EvaluationError
-from verification.latex import nodes as n
-from verification.ring import Ring
-from verification.scalar import Scalar
-from verification.tables.angles import Angle, angle_as_scalar, constant_angle, roll_pitch_yaw, to_radians
-from verification.tables.cells import Cell, UnreadableCell, read_axis, read_cell, read_kind
-from verification.tables.columns import read_header
-from verification.tables.notation import Notation
-from verification.tables.origin_columns import RPY, XYZ, origin_columns, spelt_name
-from verification.tables.row import SCALES, equal
-from verification.tables.words import change_of_angle, change_of_length
-from verification.verdict import Record, Verdict, WrongEntry
+from armproof.models.exact.numbers import exact_number
+from armproof.models.exact.polynomial import generators
+from armproof.models.loading.origins import JointOrigin, joint_origins
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.document import Table
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.errors import EvaluationError
+from armproof.verification.latex import nodes as n
+from armproof.verification.tables.angles import Angle, angle_as_scalar, constant_angle, roll_pitch_yaw, to_radians
+from armproof.verification.tables.cells import Cell, UnreadableCell, read_axis, read_cell, read_kind
+from armproof.verification.tables.columns import read_header
+from armproof.verification.tables.notation import Notation
+from armproof.verification.tables.origin_columns import RPY, XYZ, origin_columns, spelt_name
+from armproof.verification.tables.row import SCALES, equal
+from armproof.verification.tables.words import change_of_angle, change_of_length
+from armproof.verification.verdict import Record, Verdict, WrongEntry
 
 
 def check_origins(checker: ChainChecker, table: Table, unchecked: Record) -> Record | None:

@@ -8,17 +8,17 @@ from functools import reduce
 
 import numpy as np
 
-from verification.compare import Pair, entry_errors
-from verification.confirm import TOLERANCE
-from verification.matrix import Matrix
-from verification.quantities import Quantity
-from verification.sampled_algebra import SampledAlgebra
-from verification.scalar import Scalar
-from verification.tables.claim import RowVerdict
-from verification.tables.reading import TableReading
-from verification.tables.row import PARAMETERS, row_matrix
-from verification.tables.tool import Tool
-from verification.verdict import Record, Verdict
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.equations.alignment import Pair, entry_errors
+from armproof.verification.equations.second_route import TOLERANCE
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.naming.quantities import Quantity
+from armproof.verification.tables.claim import RowVerdict
+from armproof.verification.tables.reading import TableReading
+from armproof.verification.tables.row import PARAMETERS, row_matrix
+from armproof.verification.tables.tool import Tool
+from armproof.verification.verdict import Record, Verdict
 
 # rad or m: generic joint variables for a counterexample, the first value and the step; two, lest one equal a length
 _GENERIC = ((0.7, -0.15), (0.73, -0.11))

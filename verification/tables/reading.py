@@ -6,16 +6,16 @@ from dataclasses import replace
 from functools import cached_property, reduce
 from typing import Any
 
-from verification.errors import EvaluationError, UnboundName
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.tables.angles import angle_as_scalar, constant_angle, to_radians
-from verification.tables.cells import Cell
-from verification.tables.claim import Claim, Row, RowVerdict
-from verification.tables.columns import Reading
-from verification.tables.frames import Frames
-from verification.tables.row import ANGLES, PARAMETERS, SCALES, is_free_of, right_row, row_matrix
-from verification.tables.words import letter_of, symbols_of
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.errors import EvaluationError, UnboundName
+from armproof.verification.tables.angles import angle_as_scalar, constant_angle, to_radians
+from armproof.verification.tables.cells import Cell
+from armproof.verification.tables.claim import Claim, Row, RowVerdict
+from armproof.verification.tables.columns import Reading
+from armproof.verification.tables.frames import Frames
+from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES, is_free_of, right_row, row_matrix
+from armproof.verification.tables.words import letter_of, symbols_of
 
 
 class TableReading:

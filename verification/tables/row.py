@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from verification.algebra import Algebra
-from verification.errors import EvaluationError
-from verification.matrix import Matrix
-from verification.scalar import Scalar
-from verification.tables.angles import Angle
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Algebra
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.errors import EvaluationError
+from armproof.verification.tables.angles import Angle
 
 PARAMETERS = ("a", "alpha", "d", "theta")
 ANGLES = ("alpha", "theta")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from verification.matrix import Matrix
-from verification.quantities import numbered_frames
-from verification.tables.frames import last_frames
-from verification.tables.reading import TableReading
-from verification.tables.row import equal
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.naming.quantities import numbered_frames
+from armproof.verification.tables.frames import last_frames
+from armproof.verification.tables.reading import TableReading
+from armproof.verification.tables.row import equal
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from verification.latex.reader import key_as_latex
-from verification.scalar import Scalar
-from verification.tables.angles import in_radians, rational_part
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.tables.angles import in_radians, rational_part
 
 ROUNDED = 5e-3  # rad: 1.57 for π/2
 

@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from course.grading.sandbox.kernel import IS_LINUX, syscall
+from armproof.course.grading.sandbox.kernel import IS_LINUX, syscall
 
 _CREATE, _ADD_RULE, _RESTRICT_SELF = 444, 445, 446
 _VERSION, _PATH_BENEATH = 1, 1

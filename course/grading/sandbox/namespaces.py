@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from course.grading.sandbox.kernel import IS_LINUX, unshare
+from armproof.course.grading.sandbox.kernel import IS_LINUX, unshare
 
 _USER, _PROCESSES, _NETWORK, _MEMORY = 0x10000000, 0x20000000, 0x40000000, 0x08000000
 _ALL = _PROCESSES | _NETWORK | _MEMORY

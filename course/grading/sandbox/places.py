@@ -25,7 +25,7 @@ def readable_places() -> tuple[Path, ...]:
     if site.ENABLE_USER_SITE:
         found.append(site.getusersitepackages())
     for room in ("models", "verification", "course"):
-        spec = find_spec(room)
+        spec = find_spec(f"armproof.{room}")
         found += spec.submodule_search_locations or [] if spec is not None else []
     resolved = dict.fromkeys(Path(each).resolve() for each in (*found, *_SYSTEM) if Path(each).exists())
     return tuple(each for each in resolved if each != Path("/"))

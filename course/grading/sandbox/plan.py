@@ -9,14 +9,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from course.grading.errors import SandboxError
-from course.grading.limits import Limits
-from course.grading.sandbox.kernel import PR_SET_NO_NEW_PRIVS, PR_SET_PDEATHSIG, prctl
-from course.grading.sandbox.landlock import restrict_files
-from course.grading.sandbox.places import DEVICES
-from course.grading.sandbox.privileges import give_up_privileges
-from course.grading.sandbox.resources import limit_resources
-from course.grading.sandbox.seccomp import refuse_system_calls
+from armproof.course.grading.errors import SandboxError
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.sandbox.kernel import PR_SET_NO_NEW_PRIVS, PR_SET_PDEATHSIG, prctl
+from armproof.course.grading.sandbox.landlock import restrict_files
+from armproof.course.grading.sandbox.places import DEVICES
+from armproof.course.grading.sandbox.privileges import give_up_privileges
+from armproof.course.grading.sandbox.resources import limit_resources
+from armproof.course.grading.sandbox.seccomp import refuse_system_calls
 
 _PATH = "/usr/local/bin:/usr/bin:/bin"
 

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import os
 
-from course.grading.sandbox.kernel import CAP_DAC_READ_SEARCH, IS_LINUX, PR_SET_KEEPCAPS, keep_capabilities, prctl
+from armproof.course.grading.sandbox.kernel import (
+    CAP_DAC_READ_SEARCH,
+    IS_LINUX,
+    PR_SET_KEEPCAPS,
+    keep_capabilities,
+    prctl,
+)
 
 _FIRST, _NOBODY = 2_000_000_000, 65_534
 

@@ -8,7 +8,7 @@ import os
 import resource
 from pathlib import Path
 
-from course.grading.limits import Limits
+from armproof.course.grading.limits import Limits
 
 
 def limit_resources(limits: Limits, others: int | None) -> None:

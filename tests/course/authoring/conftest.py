@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from course.authoring.places import Place
+from armproof.course.authoring.places import Place
 
 SOURCE = '''# ---
 # jupyter:
@@ -32,7 +32,7 @@ SOURCE = '''# ---
 # > $$ \\sin(-\\theta_1) = \\sin\\theta_1 $$
 
 # %%
-from course.feedback import open_lesson
+from armproof.course.feedback import open_lesson
 
 lesson = open_lesson("small", folder="..")
 lesson
@@ -64,7 +64,7 @@ lesson.joints.check(joints)
 '''
 TASKS = '''"""Tasks of the small lesson."""
 
-from course.feedback import Formula, Lesson, Number, Task, Wrong
+from armproof.course.feedback import Formula, Lesson, Number, Task, Wrong
 
 
 def area(a, b):

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from course.authoring import checking
-from course.authoring.building import student_files, write_stale
-from course.authoring.checking import check_lesson, check_lessons
-from course.authoring.kernel import Fault, Run
-from course.authoring.notebook import NotebookCell
-from course.authoring.places import COURSE, Place
+from armproof.course.authoring import checking
+from armproof.course.authoring.building import student_files, write_stale
+from armproof.course.authoring.checking import check_lesson, check_lessons
+from armproof.course.authoring.kernel import Fault, Run
+from armproof.course.authoring.notebook import NotebookCell
+from armproof.course.authoring.places import COURSE, Place
 
 pytest.importorskip("nbclient")
 WRONG = ("return a * b - corner", "return a * b + corner")

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from course.authoring.checking import check_lesson
-from course.authoring.places import COURSE
+from armproof.course.authoring.checking import check_lesson
+from armproof.course.authoring.places import COURSE
 
 
 @pytest.mark.parametrize("source", COURSE.sources(), ids=lambda path: path.stem)

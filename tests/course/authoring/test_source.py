@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from course.authoring.errors import SourceError
-from course.authoring.lesson_source import read_lesson_source
-from course.authoring.places import COURSE
-from course.authoring.source import parse_cells
+from armproof.course.authoring.errors import SourceError
+from armproof.course.authoring.lesson_source import read_lesson_source
+from armproof.course.authoring.places import COURSE
+from armproof.course.authoring.source import parse_cells
 
 jupytext = pytest.importorskip("jupytext")
 

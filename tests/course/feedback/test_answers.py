@@ -9,8 +9,19 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from course.feedback import AnswerError, Choice, Formula, Number, Outcome, Quantity, Table, Task, WithSympy, Wrong
-from course.feedback.answer import as_latex
+from armproof.course.feedback import (
+    AnswerError,
+    Choice,
+    Formula,
+    Number,
+    Outcome,
+    Quantity,
+    Table,
+    Task,
+    WithSympy,
+    Wrong,
+)
+from armproof.course.feedback.answer import as_latex
 
 L_1, L_2, T_1, T_2 = sp.symbols("l_1 l_2 theta_1 theta_2")
 

@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from course.feedback import Lesson, LessonError, Number, Outcome, Quantity, Task, Wrong, open_lesson
-from course.feedback.progress import VARIABLE, read_progress
-from models.catalogue import load_arm
+from armproof.course.feedback import Lesson, LessonError, Number, Outcome, Quantity, Task, Wrong, open_lesson
+from armproof.course.feedback.progress import VARIABLE, read_progress
+from armproof.models.catalogue import load_arm
 
 OWN = """
-from course.feedback import Lesson, Number, Task
+from armproof.course.feedback import Lesson, Number, Task
 LESSON = Lesson(1, "mine", "Mine", ("One",), (Task("two", "Two", "1 + 1?", Number(2), ("Count.",), (2,)),))
 """
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from models.arm import Arm
-from models.catalogue import arm_names, load_arm
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names, load_arm
 
 TABLES = {
     "puma table": {

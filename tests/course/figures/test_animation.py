@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from course.figures.animation import RATE, frame_figure, frames, write_animation
-from course.figures.errors import FigureError
-from course.figures.films import FILMS, film_reason, write_film
-from course.figures.fitting import arm_view
-from course.figures.motions import make_motion, motion_of
-from course.figures.production import Order, produce
-from course.figures.tool import tool_points
-from models.catalogue import load_arm
-from models.errors import ModelError
+from armproof.course.figures.drawing.fitting import arm_view
+from armproof.course.figures.errors import FigureError
+from armproof.course.figures.facts.motions import make_motion, motion_of
+from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.output.animation import RATE, frame_figure, frames, write_animation
+from armproof.course.figures.output.films import FILMS, film_reason, write_film
+from armproof.course.figures.output.production import Order, produce
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 from tests.models.test_rendering import TABLE
 

@@ -7,18 +7,24 @@ import numpy as np
 import pytest
 from matplotlib import rcParams
 
-from course.figures.errors import FigureError
-from course.figures.fitting import SPACING, arm_view, fit_arm
-from course.figures.labels import LANGUAGES, arm_title, number, say
-from course.figures.layout import lay_out
-from course.figures.legibility import illegible
-from course.figures.placement import LEADER, Label, place_labels
-from course.figures.poses import showing_pose, zero_pose
-from course.figures.projection import axonometric, choose_projection, is_planar, look_along, plane_projection
-from course.figures.style import HIGHEST, MM, WIDTHS, mm_axes, new_figure, styled
-from course.figures.words import WORDS
-from models.arm import Arm
-from models.joint_values import outside_limits
+from armproof.course.figures.drawing.fitting import SPACING, arm_view, fit_arm
+from armproof.course.figures.drawing.labels import LANGUAGES, arm_title, number, say
+from armproof.course.figures.drawing.layout import lay_out
+from armproof.course.figures.drawing.legibility import illegible
+from armproof.course.figures.drawing.placement import LEADER, Label, place_labels
+from armproof.course.figures.drawing.projection import (
+    axonometric,
+    choose_projection,
+    is_planar,
+    look_along,
+    plane_projection,
+)
+from armproof.course.figures.drawing.style import HIGHEST, MM, WIDTHS, mm_axes, new_figure, styled
+from armproof.course.figures.drawing.words import WORDS
+from armproof.course.figures.errors import FigureError
+from armproof.course.figures.facts.poses import showing_pose, zero_pose
+from armproof.models.arm import Arm
+from armproof.models.numeric.joint_values import outside_limits
 
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from course.figures.registry import MODULES, figures_for, find_kind, kinds
-from models.arm import Arm
-from models.catalogue import arm_names
-from verification.cli import app, plugins
+from armproof.course.figures.registry import MODULES, figures_for, find_kind, kinds
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_names
+from armproof.verification.cli import app, plugins
 
 ROOT = Path(__file__).resolve().parents[3]
 TABLE = """\
@@ -31,7 +31,7 @@ Run = tuple[int, str, str]
 @pytest.fixture
 def armproof(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Callable[..., Run]:
     """Run the command in this process, its entry point as pyproject.toml has it."""
-    point = EntryPoint("figures", "course.figures.command:figures", plugins.GROUP)
+    point = EntryPoint("figures", "armproof.course.figures.output.command:figures", plugins.GROUP)
     monkeypatch.setattr(plugins, "commands", lambda: {"figures": point})
 
     def run(*arguments: object) -> Run:
@@ -47,7 +47,7 @@ def test_pyproject_has_the_entry_point() -> None:
     import tomllib
 
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    assert project["entry-points"][plugins.GROUP]["figures"] == "course.figures.command:figures"
+    assert project["entry-points"][plugins.GROUP]["figures"] == "armproof.course.figures.output.command:figures"
 
 
 def test_it_writes_the_figures_asked_for(armproof: Callable[..., Run], tmp_path: Path) -> None:
@@ -100,7 +100,7 @@ def test_a_figure_that_fails_does_not_take_the_others_with_it(
 ) -> None:
     from dataclasses import replace
 
-    from course.figures import registry
+    from armproof.course.figures import registry
 
     broken = replace(find_kind("sketch"), draw=lambda arm, lang: 1 / 0)  # type: ignore[arg-type,return-value]
     two = {"sketch": broken, "postures": find_kind("postures")}
@@ -113,8 +113,8 @@ def test_a_figure_that_fails_does_not_take_the_others_with_it(
 
 def test_help_loads_nothing_heavy() -> None:
     code = (
-        "import sys; from importlib.metadata import EntryPoint; from verification.cli import plugins, main;"
-        f"plugins.commands = lambda: {{'figures': EntryPoint('figures', 'course.figures.command:figures', {plugins.GROUP!r})}};"
+        "import sys; from importlib.metadata import EntryPoint; from armproof.verification.cli import plugins, main;"
+        f"plugins.commands = lambda: {{'figures': EntryPoint('figures', 'armproof.course.figures.output.command:figures', {plugins.GROUP!r})}};"
         "sys.argv = ['armproof', '--help']\ntry: main()\nexcept SystemExit: pass\n"
         "print([name for name in ('pydrake', 'numpy', 'matplotlib') if name in sys.modules])"
     )

@@ -10,14 +10,14 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
-from course.figures.errors import FigureError
-from course.figures.save import FORMATS, save_figure
-from course.figures.sketch import sketch
-from course.figures.style import mm_axes, new_figure, styled
-from models.catalogue import load_arm
+from armproof.course.figures.drawing.style import mm_axes, new_figure, styled
+from armproof.course.figures.errors import FigureError
+from armproof.course.figures.kinds.sketch import sketch
+from armproof.course.figures.output.save import FORMATS, save_figure
+from armproof.models.catalogue import load_arm
 
 ROOT = Path(__file__).resolve().parents[3]
-DRAW = "from course.figures.production import Order, deliver; from pathlib import Path; import sys; print(deliver(Order('planar_2r', 'planar_2r', ('sketch', 'singular')), {formats!r}, 'fr', Path(sys.argv[1])).problems)"
+DRAW = "from armproof.course.figures.output.production import Order, deliver; from pathlib import Path; import sys; print(deliver(Order('planar_2r', 'planar_2r', ('sketch', 'singular')), {formats!r}, 'fr', Path(sys.argv[1])).problems)"
 
 
 @pytest.fixture(scope="module")

@@ -2,10 +2,10 @@
 
 import pytest
 
-from course.figures.labels import LANGUAGES
-from course.figures.legibility import illegible
-from course.figures.registry import caption_kind, draw_kind, figures_for, kinds
-from models.arm import Arm
+from armproof.course.figures.drawing.labels import LANGUAGES
+from armproof.course.figures.drawing.legibility import illegible
+from armproof.course.figures.registry import caption_kind, draw_kind, figures_for, kinds
+from armproof.models.arm import Arm
 
 
 @pytest.mark.parametrize("kind", kinds())

@@ -5,13 +5,20 @@ import time
 import numpy as np
 import pytest
 
-from course.figures.joint_map import SIDE, family_lines, highest_near, joint_map, relevant_joints, shown_families
-from course.figures.joints import joint_scales
-from course.figures.manipulability import caption, manipulability_figure
-from course.figures.maps import levels_up_to, plain_condition, smooth, volume_unit
-from course.figures.task import task_of
-from models.arm import Arm
-from models.catalogue import load_arm
+from armproof.course.figures.drawing.maps import levels_up_to, plain_condition, smooth, volume_unit
+from armproof.course.figures.facts.joint_map import (
+    SIDE,
+    family_lines,
+    highest_near,
+    joint_map,
+    relevant_joints,
+    shown_families,
+)
+from armproof.course.figures.facts.joints import joint_scales
+from armproof.course.figures.facts.task import task_of
+from armproof.course.figures.kinds.manipulability import caption, manipulability_figure
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
 from tests.course.figures.test_sketch import drawn
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from course.figures.postures import _fit, caption, postures, reason
-from course.figures.projection import Projection
-from course.figures.solutions import is_square, postures_of
-from course.figures.task import task_of
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.skeleton import place_skeleton
+from armproof.course.figures.drawing.projection import Projection
+from armproof.course.figures.facts.solutions import is_square, postures_of
+from armproof.course.figures.facts.task import task_of
+from armproof.course.figures.kinds.postures import _fit, caption, postures, reason
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.numeric.skeleton import place_skeleton
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 COUNT = {"planar_2r": 2, "planar_3r": 2, "polar_rp": 2, "scara": 2, "scara_column": 2, "scara_modified": 2, "spatial_rrr": 4,
@@ -48,8 +48,8 @@ def test_they_differ_by_more_than_whole_turns(arm: Arm) -> None:
 
 
 def test_iteration_finds_what_the_formula_gives() -> None:
-    from course.figures.poses import showing_pose
-    from course.figures.solutions import _by_formula, _by_iteration
+    from armproof.course.figures.facts.poses import showing_pose
+    from armproof.course.figures.facts.solutions import _by_formula, _by_iteration
 
     arm = load_arm("rx90")
     target = showing_pose(arm)

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from course.figures.joints import joint_scales
-from course.figures.motions import make_motion, motion_of, round_duration
-from course.figures.quintic import caption, peak_times, peak_values, quintic_figure
-from models.arm import Arm
-from models.catalogue import load_arm
-from models.errors import ModelError
-from models.motion.extremes import extremes
-from models.motion.limits import read_rate_limits
+from armproof.course.figures.facts.joints import joint_scales
+from armproof.course.figures.facts.motions import make_motion, motion_of, round_duration
+from armproof.course.figures.kinds.quintic import caption, peak_times, peak_values, quintic_figure
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.extremes import extremes
+from armproof.models.motion.limits import read_rate_limits
 from tests.course.figures.test_sketch import drawn
 
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from course.figures import rendering
-from course.figures.poses import showing_pose
-from course.figures.registry import caption_kind, draw_kind, find_kind
-from course.figures.rendering import applies, rendered, rendering_figure
-from models.catalogue import load_arm
-from models.errors import ModelError
+from armproof.course.figures.facts.poses import showing_pose
+from armproof.course.figures.kinds import rendering
+from armproof.course.figures.kinds.rendering import applies, rendered, rendering_figure
+from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ModelError
 from tests.course.figures.test_sketch import drawn
 from tests.models.test_rendering import TABLE, renders
 

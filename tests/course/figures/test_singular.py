@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from course.figures.families import singularities_of
-from course.figures.lost import velocity_and_rotation
-from course.figures.poses import showing_pose
-from course.figures.registry import draw_kind, find_kind
-from course.figures.singular import _projection, caption, rates_at, reason, singular, singular_poses
-from models.arm import Arm
-from models.catalogue import load_arm
+from armproof.course.figures.facts.families import singularities_of
+from armproof.course.figures.facts.lost import velocity_and_rotation
+from armproof.course.figures.facts.poses import showing_pose
+from armproof.course.figures.kinds.singular import _projection, caption, rates_at, reason, singular, singular_poses
+from armproof.course.figures.registry import draw_kind, find_kind
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 ALWAYS_REGULAR = {"dh": "classic", "rows": [

@@ -7,12 +7,12 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from course.figures.dh_rows import link_matrices, link_rows
-from course.figures.errors import FigureError
-from course.figures.lengths import frame_lengths
-from course.figures.projection import choose_projection
-from course.figures.sketch import caption, shown_frames, sketch, sketch_pose
-from models.arm import Arm
+from armproof.course.figures.drawing.projection import choose_projection
+from armproof.course.figures.errors import FigureError
+from armproof.course.figures.facts.dh_rows import link_matrices, link_rows
+from armproof.course.figures.facts.lengths import frame_lengths
+from armproof.course.figures.kinds.sketch import caption, shown_frames, sketch, sketch_pose
+from armproof.models.arm import Arm
 
 TOLERANCE = 1e-9  # m
 MODIFIED = ("rx90", "scara_modified")
@@ -120,7 +120,7 @@ def test_captions_hold_the_numbers(arm: Arm) -> None:
 
 
 def test_an_unknown_language_is_refused() -> None:
-    from models.catalogue import load_arm
+    from armproof.models.catalogue import load_arm
 
     with pytest.raises(FigureError, match="no language 'it'"):
         sketch(load_arm("planar_2r"), "it")

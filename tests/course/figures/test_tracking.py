@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from course.figures.motions import motion_of
-from course.figures.registry import draw_kind, find_kind
-from course.figures.task import task_of
-from course.figures.tracking import PERIOD, caption, tool_error, tracked, tracking_figure
-from models.catalogue import load_arm
-from models.motion.pose_error import pose_error
+from armproof.course.figures.facts.motions import motion_of
+from armproof.course.figures.facts.task import task_of
+from armproof.course.figures.kinds.tracking import PERIOD, caption, tool_error, tracked, tracking_figure
+from armproof.course.figures.registry import draw_kind, find_kind
+from armproof.models.catalogue import load_arm
+from armproof.models.motion.pose_error import pose_error
 from tests.course.figures.test_sketch import drawn
 
 ARMS = ("planar_2r", "polar_rp", "scara", "rx90", "spherical_wrist")

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from course.figures.positioning import position_singularities, positioning_of
-from course.figures.registry import draw_kind, figures_for, find_kind
-from course.figures.workspace import (
+from armproof.course.figures.facts.positioning import position_singularities, positioning_of
+from armproof.course.figures.kinds.workspace import (
     CONFIGURATIONS,
     applies,
     caption,
@@ -14,7 +13,8 @@ from course.figures.workspace import (
     workspace_figure,
     workspace_of,
 )
-from models.catalogue import load_arm
+from armproof.course.figures.registry import draw_kind, figures_for, find_kind
+from armproof.models.catalogue import load_arm
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 ARMS = ("planar_2r", "planar_3r", "polar_rp", "scara", "spatial_rrr", "rx90", "kr210")

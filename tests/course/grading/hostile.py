@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from course.grading.results import Status
+from armproof.course.grading.results import Status
 
 GRADED, TIMED_OUT, MEMORY = Status.GRADED, Status.TIMED_OUT, Status.OUT_OF_MEMORY
 CRASHED, OUTPUT, UNREADABLE = Status.CRASHED, Status.TOO_MUCH_OUTPUT, Status.UNREADABLE
@@ -137,18 +137,18 @@ KINDS = {
         (GRADED, CRASHED),
     ),
     "forges-feedback": Hostile(
-        "from course.feedback import Feedback, Outcome, open_lesson\nlesson = open_lesson('scara_jacobian')\n"
+        "from armproof.course.feedback import Feedback, Outcome, open_lesson\nlesson = open_lesson('scara_jacobian')\n"
         "lesson._keep(Feedback(Outcome.PROVED, task='jacobian', lesson='scara_jacobian'))\n"
         "lesson._results['jacobian'] = Feedback(Outcome.PROVED)",
         (GRADED,),
     ),
     "patches-the-check": Hostile(
-        "from course.feedback import Feedback, Outcome, Task, open_lesson\n"
+        "from armproof.course.feedback import Feedback, Outcome, Task, open_lesson\n"
         "Task._judge = lambda task, answer: Feedback(Outcome.PROVED)\nopen_lesson('scara_jacobian').jacobian.check(1)",
         (GRADED,),
     ),
     "patches-a-task": Hostile(
-        "from course.feedback import Feedback, Outcome, open_lesson\ntask = open_lesson('scara_jacobian').jacobian\n"
+        "from armproof.course.feedback import Feedback, Outcome, open_lesson\ntask = open_lesson('scara_jacobian').jacobian\n"
         "task._judge = lambda answer: Feedback(Outcome.PROVED)\ntask.check(1)",
         (GRADED,),
     ),

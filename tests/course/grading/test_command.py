@@ -3,8 +3,8 @@
 import pytest
 from typer.testing import CliRunner
 
-from course.grading.grading import Grades
-from verification.cli import app
+from armproof.course.grading.grading import Grades
+from armproof.verification.cli import app
 
 
 def run(*arguments: object):
@@ -14,7 +14,7 @@ def run(*arguments: object):
 @pytest.fixture
 def no_server(monkeypatch):
     """Grade without running anything: what is refused is refused before."""
-    monkeypatch.setattr("course.grading.grading.grade", lambda submissions, limits, *_: Grades((), {}, limits))
+    monkeypatch.setattr("armproof.course.grading.grading.grade", lambda submissions, limits, *_: Grades((), {}, limits))
 
 
 def test_what_cannot_be_graded_is_refused_before_anything_runs(write, tmp_path, no_server):

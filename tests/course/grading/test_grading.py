@@ -4,12 +4,12 @@ import contextlib
 
 import pytest
 
-from course.grading.errors import GradingError
-from course.grading.grading import grade
-from course.grading.keeper import Ended
-from course.grading.limits import Limits
-from course.grading.results import Status
-from course.grading.submissions import find_submissions
+from armproof.course.grading.errors import GradingError
+from armproof.course.grading.grading import grade
+from armproof.course.grading.keeper import Ended
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.results import Status
+from armproof.course.grading.submissions import find_submissions
 
 DONE = ['{"done": true, "changed": []}']
 
@@ -30,7 +30,7 @@ class Stand:
 def graded(write, tmp_path, monkeypatch):
     def graded(**prepared: list[Ended]):
         stand = Stand(**prepared)
-        monkeypatch.setattr("course.grading.grading.Client", lambda *_: contextlib.nullcontext(stand))
+        monkeypatch.setattr("armproof.course.grading.grading.Client", lambda *_: contextlib.nullcontext(stand))
         for name in prepared:
             write(f"{name}.ipynb", name)
         found = grade(find_submissions(tmp_path / "class"), Limits(seconds=10), 2)
@@ -53,6 +53,6 @@ def test_the_results_are_in_the_order_of_the_students(graded):
 
 def test_a_class_where_every_submission_may_read_is_refused(write, tmp_path, monkeypatch):
     write("anna.ipynb", "x = 1")
-    monkeypatch.setattr("course.grading.sandbox.places.readable_places", lambda: (tmp_path,))
+    monkeypatch.setattr("armproof.course.grading.sandbox.places.readable_places", lambda: (tmp_path,))
     with pytest.raises(GradingError, match=r"every submission may read .*; put the class's folder somewhere else"):
         grade(find_submissions(tmp_path / "class"), Limits())

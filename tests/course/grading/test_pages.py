@@ -8,14 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from course.grading.grading import Grades, mark_repeated
-from course.grading.limits import Limits
-from course.grading.pages import GRADES, write_grades
-from course.grading.protections import ATTEMPTS
-from course.grading.results import CellError, Graded, Status, TaskResult
-from course.grading.submissions import Submission
-from course.grading.tables import results_table, submissions_table
-from verification.report.html.folder import ReportFolderError, new_report
+from armproof.course.grading.grading import Grades, mark_repeated
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.pages import GRADES, write_grades
+from armproof.course.grading.protections import ATTEMPTS
+from armproof.course.grading.results import CellError, Graded, Status, TaskResult
+from armproof.course.grading.submissions import Submission
+from armproof.course.grading.tables import results_table, submissions_table
+from armproof.verification.report.html.folder import ReportFolderError, new_report
 
 EVIL = "<script>alert(1)</script>"
 

@@ -9,20 +9,20 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from course.grading.client import Client
-from course.grading.judging import judge
-from course.grading.limits import MEGABYTE, Limits
-from course.grading.notebook import Notebook
-from course.grading.protections import ATTEMPTS
-from course.grading.results import Graded, Status
-from course.grading.submissions import Submission
+from armproof.course.grading.client import Client
+from armproof.course.grading.judging import judge
+from armproof.course.grading.limits import MEGABYTE, Limits
+from armproof.course.grading.notebook import Notebook
+from armproof.course.grading.protections import ATTEMPTS
+from armproof.course.grading.results import Graded, Status
+from armproof.course.grading.submissions import Submission
+from armproof.verification.cli import app
 from tests.course.grading.hostile import KINDS
-from verification.cli import app
 
 LIMITS = Limits(seconds=20, memory=512 * MEGABYTE)
 SHORT = Limits(seconds=0.7, memory=512 * MEGABYTE)
 QUICK = ("exits", "deletes-a-folder", "kills-everybody", "leaves-grandchildren", "10-gb", "forges-feedback")
-OPEN = "from course.feedback import open_lesson\nlesson = open_lesson('scara_jacobian')"
+OPEN = "from armproof.course.feedback import open_lesson\nlesson = open_lesson('scara_jacobian')"
 RIGHT = "lesson.determinant.check(lesson.determinant.right[0])"
 
 
@@ -85,7 +85,7 @@ def test_magics_and_display_are_skipped(run):
 
 
 def test_the_figures_of_a_lesson_are_drawn_and_nobody_looks(run):
-    draw = "from course.figures.registry import draw_kind, find_kind\nfrom models.catalogue import load_arm\n"
+    draw = "from armproof.course.figures.registry import draw_kind, find_kind\nfrom armproof.models.catalogue import load_arm\n"
     assert run(draw + "draw_kind(find_kind('sketch'), load_arm('scara'))").errors == ()
 
 
@@ -129,13 +129,13 @@ def test_an_endless_loop_is_ended(run):
 
 def test_a_function_of_the_checks_that_was_replaced_is_named(run):
     graded = run(OPEN, KINDS["patches-the-check"].cell)
-    assert graded.remarks == ("it changed what checks the answers: course.feedback.task.Task._judge",)
+    assert graded.remarks == ("it changed what checks the answers: armproof.course.feedback.task.Task._judge",)
     assert outcomes(graded)["jacobian"] == "error"
     assert not run(OPEN, RIGHT).remarks
 
 
 def test_a_class_is_graded_into_tables_and_pages(client, write, tmp_path, monkeypatch):
-    monkeypatch.setattr("course.grading.grading.Client", lambda *_: contextlib.nullcontext(client))
+    monkeypatch.setattr("armproof.course.grading.grading.Client", lambda *_: contextlib.nullcontext(client))
     write("anna.ipynb", OPEN, RIGHT)
     write('l\'élève "x"/<b>.ipynb', OPEN, "import os", "os._exit(0)")
     result = CliRunner().invoke(app, ["grade", str(tmp_path / "class"), "--out", str(tmp_path / "out"), "--jobs", "1"])

@@ -11,14 +11,14 @@ from dataclasses import replace
 
 import pytest
 
-from course.grading.keeper import keep
-from course.grading.limits import Limits
-from course.grading.own_folder import remove, size_of
-from course.grading.protections import ATTEMPTS, describe, make_plan, try_plan
-from course.grading.sandbox.landlock import landlock_version
-from course.grading.sandbox.places import lies_in_readable, readable_places
-from course.grading.sandbox.plan import Plan
-from course.grading.sandbox.seccomp import program
+from armproof.course.grading.keeper import keep
+from armproof.course.grading.limits import Limits
+from armproof.course.grading.own_folder import remove, size_of
+from armproof.course.grading.protections import ATTEMPTS, describe, make_plan, try_plan
+from armproof.course.grading.sandbox.landlock import landlock_version
+from armproof.course.grading.sandbox.places import lies_in_readable, readable_places
+from armproof.course.grading.sandbox.plan import Plan
+from armproof.course.grading.sandbox.seccomp import program
 
 linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux")
 
@@ -64,7 +64,7 @@ def test_without_a_sandbox_nothing_is_claimed(base):
 
 
 def test_a_run_is_refused_where_a_protection_cannot_be_had_again(base, monkeypatch):
-    monkeypatch.setattr("course.grading.sandbox.plan.restrict_files", lambda *_: False)
+    monkeypatch.setattr("armproof.course.grading.sandbox.plan.restrict_files", lambda *_: False)
     ended = kept(lambda send, own: send({"ran": True}), Plan(files=True), base)
     assert ended["lines"] == [] and ended["code"] == 1 and "the sandbox is incomplete: files" in str(ended["output"])
     assert kept(lambda send, own: send({"ran": True}), Plan(), base)["lines"] == ['{"ran": true}']

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from course.printing.document import Edition, make_sheet
-from course.printing.printing import render
-from course.printing.sheet import Sheet
-from verification.check import check_document
-from verification.document import read_document
+from armproof.course.printing.document import Edition, make_sheet
+from armproof.course.printing.printing import render
+from armproof.course.printing.sheet import Sheet
+from armproof.verification.check import check_document
+from armproof.verification.document import read_document
 
 FRONT = "---\ntitle: The planar arm\nsource: A test\narm: planar_2r\nfigures: []\n---\n\n"
 

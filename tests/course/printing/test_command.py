@@ -9,8 +9,8 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from course.printing import pdf
-from course.printing.command import handout
+from armproof.course.printing import pdf
+from armproof.course.printing.command import handout
 
 app = typer.Typer(pretty_exceptions_enable=False)
 app.command()(handout)

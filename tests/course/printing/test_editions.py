@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from course.printing.document import Edition, make_sheet
-from course.printing.errors import PrintError
-from course.printing.proof import proof_line
-from course.printing.sheet import Blank, Display, Heading, Paragraph, Picture, Quote, Text, walk
-from verification.check import check_document
-from verification.document import read_document
-from verification.verdict import Record, Verdict
+from armproof.course.printing.document import Edition, make_sheet
+from armproof.course.printing.errors import PrintError
+from armproof.course.printing.proof import proof_line
+from armproof.course.printing.sheet import Blank, Display, Heading, Paragraph, Picture, Quote, Text, walk
+from armproof.verification.check import check_document
+from armproof.verification.document import read_document
+from armproof.verification.verdict import Record, Verdict
 
 RIGHT = r"$$ p_2 = \begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix} $$" + "\n\n"
 WRONG = RIGHT.replace("l_2 S", "l_1 S")

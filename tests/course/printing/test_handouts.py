@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from course.printing.document import Edition, make_sheet
-from course.printing.printing import render
-from course.printing.sheet import Display, Sheet, walk
-from verification.check import check_document
-from verification.document import find_documents, read_document
+from armproof.course.printing.document import Edition, make_sheet
+from armproof.course.printing.printing import render
+from armproof.course.printing.sheet import Display, Sheet, walk
+from armproof.verification.check import check_document
+from armproof.verification.document import find_documents, read_document
 
 typst = pytest.importorskip("typst", reason="the extra 'print' is not installed")
 pypdf = pytest.importorskip("pypdf", reason="pypdf reads the sheets back")

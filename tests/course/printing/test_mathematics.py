@@ -6,9 +6,9 @@ import io
 
 import pytest
 
-from course.printing.mathematics import quoted, typst_mathematics
-from verification.latex.mathml.display import pieces, write_display
-from verification.latex.reader import Reader
+from armproof.course.printing.mathematics import quoted, typst_mathematics
+from armproof.verification.latex.mathml.display import pieces, write_display
+from armproof.verification.latex.reader import Reader
 
 
 def typeset(latex: str) -> str:
@@ -62,7 +62,7 @@ def test_a_matrix_wider_than_the_page_is_made_smaller_and_stays_whole(document, 
 def test_what_is_scaled_would_else_be_cut_off(document, make, monkeypatch):
     pytest.importorskip("typst", reason="the extra 'print' is not installed")
     pypdf = pytest.importorskip("pypdf", reason="pypdf reads the sheets back")
-    from course.printing.printing import render
+    from armproof.course.printing.printing import render
     from tests.course.printing.test_handouts import off_the_page  # the same measure as for the handouts
 
     row = " & ".join(f"a + b + c + d + e + f + {k}" for k in range(11, 17))

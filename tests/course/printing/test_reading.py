@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from course.printing.document import Edition, make_sheet
-from course.printing.errors import PrintError
-from course.printing.printing import render
-from course.printing.sheet import Display, Link, Listing, Paragraph, Picture, Table, walk
-from models.errors import ArmproofError
-from verification.check import check_document
-from verification.document import read_document
+from armproof.course.printing.document import Edition, make_sheet
+from armproof.course.printing.errors import PrintError
+from armproof.course.printing.printing import render
+from armproof.course.printing.sheet import Display, Link, Listing, Paragraph, Picture, Table, walk
+from armproof.models.errors import ArmproofError
+from armproof.verification.check import check_document
+from armproof.verification.document import read_document
 
 PIXEL = bytes.fromhex(
     "89504e470d0a1a0a0000000d49484452000000010000000108060000001f15c4890000000d49444154789c6360606060000000050001a5f64540"

@@ -8,19 +8,19 @@ from typing import Any
 
 import pytest
 
-from course.authoring.lesson_source import LessonSource, read_lesson_source
-from course.authoring.places import Place
-from course.feedback import open_lesson
-from course.site.cells import cells_of, with_outputs
-from course.site.page import Neighbour, Surroundings, Written, write_page
+from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
+from armproof.course.authoring.places import Place
+from armproof.course.feedback import open_lesson
+from armproof.course.site.cells import cells_of, with_outputs
+from armproof.course.site.page import Neighbour, Surroundings, Written, write_page
+from armproof.verification.check import check_document
+from armproof.verification.document import read_document
 from tests.verification.report.conftest import browser  # noqa: F401 - a fixture
-from verification.check import check_document
-from verification.document import read_document
 
 SECRET = "a_1 a_2 sin(theta_2) is the secret"
 TASKS = '''"""Tasks."""
 
-from course.feedback import Lesson, Number, Task
+from armproof.course.feedback import Lesson, Number, Task
 
 LESSON = Lesson(
     number=3,
@@ -49,7 +49,7 @@ LESSON = r'''# %% [raw]
 # A first paragraph with $\theta_1$ in it. {words}
 
 # %%
-from course.feedback import open_lesson
+from armproof.course.feedback import open_lesson
 
 lesson = open_lesson("{name}", "..")
 lesson

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from course.feedback import open_lesson
-from course.site.arms import write_views
-from course.site.index import Listed, write_index
-from course.site.page import neighbour
+from armproof.course.feedback import open_lesson
+from armproof.course.site.arms import write_views
+from armproof.course.site.index import Listed, write_index
+from armproof.course.site.page import neighbour
 from tests.course.site.conftest import NOT_ATTEMPTED, RIGHT, STREAM
 from tests.course.site.test_page import ATTACK
 from tests.verification.report.browser import Browser

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from markupsafe import Markup
 
-from course.site.cleaning import clean
-from course.site.code import highlight
-from course.site.outputs import show_outputs
+from armproof.course.site.cleaning import clean
+from armproof.course.site.code import highlight
+from armproof.course.site.outputs import show_outputs
 
 
 def shown(**data: str) -> str:

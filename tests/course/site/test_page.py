@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import pytest
 
-from course.printing.errors import PrintError
-from course.site.cells import Cell, cells_of
-from course.site.errors import SiteError
-from course.site.reading import LessonReader
+from armproof.course.printing.errors import PrintError
+from armproof.course.site.cells import Cell, cells_of
+from armproof.course.site.errors import SiteError
+from armproof.course.site.reading import LessonReader
+from armproof.verification.check import check_document
+from armproof.verification.document import read_document
 from tests.course.site.conftest import LESSON, NOT_ATTEMPTED, RIGHT, SECRET, STREAM
 from tests.verification.report.test_pages import Outline
-from verification.check import check_document
-from verification.document import read_document
 
 OUTPUTS = {4: [STREAM, NOT_ATTEMPTED], 5: [NOT_ATTEMPTED]}
 ATTACK = "<script>window.attacked=1</script><img src=x onerror=window.attacked=1>"

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from course.feedback import lessons
+from armproof.course.feedback import lessons
 
 LESSONS = {path.stem[3:]: path for path in sorted(Path("course/lessons").glob("[0-9][0-9]_*.py"))}
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from course.feedback import Choice, Formula, Number, Outcome, Quantity, Task, lessons
-from course.feedback.answer import is_function
+from armproof.course.feedback import Choice, Formula, Number, Outcome, Quantity, Task, lessons
+from armproof.course.feedback.answer import is_function
 
 TASKS = [pytest.param(task, id=f"{lesson.name}-{task.name}") for lesson in lessons() for task in lesson.tasks]
 EVERY_TASK = pytest.mark.parametrize("task", TASKS)

@@ -10,16 +10,16 @@ from pathlib import Path
 
 import pytest
 
+from armproof.verification.check import verify
+from armproof.verification.cli import app
+from armproof.verification.document import find_documents, parse_document
+from armproof.verification.document.notebook_text import rewrite_cells
+from armproof.verification.errors import DocumentError
+from armproof.verification.running import atomic
+from armproof.verification.running.atomic import write_atomically
+from armproof.verification.running.copy import correct_text
+from armproof.verification.running.files import correct_file, save
 from tests.sweeps.correct import HANDOUTS, copies
-from verification import atomic
-from verification.atomic import write_atomically
-from verification.check import verify
-from verification.cli import app
-from verification.correction.copy import correct_text
-from verification.correction.files import correct_file, save
-from verification.document import find_documents, parse_document
-from verification.document.notebook_text import rewrite_cells
-from verification.errors import DocumentError
 
 FRONT = "---\narm: planar_2r\ntitle: Bras à deux axes\nquantities:\n  J_v: {jacobian: 2, rows: [1, 2]}\n---\n"
 WRONG = (

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from verification.check import check_document
-from verification.correction import corrected, corrected_latex, edits
-from verification.correction.corrector import Corrector, joined
-from verification.document import parse_document
-from verification.verdict import Correction, Record, Verdict
+from armproof.verification.check import check_document
+from armproof.verification.correction import corrected, corrected_latex, edits
+from armproof.verification.correction.corrector import Corrector, joined
+from armproof.verification.document import parse_document
+from armproof.verification.verdict import Correction, Record, Verdict
 
 FRONT = """---
 arm: planar_2r

@@ -9,14 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import course
-from verification.check import check_document, verify
-from verification.document import Display, Document, find_documents, parse_document, read_document
-from verification.document.rewriting import change_of, rewrite
-from verification.errors import DocumentError
-from verification.verdict import Verdict
+import armproof.course
+from armproof.verification.check import check_document, verify
+from armproof.verification.document import Display, Document, find_documents, parse_document, read_document
+from armproof.verification.document.rewriting import change_of, rewrite
+from armproof.verification.errors import DocumentError
+from armproof.verification.verdict import Verdict
 
-HANDOUTS = find_documents([Path(course.__path__[0]) / "handouts"])
+HANDOUTS = find_documents([Path(armproof.course.__path__[0]) / "handouts"])
 
 # A block with its display k (False: what looks like one and is not), and whether it is an erratum.
 TEX = {

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from verification.verdict import Record, Verdict
+from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 

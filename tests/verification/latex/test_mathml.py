@@ -9,15 +9,15 @@ from xml.etree import ElementTree
 
 import pytest
 
+from armproof.verification.document import read_document
+from armproof.verification.latex import items
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.mathml.display import pieces, write_display
+from armproof.verification.latex.mathml.marks import RIGHT, WRONG
+from armproof.verification.latex.mathml.writer import WIDEST, MathWriter
+from armproof.verification.latex.reader import Reader
+from armproof.verification.naming.names import read_names
 from tests.verification.latex.test_layouts import LAYOUTS
-from verification.document import read_document
-from verification.latex import items
-from verification.latex import nodes as n
-from verification.latex.mathml.display import pieces, write_display
-from verification.latex.mathml.marks import RIGHT, WRONG
-from verification.latex.mathml.writer import WIDEST, MathWriter
-from verification.latex.reader import Reader
-from verification.names import read_names
 
 HANDOUTS = sorted((Path(__file__).resolve().parents[3] / "course" / "handouts").glob("*.md"))
 READ = Reader().read
@@ -90,7 +90,7 @@ def test_the_letters_of_a_matrix_stand_in_its_cells() -> None:
 def test_every_display_of_the_handouts_is_well_formed_and_without_latex(path: Path) -> None:
     document = read_document(path)
     arm = document.front.get("arm")
-    from models.catalogue import load_arm
+    from armproof.models.catalogue import load_arm
 
     read = read_names(load_arm(arm, path.parent) if arm else None, document.front).reader.read
     assert document.displays or path.stem == "not-equations"

@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from verification.check import check_document
-from verification.document import Display, Document
-from verification.verdict import Record, Verdict
+from armproof.verification.check import check_document
+from armproof.verification.document import Display, Document
+from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 

@@ -5,10 +5,10 @@ from collections.abc import Callable
 
 import pytest
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.reader import Reader, key_as_latex
-from verification.verdict import Record, Verdict
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader, key_as_latex
+from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
 

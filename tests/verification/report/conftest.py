@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from armproof.verification.cli.pages import check_and_report
 from tests.verification.report.browser import CHROMIUM, DRIVER, Browser
-from verification.cli.pages import check_and_report
 
 ROOT = Path(__file__).resolve().parents[3]
 WRONG = r"""---

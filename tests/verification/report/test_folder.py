@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from verification.report.html.folder import ReportFolderError, new_report
-from verification.report.html.site import VERDICTS
-from verification.report.html.templating import GENERATOR
+from armproof.verification.report.html.folder import ReportFolderError, new_report
+from armproof.verification.report.html.site import VERDICTS
+from armproof.verification.report.html.templating import GENERATOR
 
 PAGES = 30
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from verification.cli import app
-from verification.report.html.site import INDEX, VERDICTS
+from armproof.verification.cli import app
+from armproof.verification.report.html.site import INDEX, VERDICTS
 
 RIGHT, WRONG = "$$ (a + b)^2 = a^2 + 2ab + b^2 $$\n", "$$ (a + b)^2 = a^2 + b^2 $$\n"
 

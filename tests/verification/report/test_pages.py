@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from verification.batch import Failure
-from verification.cli.documents import check_paths
-from verification.report.html.site import INDEX, VERDICTS, page_names, render_index
-from verification.report.html.templating import versions
-from verification.verdict import DocumentResult
+from armproof.verification.cli.documents import check_paths
+from armproof.verification.report.html.site import INDEX, VERDICTS, page_names, render_index
+from armproof.verification.report.html.templating import versions
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult
 
 LARGEST = 400_000  # bytes
 VOID = frozenset("area br col hr img input link meta".split())
@@ -188,7 +188,7 @@ def test_a_document_that_cannot_be_checked_is_named_in_the_index() -> None:
 
 def test_unreadable_displays_are_shown_as_source(tmp_path: Path) -> None:
     (tmp_path / "page.md").write_text("$$ \\foo{<i>} = 1 $$\n", encoding="utf-8")
-    from verification.cli.pages import check_and_report
+    from armproof.verification.cli.pages import check_and_report
 
     (result,) = check_and_report([tmp_path / "page.md"], tmp_path / "report")
     assert isinstance(result, DocumentResult) and not result.passed
@@ -197,7 +197,7 @@ def test_unreadable_displays_are_shown_as_source(tmp_path: Path) -> None:
 
 
 def test_the_same_documents_give_the_same_report(wrong_report: Path, tmp_path: Path) -> None:
-    from verification.cli.pages import check_and_report
+    from armproof.verification.cli.pages import check_and_report
 
     source = wrong_report.parent / "planar-2r.md"
     check_and_report([source], tmp_path / "again")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from verification.latex import nodes as n
-from verification.latex.mathml import box
-from verification.latex.mathml.box import Box
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.mathml import box
+from armproof.verification.latex.mathml.box import Box
 
 _NARROWEST = 9.0  # em: no sum is broken into shorter lines
 

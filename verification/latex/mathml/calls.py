@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from verification.latex import nodes as n
-from verification.latex.mathml import box
-from verification.latex.mathml.box import EMPTY, Box
-from verification.latex.mathml.names import name_box, script_box
-from verification.latex.tokens import canonical_script
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.mathml import box
+from armproof.verification.latex.mathml.box import EMPTY, Box
+from armproof.verification.latex.mathml.names import name_box, script_box
+from armproof.verification.latex.tokens import canonical_script
 
 Write = Callable[[n.Node], Box]
 

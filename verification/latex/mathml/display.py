@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from verification.latex import nodes as n
-from verification.latex.mathml import box
-from verification.latex.mathml.box import Box
-from verification.latex.mathml.breaking import packed
-from verification.latex.mathml.marks import Mark, find_marks
-from verification.latex.mathml.writer import WIDEST, MathWriter, Read
-from verification.latex.tokens import normalise_unicode
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.mathml import box
+from armproof.verification.latex.mathml.box import Box
+from armproof.verification.latex.mathml.breaking import packed
+from armproof.verification.latex.mathml.marks import Mark, find_marks
+from armproof.verification.latex.mathml.writer import WIDEST, MathWriter, Read
+from armproof.verification.latex.tokens import normalise_unicode
 
 _SEPARATOR = re.compile(r"(?<!\\)[,;]")
 _SHORT = 6.0  # em of a left side that stays with its right side

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from verification.latex import nodes as n
-from verification.latex.mathml.box import Box
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.mathml.box import Box
 
 
 @dataclass(frozen=True, slots=True)

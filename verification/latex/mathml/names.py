@@ -6,10 +6,10 @@ import re
 import unicodedata
 from functools import lru_cache
 
-from verification.latex import nodes as n
-from verification.latex.mathml import box
-from verification.latex.mathml.box import EMPTY, Box
-from verification.latex.plain import LETTERS, plain_text
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.mathml import box
+from armproof.verification.latex.mathml.box import EMPTY, Box
+from armproof.verification.latex.plain import LETTERS, plain_text
 
 _DOTS = {1: "˙", 2: "¨", 3: "⃛"}
 _LONG_GREEK = "alpha|beta|gamma|delta|theta|omega|sigma|lambda|phi|psi"

@@ -9,16 +9,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 
-from verification.errors import ReadError
-from verification.latex import nodes as n
-from verification.latex.items import DerivativeOperator, Differential
-from verification.latex.mathml import box
-from verification.latex.mathml.box import EMPTY, Box
-from verification.latex.mathml.breaking import narrowed
-from verification.latex.mathml.calls import CallWriter
-from verification.latex.mathml.marks import Mark
-from verification.latex.mathml.names import name_box
-from verification.latex.plain import plain_text
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.items import DerivativeOperator, Differential
+from armproof.verification.latex.mathml import box
+from armproof.verification.latex.mathml.box import EMPTY, Box
+from armproof.verification.latex.mathml.breaking import narrowed
+from armproof.verification.latex.mathml.calls import CallWriter
+from armproof.verification.latex.mathml.marks import Mark
+from armproof.verification.latex.mathml.names import name_box
+from armproof.verification.latex.plain import plain_text
 
 Read = Callable[[str], list[n.Statement]]
 FENCES = {"bmatrix": ("[", "]"), "bsmallmatrix": ("[", "]"), "pmatrix": ("(", ")"), "psmallmatrix": ("(", ")"),

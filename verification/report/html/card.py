@@ -7,10 +7,10 @@ from math import degrees, isfinite
 
 from markupsafe import Markup
 
-from models.arm import Arm, Joint
-from verification.latex.mathml.writer import Read
-from verification.report.html import prose
-from verification.report.html.figures import ArmPainter, Figure
+from armproof.models.arm import Arm, Joint
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.report.html import prose
+from armproof.verification.report.html.figures import ArmPainter, Figure
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from markupsafe import Markup
 
-from models.arm import Arm
-from models.skeleton import Skeleton, place_skeleton
-from verification.discrepancy import Drawn
-from verification.report.html.projection import View, choose_view
-from verification.report.html.sketch import Sketch
-from verification.verdict import Record
+from armproof.models.arm import Arm
+from armproof.models.numeric.skeleton import Skeleton, place_skeleton
+from armproof.verification.diagnosis.discrepancy import Drawn
+from armproof.verification.report.html.projection import View, choose_view
+from armproof.verification.report.html.sketch import Sketch
+from armproof.verification.verdict import Record
 
 _SEED = 5  # of the configurations that tell a planar arm from a spatial one
 _TOLD = {

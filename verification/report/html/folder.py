@@ -12,9 +12,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from models.errors import ArmproofError
-from verification.report.html.site import VERDICTS
-from verification.report.html.templating import GENERATOR
+from armproof.models.errors import ArmproofError
+from armproof.verification.report.html.site import VERDICTS
+from armproof.verification.report.html.templating import GENERATOR
 
 _AT_FDCWD, _RENAME_EXCHANGE = -100, 2
 _OURS = re.compile(rb'<meta name="generator" content="%s">' % GENERATOR.encode())

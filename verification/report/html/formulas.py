@@ -8,17 +8,17 @@ from dataclasses import dataclass
 
 from markupsafe import Markup, escape
 
-from verification.correction import corrected, edits
-from verification.document import Display
-from verification.errors import ReadError
-from verification.latex.mathml.display import Line, pieces, write_display
-from verification.latex.mathml.marks import RIGHT, WRONG, Mark
-from verification.latex.mathml.writer import Read
-from verification.latex.plain import LETTERS
-from verification.latex.tokens import normalise_unicode
-from verification.report.html.prose import math, symbol
-from verification.tables.array import read_array
-from verification.verdict import Record, WrongEntry
+from armproof.verification.correction import corrected, edits
+from armproof.verification.document import Display
+from armproof.verification.errors import ReadError
+from armproof.verification.latex.mathml.display import Line, pieces, write_display
+from armproof.verification.latex.mathml.marks import RIGHT, WRONG, Mark
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.latex.plain import LETTERS
+from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.report.html.prose import math, symbol
+from armproof.verification.tables.array import read_array
+from armproof.verification.verdict import Record, WrongEntry
 
 ON_PAPER = 45.0  # em of text that fit on a line of A4
 NARROW = 11.0  # em that fit on a phone within a panel

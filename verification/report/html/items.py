@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from verification.latex.mathml.writer import Read
-from verification.report.html import prose
-from verification.report.html.figures import ArmPainter, Figure
-from verification.report.html.formulas import Formula, as_it_should_be, as_printed
-from verification.report.html.states import State, state_of
-from verification.report.text import describe_place, ordered_records
-from verification.verdict import DocumentResult, Record, WrongEntry
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.report.html import prose
+from armproof.verification.report.html.figures import ArmPainter, Figure
+from armproof.verification.report.html.formulas import Formula, as_it_should_be, as_printed
+from armproof.verification.report.html.states import State, state_of
+from armproof.verification.report.text import describe_place, ordered_records
+from armproof.verification.verdict import DocumentResult, Record, WrongEntry
 
 
 @dataclass(frozen=True)

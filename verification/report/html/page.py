@@ -8,19 +8,20 @@ from itertools import groupby
 
 from markupsafe import Markup
 
-from models.arm import Arm
-from models.catalogue import load_arm
-from verification import check, probe
-from verification.document import Document
-from verification.names import read_names
-from verification.report.html import prose
-from verification.report.html.card import arm_card
-from verification.report.html.figures import painter_of
-from verification.report.html.items import Item, ItemWriter
-from verification.report.html.states import STATES, answer, count_states, state_of
-from verification.report.html.templating import render, versions
-from verification.report.totals import passes
-from verification.verdict import DocumentResult, Record
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.verification import check
+from armproof.verification.diagnosis import counterexample
+from armproof.verification.document import Document
+from armproof.verification.naming.names import read_names
+from armproof.verification.report.html import prose
+from armproof.verification.report.html.card import arm_card
+from armproof.verification.report.html.figures import painter_of
+from armproof.verification.report.html.items import Item, ItemWriter
+from armproof.verification.report.html.states import STATES, answer, count_states, state_of
+from armproof.verification.report.html.templating import render, versions
+from armproof.verification.report.totals import passes
+from armproof.verification.verdict import DocumentResult, Record
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,7 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         sections=list(_sections(pairs)),
         card=arm_card(arm, painter, read) if arm is not None and painter is not None else None,
         versions=versions(),
-        seeds=(check.SEED, probe.SEED),
+        seeds=(check.SEED, counterexample.SEED),
         samples=check.SAMPLES,
         largest=max((r.max_error for r in records if r.max_error is not None and r.samples), default=None),
     )

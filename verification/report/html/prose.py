@@ -10,12 +10,12 @@ from markdown_it.token import Token
 from markupsafe import Markup, escape
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from verification.errors import ReadError
-from verification.latex.mathml.display import pieces, write_display
-from verification.latex.mathml.writer import Read
-from verification.latex.plain import plain_text
-from verification.latex.reader import key_as_latex
-from verification.verdict import Record
+from armproof.verification.errors import ReadError
+from armproof.verification.latex.mathml.display import pieces, write_display
+from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.latex.plain import plain_text
+from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.verdict import Record
 
 # words of a formula side by side: each holds a script or a command, or is a number or a sign between such
 _MATHS = r"(?=\S*[\\_^])[-+(\[{\\\w](?:[^\s,;:]|[,;:](?=\S))*(?<![,;:.])|[-+*/=]|\d+(?:\.\d+)?"

@@ -9,15 +9,15 @@ from functools import partial
 from pathlib import Path
 from unicodedata import combining, normalize
 
-from verification.batch import Failure
-from verification.document import Document
-from verification.report.html import prose
-from verification.report.html.states import STATES, answer, count_states, records_of
-from verification.report.html.templating import render, versions
-from verification.report.json_ import json_report
-from verification.report.text import describe_total
-from verification.report.totals import passes
-from verification.verdict import DocumentResult
+from armproof.verification.document import Document
+from armproof.verification.report.html import prose
+from armproof.verification.report.html.states import STATES, answer, count_states, records_of
+from armproof.verification.report.html.templating import render, versions
+from armproof.verification.report.json_ import json_report
+from armproof.verification.report.text import describe_total
+from armproof.verification.report.totals import passes
+from armproof.verification.running.batch import Failure
+from armproof.verification.verdict import DocumentResult
 
 INDEX, VERDICTS = "index.html", "verdicts.json"
 _LONGEST = 80  # characters of a page's name
@@ -88,7 +88,9 @@ def _row(result: DocumentResult, page: str, strict: bool) -> Row:
 
 
 def _write_page(folder: Path, names: dict[str, str], strict: bool, document: Document, result: DocumentResult) -> None:
-    from verification.report.html.page import render_page  # which loads the models: only where documents are checked
+    from armproof.verification.report.html.page import (
+        render_page,  # which loads the models: only where documents are checked
+    )
 
     page = render_page(document, result, INDEX, strict=strict)
     (folder / names[str(document.path)]).write_text(page, encoding="utf-8")

@@ -12,7 +12,7 @@ from html import escape
 
 import numpy as np
 
-from verification.report.html.projection import View
+from armproof.verification.report.html.projection import View
 
 WIDTH, HEIGHT = 330.0, 250.0
 BESIDE, ABOVE = 50.0, 26.0  # room for the labels

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ def versions() -> tuple[tuple[str, str], ...]:
 @lru_cache(maxsize=1)
 def _environment() -> Environment:
     return Environment(
-        loader=PackageLoader("verification.report.html"),
+        loader=PackageLoader("armproof.verification.report.html"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -53,7 +53,7 @@ def sketch_style() -> str:
 
 
 def _resource(name: str) -> str:
-    return resources.files("verification.report.html").joinpath("templates", name).read_text(encoding="utf-8")
+    return resources.files("armproof.verification.report.html").joinpath("templates", name).read_text(encoding="utf-8")
 
 
 def _digest(text: str) -> str:

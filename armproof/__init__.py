@@ -1,0 +1,1 @@
+"""Robot-arm kinematics checked against Drake."""

@@ -1,0 +1,1 @@
+"""How an arm is drawn: projection, symbols, labels, dimensions, plots, one style."""

@@ -1,0 +1,103 @@
+"""The words of the figures in English and French, and how numbers, lengths and angles are written in each.
+
+`say("tool_path", "fr")` gives the words of a key. Words that only one kind of figure uses stand in the same catalogue:
+a translator finds all of them here.
+"""
+
+from __future__ import annotations
+
+from math import degrees
+
+import numpy as np
+
+from armproof.course.figures.drawing.words import WORDS
+from armproof.course.figures.errors import FigureError
+from armproof.models.arm import Arm
+from armproof.verification.latex.writer import symbol_as_latex
+
+LANGUAGES = ("en", "fr")
+_LONG = 6  # figures of a number that is written with a power of ten
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def check_language(lang: str) -> str:
+    """Return the language.
+
+    Raises:
+        FigureError: another language than English and French.
+    """
+    if lang not in LANGUAGES:
+        raise FigureError(f"no language '{lang}'; the labels are written in {', '.join(LANGUAGES)}")
+    return lang
+
+
+def say(key: str, lang: str, **values: object) -> str:
+    """Return the words of a key, with the values put in for its placeholders.
+
+    Raises:
+        FigureError: an unknown language.
+    """
+    check_language(lang)
+    return WORDS[key][LANGUAGES.index(lang)].format(**values)
+
+
+def arm_title(arm: Arm, lang: str) -> str:
+    """Return the title of an arm; that of its card where the catalogue of words has none."""
+    key = f"arm {arm.name}"
+    return (say(key, lang) if key in WORDS else "") or arm.title
+
+
+def number(value: float, lang: str, digits: int = 3, *, in_math: bool = False) -> str:
+    """Return a number with that many significant digits: 0.45, in French 0,45; in mathematics 0{,}45; 1120, 5·10⁻⁵."""
+    check_language(lang)
+    if value == 0 or abs(value) < 1e-12:
+        return "0"
+    text = f"{value:.{digits}g}"
+    if "e" in text:
+        mantissa, _, power = text.partition("e")
+        exponent = str(int(power))
+        if 0 < int(power) < _LONG:
+            text = f"{float(text):.0f}"
+        else:
+            text = rf"{mantissa}\times10^{{{exponent}}}" if in_math else f"{mantissa}·10{exponent.translate(_RAISED)}"
+    text = text.replace("-", "-" if in_math else "−")
+    if lang == "fr":
+        text = text.replace(".", "{,}" if in_math else ",")
+    return text
+
+
+def length(value: float, lang: str, digits: int = 3) -> str:
+    """Return a length with its unit: 0.45 m."""
+    return f"{number(value, lang, digits)} m"
+
+
+def angle(value: float, lang: str, digits: int = 3) -> str:
+    """Return an angle given in radians, in degrees: 30°."""
+    return f"{number(round(degrees(value), 9), lang, digits)}°"
+
+
+def joint_value(value: float, kind: str, lang: str) -> str:
+    """Return the value of a joint variable with its unit, degrees for a revolute joint."""
+    return angle(value, lang) if kind == "revolute" else length(value, lang)
+
+
+def joint_texts(arm: Arm, q: np.ndarray, lang: str) -> list[str]:
+    """Return each joint value of a configuration (n,) with its symbol and unit."""
+    values = zip(arm.joints, q, strict=True)
+    return [f"{math(joint.symbol)} = {joint_value(value, joint.kind, lang)}" for joint, value in values]
+
+
+def pose_text(arm: Arm, q: np.ndarray, lang: str) -> str:
+    """Return the joint values of a configuration (n,), with their symbols and units, as one text."""
+    return ", ".join(joint_texts(arm, q, lang))
+
+
+def axis_label(words: str, unit: str, symbol: str = "") -> str:
+    """Return the label of an axis: words, symbol and unit, as "time $t$ (s)"; the unit may be left empty."""
+    parts = [words, f"${symbol}$" if symbol else "", f"({unit})" if unit else ""]
+    return " ".join(part for part in parts if part)
+
+
+def math(symbol: str) -> str:
+    r"""Return a symbol of an arm as mathematics within text: $\theta_{1}$."""
+    return f"${symbol_as_latex(symbol)}$"

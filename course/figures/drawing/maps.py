@@ -1,0 +1,92 @@
+"""Maps of the manipulability: colours, level lines and the scale beside them; its unit."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Any
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patheffects import Normal, Stroke
+from matplotlib.ticker import MaxNLocator
+
+from armproof.course.figures.drawing.plots import tick_numbers
+from armproof.course.figures.drawing.style import INK, MAP, PAPER, mm_axes
+from armproof.models.arm import Arm
+
+_LIGHTEST_OF_DARK = 0.28  # of the colours: darker ones leave labels unreadable
+LEVELS = 6
+
+
+@lru_cache(maxsize=1)
+def map_colours() -> ListedColormap:
+    """Return the colours of the maps, from dark (singular) to light."""
+    return ListedColormap(matplotlib.colormaps[MAP](np.linspace(_LIGHTEST_OF_DARK, 1, 256)))
+
+
+def levels_up_to(highest: float) -> np.ndarray:
+    """Return some round levels between 0 and the highest value, without 0."""
+    levels = np.asarray(MaxNLocator(LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, highest))
+    return levels[(levels > 0) & (levels < highest)]
+
+
+def draw_levels(axes: Axes, x: np.ndarray, y: np.ndarray, values: np.ndarray, levels: np.ndarray) -> None:
+    """Draw level lines of a map: values (len(y), len(x)), NaN where there are none; gid "levels"."""
+    if len(levels):
+        lines = axes.contour(x, y, np.ma.masked_invalid(values), levels=levels, colors=INK, linewidths=0.35, alpha=0.7)
+        lines.set_gid("levels")
+
+
+def draw_scale(
+    figure: Figure, box: tuple[float, float, float, float], highest: float, levels: np.ndarray, label: str, lang: str
+) -> None:
+    """Draw the scale of a map: its colours from 0 to the highest value, with ticks at the levels."""
+    axes = mm_axes(figure, *box)
+    axes.imshow(
+        np.linspace(0, 1, 256)[:, None], cmap=map_colours(), aspect="auto", origin="lower", extent=(0, 1, 0, highest)
+    )
+    axes.set_xticks([])
+    axes.yaxis.tick_right()
+    axes.set_yticks([0.0, *levels])
+    axes.yaxis.set_major_formatter(tick_numbers(lang))
+    axes.yaxis.set_label_position("right")
+    axes.set_ylabel(label, labelpad=3)
+    for level in levels:
+        axes.axhline(level, color=INK, linewidth=0.35, alpha=0.7)
+
+
+def smooth(values: np.ndarray) -> np.ndarray:
+    """Return a map with each value the mean of the 5 × 5 around it that are numbers, NaN where it was none: for level lines only."""
+    padded = np.pad(values, 2, constant_values=np.nan)
+    around = np.lib.stride_tricks.sliding_window_view(padded, (5, 5))
+    count = np.maximum(np.sum(~np.isnan(around), axis=(2, 3)), 1)
+    return np.where(np.isnan(values), np.nan, np.nansum(around, axis=(2, 3)) / count)
+
+
+def halo(width: float = 2.4) -> list[Any]:
+    """Return the effects that set a line off from the map below it: paper around it."""
+    return [Stroke(linewidth=width, foreground=PAPER, alpha=0.9), Normal()]
+
+
+def plain_condition(latex: str) -> str:
+    r"""Return a condition as matplotlib's mathematics reads it, and small: without \text, \frac{\pi}{2} as \pi/2."""
+    return re.sub(r"\\frac\{([^{}]+)\}\{([^{}]+)\}", r"\1/\2", latex.replace(r"\text{ and }", r",\;"))
+
+
+def volume_unit(arm: Arm, rows: Sequence[int], columns: Sequence[int]) -> str:
+    """Return the unit of √det(J Jᵀ), a power of the metre; "" where it is a number, or a sum of different units.
+
+    Args:
+        rows: of [v; ω], from 1.
+        columns: from 1.
+    """
+    sliding = sum(arm.joints[column - 1].kind == "prismatic" for column in columns)
+    if sliding and len(rows) != len(columns):
+        return ""
+    power = sum(row <= 3 for row in rows) - sliding
+    return {0: "", 1: "m", 2: "m²", 3: "m³"}.get(power, "")

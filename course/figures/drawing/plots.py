@@ -1,0 +1,53 @@
+"""Ordinary plots: axes with ticks in the language of the figure."""
+
+from __future__ import annotations
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
+
+from armproof.course.figures.drawing.labels import number
+from armproof.course.figures.drawing.style import PALE, mm_axes
+
+_ANGLE_STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180)  # degrees between ticks
+
+
+def plot_axes(
+    figure: Figure, box: tuple[float, float, float, float], lang: str, x: str = "", y: str = "", *, grid: bool = True
+) -> Axes:
+    """Return axes for a plot, open above and to the right.
+
+    Args:
+        box: left, bottom, width, height of the area within the axes (mm).
+        x, y: their labels; without a label for x the ticks have no numbers.
+    """
+    axes = mm_axes(figure, *box)
+    axes.spines[["top", "right"]].set_visible(False)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(tick_numbers(lang))
+    axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+    axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
+    axes.set_xlabel(x, labelpad=2)
+    axes.set_ylabel(y, labelpad=3)
+    axes.tick_params(labelbottom=bool(x), pad=2)
+    if grid:
+        axes.grid(color=PALE, linewidth=0.4)
+    return axes
+
+
+def tick_numbers(lang: str) -> FuncFormatter:
+    """Return what writes the numbers of ticks in a language."""
+    return FuncFormatter(lambda value, _: number(round(value, 12), lang, 6))
+
+
+def mark_angles(axes: Axes, which: str, spread: float, most: int = 6) -> None:
+    """Put the ticks of an axis in degrees at round angles.
+
+    Args:
+        which: x or y.
+        spread: how many degrees the axis shows.
+        most: ticks, about.
+    """
+    step = next((step for step in _ANGLE_STEPS if spread / step <= most), _ANGLE_STEPS[-1])
+    axis = axes.xaxis if which == "x" else axes.yaxis
+    axis.set_major_locator(MultipleLocator(step))

@@ -1,0 +1,193 @@
+"""The textbook's symbols: revolute and prismatic joints seen from any side, links, base and gripper, frames."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from armproof.course.figures.drawing.fitting import SPACING
+from armproof.course.figures.drawing.layout import Layout, lay_out
+from armproof.course.figures.drawing.scene import Scene
+from armproof.course.figures.drawing.style import INK, PALE, PAPER
+from armproof.models.arm import Arm
+
+_RADIUS, _LENGTH = 2.2, 6.5  # mm, of a revolute joint
+_BOX, _BOX_LENGTH = 2.0, 7.5  # mm: half width and length of a prismatic joint
+_ALONG_VIEW = 0.97
+AXIS_COLOURS = {"x": "#b03a00", "y": "#00704f", "z": "#00558a"}  # dark enough to read; z, x are also told by letter
+
+
+@dataclass(frozen=True)
+class Look:
+    """How an arm is drawn: ink, or one of several strokes.
+
+    Attributes:
+        symbols: whether joints have their symbols; without them a dot each.
+        base, gripper: whether these are drawn.
+        size: of the symbols, 1 for a figure of its own, less for panels.
+    """
+
+    colour: str = INK
+    alpha: float = 1.0
+    width: float = 2.0
+    symbols: bool = True
+    linestyle: Any = "-"
+    zorder: float = 2.0
+    base: bool = True
+    gripper: bool = True
+    size: float = 1.0
+
+
+def draw_arm(scene: Scene, arm: Arm, q: np.ndarray, look: Look | None = None, name: str = "") -> Layout:
+    """Draw an arm at a configuration (n,): base, links, joints and gripper; returns its layout.
+
+    The lines have the gid "<name>link 0" to "<name>link n", the symbols of joints "<name>joint <symbol>".
+    """
+    look = look or Look()
+    spacing = scene.metres(SPACING * look.size) if look.symbols else 0.0
+    layout = lay_out(arm, np.asarray(q, dtype=float), spacing)
+    if look.base:
+        draw_base(scene, layout, look)
+    for k, link in enumerate(layout.links):
+        style = {"color": look.colour, "linewidth": look.width, "alpha": look.alpha, "linestyle": look.linestyle}
+        scene.line(link, gid=f"{name}link {k}", zorder=look.zorder, **style)
+    for joint, placed, spot in zip(arm.joints, layout.joints, layout.spots, strict=True):
+        draw_joint(scene, joint.kind, spot, np.array(placed.axis), look, f"{name}joint {joint.symbol}")
+    if look.gripper:
+        draw_gripper(scene, layout.gripper, layout.gripper_way, look)
+    return layout
+
+
+def draw_joint(scene: Scene, kind: str, at: np.ndarray, axis: np.ndarray, look: Look, gid: str = "") -> None:
+    """Draw the symbol of a joint; without symbols, a dot."""
+    point = scene.paper(at)
+    mark = scene.flat_line(
+        point[None], gid=gid, zorder=look.zorder + 2, color=look.colour, alpha=look.alpha, linestyle="none"
+    )
+    if not look.symbols:
+        mark.set_marker("o" if kind == "revolute" else "s")
+        mark.set_markersize(3)
+    elif kind == "revolute":
+        _revolute(scene, at, axis, look)
+    else:
+        _prismatic(scene, at, axis, look)
+
+
+def _revolute(scene: Scene, at: np.ndarray, axis: np.ndarray, look: Look) -> None:
+    """Draw a cylinder about the axis, a circle with its centre where the axis points at the reader."""
+    style = {"edgecolor": look.colour, "alpha": look.alpha, "linewidth": 0.9}
+    point = scene.paper(at)
+    cosine = scene.projection.along(axis)
+    z = look.zorder + 0.5
+    if abs(cosine) > _ALONG_VIEW:
+        scene.circle(point, 1.9 * look.size, zorder=z, **style)
+        scene.circle(point, 0.45 * look.size, zorder=z + 0.1, facecolor=look.colour, alpha=look.alpha, edgecolor="none")
+        return
+    toward = axis if cosine >= 0 else -axis
+    half = scene.paper(toward) * scene.metres(look.size * _LENGTH / 2)
+    rim = _rim(scene, toward, scene.metres(look.size * _RADIUS))
+    near, far = point + half + rim, point - half + rim
+    scene.fill(_hull(np.vstack([near, far])), zorder=z, **style)
+    scene.fill(near, zorder=z + 0.1, **{**style, "facecolor": PALE})
+
+
+def _prismatic(scene: Scene, at: np.ndarray, axis: np.ndarray, look: Look) -> None:
+    """Draw a box about the axis, its faces towards the reader."""
+    style = {"edgecolor": look.colour, "alpha": look.alpha, "linewidth": 0.9, "joinstyle": "round"}
+    first, second = _across(axis)
+    sides = [(axis, look.size * _BOX_LENGTH / 2), (first, look.size * _BOX), (second, look.size * _BOX)]
+    for k, (way, size) in enumerate(sides):
+        cosine = scene.projection.along(way)
+        if abs(cosine) < 1e-6:
+            continue
+        (one, a), (other, b) = (sides[(k + j) % 3] for j in (1, 2))
+        middle = at + np.sign(cosine) * scene.metres(size) * way
+        corners = [
+            middle + scene.metres(a) * s * one + scene.metres(b) * t * other
+            for s, t in ((1, 1), (1, -1), (-1, -1), (-1, 1))
+        ]
+        shade = PALE if k == 0 else PAPER
+        scene.fill(scene.paper(np.array(corners)), zorder=look.zorder + 0.5, **{**style, "facecolor": shade})
+
+
+def draw_base(scene: Scene, layout: Layout, look: Look) -> None:
+    """Draw the ground below an arm: a hatched line, below a pin where the arm starts across the paper."""
+    at = scene.paper(layout.base)
+    way = scene.paper(layout.base_way)
+    style: dict[str, Any] = {"color": look.colour, "alpha": look.alpha}
+    if np.linalg.norm(way) < 0.2:
+        drop = scene.metres(4.6 * look.size)
+        feet = at + np.array([[-scene.metres(2.7 * look.size), -drop], [scene.metres(2.7 * look.size), -drop]])
+        scene.fill(
+            np.vstack([at, feet]), zorder=look.zorder - 0.2, edgecolor=look.colour, alpha=look.alpha, linewidth=0.9
+        )
+        at, way = at - np.array([0.0, drop]), np.array([0.0, 1.0])
+    way = way / np.linalg.norm(way)
+    along = np.array([way[1], -way[0]])
+    reach = scene.metres(4.2 * look.size)
+    scene.flat_line(np.array([at - reach * along, at + reach * along]), zorder=look.zorder, linewidth=1.2, **style)
+    slant = scene.metres(1.7 * look.size) * (-way - along) / np.sqrt(2)
+    for part in np.linspace(-0.8, 1.0, 7):
+        foot = at + part * reach * along
+        scene.flat_line(np.array([foot, foot + slant]), zorder=look.zorder, linewidth=0.6, **style)
+
+
+def draw_gripper(scene: Scene, at: np.ndarray, way: np.ndarray, look: Look) -> None:
+    """Draw a gripper of two jaws that points along a unit vector, the point at its palm."""
+    point, flat = scene.paper(at), scene.paper(way)
+    style: dict[str, Any] = {
+        "color": look.colour,
+        "alpha": look.alpha,
+        "linewidth": 0.7 * look.width,
+        "zorder": look.zorder,
+    }
+    size = float(np.linalg.norm(flat))
+    if size < 0.2:  # it points at the reader, or away
+        return
+    flat = flat / size
+    across = np.array([-flat[1], flat[0]]) * scene.metres(1.7 * look.size)
+    ahead = flat * scene.metres(2.8 * look.size)
+    scene.flat_line(np.array([point + across + ahead, point + across, point - across, point - across + ahead]), **style)
+
+
+def axis_name(letter: str, frame: str) -> str:
+    """Return the name of an axis of a frame: $x_{4}$; a frame with a name of many letters has it upright."""
+    index = frame if len(frame) < 3 else rf"\mathrm{{{frame.replace('_', '-')}}}"
+    return f"${letter}_{{{index}}}$"
+
+
+def _across(axis: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return two unit vectors across an axis and each other."""
+    helper = np.eye(3)[int(np.argmin(np.abs(np.round(axis, 6))))]
+    first = np.cross(axis, helper)
+    first /= np.linalg.norm(first)
+    return first, np.cross(axis, first)
+
+
+def _rim(scene: Scene, axis: np.ndarray, radius: float) -> np.ndarray:
+    """Return the rim of a disc across an axis as an ellipse on the paper about (0, 0), (N, 2)."""
+    first, second = _across(axis)
+    angles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    circle = np.cos(angles)[:, None] * first + np.sin(angles)[:, None] * second
+    return radius * scene.paper(circle)
+
+
+def _hull(points: np.ndarray) -> np.ndarray:
+    """Return the convex hull of points (N, 2), counter-clockwise."""
+    ordered = points[np.lexsort((points[:, 1], points[:, 0]))]
+
+    def half(sequence: np.ndarray) -> list[np.ndarray]:
+        chain: list[np.ndarray] = []
+        for point in sequence:
+            while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= 0:
+                chain.pop()
+            chain.append(point)
+        return chain[:-1]
+
+    return np.array(half(ordered) + half(ordered[::-1]))
+
+
+def _turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> float:
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))

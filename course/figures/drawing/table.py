@@ -1,0 +1,58 @@
+"""A small table on a page, ruled as in print: lines above and below, and under the head."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from armproof.course.figures.drawing.style import INK, MM, TEXT
+
+_GAP = 3.0  # mm between columns
+LINE = 4.6  # mm a row
+
+
+def draw_table(
+    figure: Figure, rows: Sequence[Sequence[str]], *, left: float, top: float, width: float, size: float = TEXT
+) -> float:
+    """Draw a table, its first row the head; returns its width in mm.
+
+    Args:
+        left, top: mm from the left and the lower edge of the page; the table is put in the middle of `width`.
+    """
+    widths = _widths(figure, rows, size)
+    total = float(sum(widths)) + _GAP * (len(widths) - 1)
+    start = left + (width - total) / 2
+    wide, high = figure.get_size_inches() / MM
+    for r, row in enumerate(rows):
+        x = start
+        for text, column in zip(row, widths, strict=True):
+            y = top - (r + 0.5) * LINE - (0.8 if r else 0.0)
+            figure.text((x + column / 2) / wide, y / high, text, ha="center", va="center", fontsize=size)
+            x += column + _GAP
+    for y, thick in ((top, 0.8), (top - LINE - 0.4, 0.5), (top - len(rows) * LINE - 1.0, 0.8)):
+        ends = [(start - 1.0) / wide, (start + total + 1.0) / wide]
+        figure.add_artist(Line2D(ends, [y / high] * 2, color=INK, linewidth=thick, transform=figure.transFigure))
+    return total
+
+
+def table_height(rows: int) -> float:
+    """Return the height of a table with so many rows, its head included, in mm."""
+    return rows * LINE + 1.0
+
+
+def _widths(figure: Figure, rows: Sequence[Sequence[str]], size: float) -> np.ndarray:
+    """Return the width of each column in mm."""
+    canvas = figure.canvas
+    assert isinstance(canvas, FigureCanvasAgg)
+    renderer = canvas.get_renderer()
+    widths = np.zeros((len(rows), len(rows[0])))
+    for r, row in enumerate(rows):
+        for c, text in enumerate(row):
+            probe = figure.text(0, 0, text, fontsize=size)
+            widths[r, c] = probe.get_window_extent(renderer).width / figure.dpi / MM
+            probe.remove()
+    return np.asarray(widths.max(axis=0))

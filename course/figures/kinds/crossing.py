@@ -1,0 +1,181 @@
+"""What the joints do while the tool passes a singular configuration: with the pseudo-inverse beside damped least squares."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from armproof.course.figures.drawing.fitting import fit_arm
+from armproof.course.figures.drawing.labels import arm_title, axis_label, math, number, say
+from armproof.course.figures.drawing.maps import plain_condition
+from armproof.course.figures.drawing.placement import Label
+from armproof.course.figures.drawing.plots import plot_axes
+from armproof.course.figures.drawing.scene import Scene, finish
+from armproof.course.figures.drawing.style import GREY, INK, SMALL, STROKES, new_figure, styled
+from armproof.course.figures.drawing.symbols import Look, draw_arm
+from armproof.course.figures.facts.joints import joint_unit
+from armproof.course.figures.facts.near_singular import DURATION, NearSingular, near_singular
+from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.registry import Kind
+from armproof.models.arm import Arm
+from armproof.models.motion.limits import read_rate_limits
+
+SNAPSHOTS = 5
+_SIZE = 0.8  # of the symbols
+_SCENE = (0.0, 2.0, 74.0, 92.0)  # mm
+_LEFT, _WIDTH, _PANEL, _GAP, _BOTTOM = 90.0, 72.0, 23.0, 6.5, 9.0
+_EXACT, _DAMPED = STROKES[0], STROKES[1]
+
+
+@styled()
+def crossing_figure(arm: Arm, lang: str = "en") -> Figure:
+    """Return the motion of an arm's tool past a singular configuration, the joint rates of both inverses, and the error of the damped one."""
+    found = near_singular(arm)
+    assert found is not None
+    figure = new_figure("page", 96)
+    scene = _scene(figure, found)
+    labels: list[Label] = []
+    for place, (name, rates) in enumerate((("pseudo", found.rates), ("damped", found.rates_damped))):
+        labels += _rates(figure, found, place, name, rates, lang)
+    labels += _errors(figure, found, lang)
+    return finish(figure, scene, extra=labels)
+
+
+def _scene(figure: Figure, found: NearSingular) -> Scene:
+    arm, last = found.task.arm, len(found.times) - 1
+    places = sorted({*np.linspace(0, last, SNAPSHOTS).astype(int).tolist(), found.nearest})
+    paths = tool_points(arm, found.q), tool_points(arm, found.q_damped)
+    scene = fit_arm(figure, _SCENE, arm, found.q[places], points=np.vstack(paths), margin=7.0, size=_SIZE)
+    for place in places:
+        near = place == found.nearest
+        look = Look(
+            colour=INK if near else GREY, alpha=1.0 if near else 0.45, width=2.0 if near else 1.1, symbols=near, base=near, gripper=near,
+            size=_SIZE, zorder=4.0 if near else 2.0,
+        )  # fmt: skip
+        draw_arm(scene, arm, found.q[place], look, name=f"{place} ")
+    for name, path, stroke in zip(("pseudo", "damped"), paths, (_EXACT, _DAMPED), strict=True):
+        scene.line(path, gid=f"path {name}", zorder=8, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.3)
+    scene.label("$A$", paths[0][0], paths[0][0] - paths[0][last // 2], gap=1.0)
+    scene.label("$B$", paths[0][-1], paths[0][-1] - paths[0][last // 2], gap=1.0)
+    return scene
+
+
+def rate_scales(arm: Arm) -> tuple[np.ndarray, str]:
+    """Return what joint rates are multiplied by for a plot, (n,), and the label of it: % of their limits, or 1/s where there are none."""
+    limits = read_rate_limits(arm).velocity
+    if np.isfinite(limits).all():
+        return 100 / limits, axis_label("", "%", r"\dot{q}/k_v")
+    units = sorted({joint_unit(joint.kind, 1).replace("°", "rad") for joint in arm.joints}, reverse=True)
+    return np.ones(len(limits)), axis_label("", ", ".join(units), r"\dot{q}")
+
+
+def _box(place: int) -> tuple[float, float, float, float]:
+    return (_LEFT, _BOTTOM + (2 - place) * (_PANEL + _GAP), _WIDTH, _PANEL)
+
+
+def _rates(
+    figure: Figure, found: NearSingular, place: int, name: str, rates: np.ndarray, lang: str
+) -> list[Label]:  # fmt: skip
+    """Plot the rates of all joints; returns the names of the fastest ones, at their peaks."""
+    arm = found.task.arm
+    scales, label = rate_scales(arm)
+    axes = plot_axes(figure, _box(place), lang, "", label)
+    axes.set_title(
+        say(f"{name}_inverse", lang, damping=number(found.damping, lang, in_math=True)),
+        loc="left",
+        pad=2,
+        fontsize=SMALL,
+    )
+    most = 1.25 * float(np.abs(scales * found.rates).max())
+    axes.set(xlim=(0, DURATION), ylim=(-most, most))
+    _mark_nearest([axes], found)
+    labels = []
+    peaks = np.abs(scales * found.rates).max(axis=0)
+    for k, joint in enumerate(arm.joints):
+        stroke = STROKES[k % len(STROKES)]
+        values = scales[k] * rates[:, k]
+        line = axes.plot(found.times, values, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.0)[0]
+        line.set_gid(f"rate {name} {joint.symbol}")
+        if peaks[k] > 0.25 * peaks.max():
+            at = int(np.argmax(np.abs(values)))
+            way = (0.5 if found.passes else -0.6, float(np.sign(values[at])))
+            labels.append(Label(axes, math(joint.symbol), (found.times[at], values[at]), way, SMALL, stroke.colour))
+    return labels
+
+
+def _mark_nearest(panels: Sequence, found: NearSingular) -> None:  # type: ignore[type-arg]
+    for axes in panels:
+        axes.axvline(found.times[found.nearest], color=GREY, linewidth=0.5, linestyle=(0, (1, 2)), zorder=1)
+
+
+def error_parts(found: NearSingular) -> list[tuple[str, float, np.ndarray]]:
+    """Return the errors that are plotted: mm of translation, degrees of rotation, with what the error in SI units is multiplied by."""
+    linear = [k for k, row in enumerate(found.task.rows) if row <= 3]
+    angular = [k for k, row in enumerate(found.task.rows) if row > 3]
+    parts = [("mm", 1000.0, linear), ("°", 180 / np.pi, angular)]
+    return [(unit, scale, np.linalg.norm(found.error[:, columns], axis=1)) for unit, scale, columns in parts if columns]
+
+
+def _errors(figure: Figure, found: NearSingular, lang: str) -> list[Label]:
+    """Plot how far the tool is from where it ought to be with the damped inverse."""
+    parts = error_parts(found)
+    units = ", ".join(unit for unit, _, _ in parts)
+    axes = plot_axes(figure, _box(2), lang, axis_label(say("time", lang), "s", "t"), axis_label("", units, "e"))
+    axes.set_title(say("damped_error", lang), loc="left", pad=2, fontsize=SMALL)
+    _mark_nearest([axes], found)
+    labels = []
+    for (unit, scale, error), stroke in zip(parts, (STROKES[1], STROKES[3]), strict=False):
+        axes.plot(found.times, scale * error, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.0)[
+            0
+        ].set_gid(f"error {unit}")
+        at = int(np.argmax(error))
+        text = f"{number(scale * error[at], lang, 3)}{'' if unit == '°' else ' '}{unit}"
+        labels.append(
+            Label(
+                axes,
+                text,
+                (found.times[at], scale * error[at]),
+                (0.5 if found.passes else -0.6, 1.0),
+                SMALL,
+                stroke.colour,
+            )
+        )
+    axes.set(xlim=(0, DURATION), ylim=(0, 1.3 * max(scale * float(error.max()) for _, scale, error in parts)))
+    return labels
+
+
+def caption(arm: Arm, lang: str = "en") -> str:
+    """Return the caption: the speed, the family, the least singular value, the highest rates of both inverses, the bound, the error."""
+    found = near_singular(arm)
+    assert found is not None
+    speed = float(np.linalg.norm(found.twist))
+    translates = bool(np.linalg.norm(found.twist[:3]) > 0)
+    fastest = int(np.argmax(np.abs(rate_scales(arm)[0] * found.rates).max(axis=0)))
+    joint = arm.joints[fastest]
+    unit = joint_unit(joint.kind, 1).replace("°", "rad")
+    highest = [
+        f"{number(float(np.abs(rates[:, fastest]).max()), lang)} {unit}" for rates in (found.rates, found.rates_damped)
+    ]
+    moving = say("moves_at" if translates else "turns_at", lang, speed=number(speed, lang))
+    errors = [
+        f"{number(scale * float(error.max()), lang, 3)}{'' if unit == '°' else ' '}{unit}"
+        for unit, scale, error in error_parts(found)
+    ]
+    return " ".join(
+        (
+            say("figure_of", lang, title=say("crossing", lang), arm=arm_title(arm, lang)),
+            say("passes" if found.passes else "comes_near", lang, moving=moving, family=plain_condition(found.family.latex), least=number(found.least, lang, 2)),
+            say("highest_rates", lang, joint=math(joint.symbol), pseudo=highest[0], damped=highest[1], damping=number(found.damping, lang, in_math=True)),
+            say("and_error", lang, errors=", ".join(errors)),
+        )
+    )  # fmt: skip
+
+
+def applies(arm: Arm, lang: str) -> str | None:
+    """Return why there is no such motion of an arm, or None."""
+    return None if near_singular(arm) is not None else say("no_crossing", lang)
+
+
+KIND = Kind("crossing", applies, crossing_figure, caption, empty=True)

@@ -1,0 +1,151 @@
+"""The postures in which an arm reaches one target, laid over each other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from armproof.course.figures.drawing.fitting import arm_height, arm_view, fit_arm
+from armproof.course.figures.drawing.labels import (
+    arm_title,
+    check_language,
+    joint_texts,
+    joint_value,
+    length,
+    math,
+    pose_text,
+    say,
+)
+from armproof.course.figures.drawing.layout import lay_out
+from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
+from armproof.course.figures.drawing.projection import choose_projection, plane_projection
+from armproof.course.figures.drawing.scene import Scene, finish
+from armproof.course.figures.drawing.style import GREY, PALE, STROKES, TEXT, WIDTHS, new_figure, styled
+from armproof.course.figures.drawing.symbols import Look, draw_arm
+from armproof.course.figures.drawing.table import draw_table, table_height
+from armproof.course.figures.facts.solutions import STARTS, Postures, is_square, postures_of
+from armproof.course.figures.facts.task import task_of
+from armproof.course.figures.registry import Kind
+from armproof.models.arm import Arm
+
+_FEW = 2  # postures that are drawn in one picture, with a table
+_MOST = 8  # that have a panel each
+_MARGIN = 11.0  # mm
+_LOWEST, _HIGHEST = 40.0, 62.0  # mm, of a panel
+_SIZE = 0.7
+
+
+def postures(arm: Arm, lang: str = "en") -> Figure:
+    """Return the postures of an arm laid over each other on one target, in different strokes.
+
+    Two are drawn in one picture above a table of their joint values; of more, a first panel has all and each further panel
+    one of them in full, the others pale behind it.
+
+    Raises:
+        FigureError: a language that the labels are not written in.
+    """
+    check_language(lang)
+    found = postures_of(arm)
+    return _draw_few(arm, found, lang) if len(found.q) <= _FEW else _draw_panels(arm, found, lang)
+
+
+@styled()
+def _draw_few(arm: Arm, found: Postures, lang: str) -> Figure:
+    table = [["", *(math(joint.symbol) for joint in arm.joints)]]
+    for number, q in enumerate(found.q, start=1):
+        values = [joint_value(value, joint.kind, lang) for joint, value in zip(arm.joints, q, strict=True)]
+        table.append([str(number), *values])
+    below = table_height(len(table)) + 2.0
+    width = WIDTHS["column"]
+    height = arm_height(arm, found.q, width, (_LOWEST, 75.0), **_fit(arm, 0.8))
+    figure = new_figure("column", height + below)
+    draw_table(figure, table, left=0.0, top=below - 1.0, width=WIDTHS["column"])
+    scene = fit_arm(figure, (0.0, below, width, height), arm, found.q, **_fit(arm, 0.8))
+    for k, q in enumerate(found.q):
+        _draw_posture(scene, arm, q, k, symbols=True, size=0.8, number=True)
+    _draw_target(scene, arm, found, lang)
+    return finish(figure, scene)
+
+
+@styled()
+def _draw_panels(arm: Arm, found: Postures, lang: str) -> Figure:
+    shown = found.q[:_MOST]
+    titles = [PanelTitle(say("all_postures", lang, count=len(found.q)), [])]
+    for number, q in enumerate(shown, start=1):
+        facts = joint_texts(arm, q, lang)
+        if not found.within_limits[number - 1]:
+            facts.append(say("beyond_limits", lang))
+        titles.append(PanelTitle(f"{say('posture', lang)} {number}", facts))
+    width = WIDTHS["page"] / columns_of(len(titles))
+    height = arm_height(arm, shown, width, (_LOWEST, _HIGHEST), **_fit(arm, _SIZE))
+    figure, panels = make_panels(titles, height)
+    view = arm_view(arm, shown, (width, height), **_fit(arm, _SIZE))
+    scenes = [Scene.show(figure, panel.box, view) for panel in panels]
+    for k, q in enumerate(shown):
+        _draw_posture(scenes[0], arm, q, k, symbols=False, size=_SIZE)
+        for pale in shown:
+            _draw_pale(scenes[k + 1], arm, pale)
+        _draw_posture(scenes[k + 1], arm, q, k, symbols=True, size=_SIZE)
+    _draw_target(scenes[0], arm, found, lang)
+    return finish(figure, *scenes)
+
+
+def _fit(arm: Arm, size: float) -> dict[str, Any]:
+    """Return how the arm is fitted to its paper: seen along its parallel axes if it has such, else as it is otherwise."""
+    return {"projection": plane_projection(arm) or choose_projection(arm), "margin": _MARGIN, "size": size}
+
+
+def _draw_posture(
+    scene: Scene, arm: Arm, q: np.ndarray, k: int, *, symbols: bool, size: float, number: bool = False
+) -> None:
+    stroke = STROKES[k % len(STROKES)]
+    look = Look(stroke.colour, 1.0, 1.6, symbols=symbols, linestyle=stroke.linestyle, size=size)
+    layout = draw_arm(scene, arm, q, look, name=f"posture {k + 1} ")
+    if number:  # beside the link that starts highest, where the postures are apart
+        middle = np.mean(layout.links[1][:2], axis=0)
+        scene.label(str(k + 1), middle, colour=stroke.colour, gap=1.0)
+
+
+def _draw_pale(scene: Scene, arm: Arm, q: np.ndarray) -> None:
+    """Draw the links of a posture as one pale line, behind the others."""
+    links = lay_out(arm, q, 0.0).links
+    gap = np.full((1, 3), np.nan)
+    scene.line(np.vstack([part for link in links for part in (link, gap)]), color=PALE, linewidth=1.0, zorder=1.5)
+
+
+def _draw_target(scene: Scene, arm: Arm, found: Postures, lang: str) -> None:
+    task = task_of(arm)
+    X_0T = arm.numeric(found.target[None]).pose(task.frame)[0]
+    at = scene.paper(X_0T[:3, 3])
+    scene.circle(at, 1.1, zorder=8, facecolor="none", edgecolor=GREY, linewidth=1.0)
+    for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
+        ends = np.array([at - scene.metres(2.0) * way, at + scene.metres(2.0) * way])
+        scene.flat_line(ends, color=GREY, linewidth=0.7, zorder=8, gid="target")
+    scene.label(say("target", lang), at, gap=2.0, size=TEXT)
+
+
+def reason(arm: Arm, lang: str) -> str | None:
+    """Return why an arm has no such figure; None if several postures reach a target."""
+    if not is_square(arm):
+        return say("many_postures", lang, joints=len(arm.joints), rows=len(task_of(arm).rows))
+    return say("one_posture", lang) if len(postures_of(arm).q) < 2 else None
+
+
+def caption(arm: Arm, lang: str = "en") -> str:
+    """Return the caption: the target, and the joint values of each posture."""
+    found = postures_of(arm)
+    point = arm.numeric(found.target[None]).pose(task_of(arm).frame)[0, :3, 3]
+    target = f"$x$ = {length(point[0], lang)}, $y$ = {length(point[1], lang)}, $z$ = {length(point[2], lang)}"
+    parts = [
+        say("figure_of", lang, title=say("postures", lang), arm=arm_title(arm, lang)),
+        say("postures_caption", lang, count=len(found.q), target=target),
+        say("by_formula", lang) if found.found == "formula" else say("by_iteration", lang, starts=STARTS),
+    ]
+    for number, q in enumerate(found.q, start=1):
+        parts.append(say("posture_caption", lang, number=number, pose=pose_text(arm, q, lang)))
+    return " ".join(parts)
+
+
+KIND = Kind("postures", reason, postures, caption)

@@ -1,0 +1,189 @@
+"""The error with which a simulated arm tracks a motion, with its own masses in the controller and with wrong ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from armproof.course.figures.drawing.labels import arm_title, axis_label, math, number, say
+from armproof.course.figures.drawing.placement import Label, place_labels
+from armproof.course.figures.drawing.plots import plot_axes
+from armproof.course.figures.drawing.style import GREY, SMALL, STROKES, new_figure, styled
+from armproof.course.figures.facts.motions import motion_of
+from armproof.course.figures.facts.task import task_of
+from armproof.course.figures.registry import Kind
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+from armproof.models.motion.limits import read_rate_limits
+from armproof.models.motion.tracking import BANDWIDTH, TrackingLog, track
+
+PERIOD = 2e-3  # s, of the controller
+WRONG = 0.8  # times the masses
+_LEFT, _WIDTH, _PANEL, _GAP, _BOTTOM = 14.0, 62.0, 25.0, 7.0, 9.0  # mm
+
+
+@dataclass(frozen=True, eq=False)
+class TrackedMotion:
+    """Two simulations of the motion of an arm: the controller's model right, and with all masses WRONG times their own."""
+
+    arm: Arm
+    right: TrackingLog
+    wrong: TrackingLog
+
+
+@lru_cache(maxsize=16)
+def tracked(arm: Arm) -> TrackedMotion:
+    """Return the simulations of the motion that the figures of an arm show.
+
+    Raises:
+        ModelError: the arm cannot be simulated, as one without masses.
+    """
+    trajectory, frame = motion_of(arm).trajectory, task_of(arm).frame
+    return TrackedMotion(
+        arm,
+        track(arm, trajectory, frame=frame, period=PERIOD),
+        track(arm, trajectory, frame=frame, period=PERIOD, mass_factor=WRONG),
+    )
+
+
+@styled()
+def tracking_figure(arm: Arm, lang: str = "en") -> Figure:
+    """Return the error of the tool and of the joints, and the efforts of the drives, against time."""
+    found = tracked(arm)
+    figure = new_figure("column", 3 * _PANEL + 2 * _GAP + _BOTTOM + 6)
+    labels = _tool_error(_panel(figure, 0, lang, axis_label("", _tool(arm)[0], "e")), found, lang)
+    labels += _joint_errors(_panel(figure, 1, lang, axis_label("", joint_error_unit(arm), "q_d - q")), found, lang)
+    labels += _efforts(_panel(figure, 2, lang, _effort_label(arm, lang)), found, lang)
+    place_labels(figure, labels)
+    return figure
+
+
+def _panel(figure: Figure, place: int, lang: str, y: str) -> Axes:
+    time = axis_label(say("time", lang), "s", "t") if place == 2 else ""
+    return plot_axes(figure, (_LEFT, _BOTTOM + (2 - place) * (_PANEL + _GAP), _WIDTH, _PANEL), lang, time, y)
+
+
+def _tool(arm: Arm) -> tuple[str, float]:
+    """Return the unit in which the error of the tool is plotted, and what metres or radians are multiplied by."""
+    return ("°", 180 / np.pi) if task_of(arm).turns_only else ("mm", 1000.0)
+
+
+def tool_error(arm: Arm, log: TrackingLog) -> np.ndarray:
+    """Return the error of the tool (N,): of its position (m), of a wrist that of its axes (rad)."""
+    return log.rotation_error if task_of(arm).turns_only else log.position_error
+
+
+def _tool_error(axes: Axes, found: TrackedMotion, lang: str) -> list[Label]:
+    unit, scale = _tool(found.arm)
+    axes.set_title(say("tool_error_title", lang), loc="left", pad=2, fontsize=SMALL)
+    labels = []
+    for key, log, stroke in (("right", found.right, STROKES[0]), ("wrong", found.wrong, STROKES[1])):
+        error = scale * tool_error(found.arm, log)
+        axes.plot(log.times, error, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.0)[0].set_gid(
+            f"tool {key}"
+        )
+        at = int(np.argmax(error))
+        text = say(f"masses_{key}", lang, part=number(100 * WRONG, lang))
+        labels.append(
+            Label(
+                axes,
+                f"{text}: {number(error[at], lang, 2)}{'' if unit == '°' else ' '}{unit}",
+                (log.times[at], error[at]),
+                (0.3, 1.0),
+                SMALL,
+                stroke.colour,
+            )
+        )
+    axes.set(xlim=(0, found.right.times[-1]), ylim=(0, 1.35 * scale * float(tool_error(found.arm, found.wrong).max())))
+    return labels
+
+
+def joint_error_unit(arm: Arm) -> str:
+    """Return the unit of the joint errors: thousandths of rad, of m."""
+    kinds = {joint.kind for joint in arm.joints}
+    return ", ".join(unit for kind, unit in (("revolute", "mrad"), ("prismatic", "mm")) if kind in kinds)
+
+
+def _joint_errors(axes: Axes, found: TrackedMotion, lang: str) -> list[Label]:
+    axes.set_title(say("joint_error_title", lang, part=number(100 * WRONG, lang)), loc="left", pad=2, fontsize=SMALL)
+    return _curves(axes, found, 1000 * (found.wrong.q_desired - found.wrong.q), "error")
+
+
+def _effort_label(arm: Arm, lang: str) -> str:
+    return (
+        axis_label("", "%", r"\tau/\tau_\mathrm{max}")
+        if np.isfinite(read_rate_limits(arm).effort).all()
+        else axis_label("", "N m, N", r"\tau")
+    )
+
+
+def effort_scales(arm: Arm) -> np.ndarray:
+    """Return what efforts are multiplied by for the plot: to per cent of the drives' limits, if all have one, (n,)."""
+    limits = read_rate_limits(arm).effort
+    return 100 / limits if np.isfinite(limits).all() else np.ones(len(limits))
+
+
+def _efforts(axes: Axes, found: TrackedMotion, lang: str) -> list[Label]:
+    axes.set_title(say("effort_title", lang, part=number(100 * WRONG, lang)), loc="left", pad=2, fontsize=SMALL)
+    return _curves(axes, found, effort_scales(found.arm) * found.wrong.torques, "effort")
+
+
+def _curves(axes: Axes, found: TrackedMotion, values: np.ndarray, gid: str) -> list[Label]:
+    """Plot a curve a joint; returns their names, those of small ones left out."""
+    labels = []
+    largest = float(np.abs(values).max())
+    for k, joint in enumerate(found.arm.joints):
+        stroke = STROKES[k % len(STROKES)]
+        axes.plot(found.wrong.times, values[:, k], color=stroke.colour, linestyle=stroke.linestyle, linewidth=0.9)[
+            0
+        ].set_gid(f"{gid} {joint.symbol}")
+        at = int(np.argmax(np.abs(values[:, k])))
+        if abs(values[at, k]) > 0.12 * largest:
+            way = (0.2, float(np.sign(values[at, k])))
+            labels.append(
+                Label(axes, math(joint.symbol), (found.wrong.times[at], values[at, k]), way, SMALL, stroke.colour)
+            )
+    axes.axhline(0, color=GREY, linewidth=0.4, zorder=1)
+    axes.set_xlim(0, found.wrong.times[-1])
+    low, high = float(values.min()), float(values.max())
+    axes.set_ylim(low - 0.22 * (high - low), high + 0.22 * (high - low))
+    return labels
+
+
+def caption(arm: Arm, lang: str = "en") -> str:
+    """Return the caption: the motion's duration, the controller, the largest errors of the tool, the largest effort."""
+    found = tracked(arm)
+    unit, scale = _tool(arm)
+    space = "" if unit == "°" else " "
+    right, wrong = (
+        f"{number(scale * float(tool_error(arm, log).max()), lang, 2)}{space}{unit}"
+        for log in (found.right, found.wrong)
+    )
+    parts = [
+        say("figure_of", lang, title=say("tracking", lang), arm=arm_title(arm, lang)),
+        say(
+            "tracking_is", lang, t_f=number(motion_of(arm).duration, lang), bandwidth=number(BANDWIDTH, lang),
+            period=number(1000 * PERIOD, lang), right=right, wrong=wrong, part=number(100 * WRONG, lang),
+        ),
+    ]  # fmt: skip
+    if np.isfinite(read_rate_limits(arm).effort).all():
+        use = np.abs(effort_scales(arm) * found.wrong.torques).max(axis=0)
+        at = int(np.argmax(use))
+        parts.append(say("effort_is", lang, joint=math(arm.joints[at].symbol), use=number(float(use[at]), lang, 2)))
+    return " ".join(parts)
+
+
+def applies(arm: Arm, lang: str) -> str | None:
+    """Return why an arm cannot be simulated, or None."""
+    try:
+        tracked(arm)
+    except ModelError:
+        return say("no_masses", lang)
+    return None
+
+
+KIND = Kind("tracking", applies, tracking_figure, caption)

@@ -1,0 +1,192 @@
+"""The workspace of an arm: where its tool, or the centre of its wrist, can be, how well it moves there, where it is singular."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from armproof.course.figures.drawing.labels import arm_title, axis_label, length, number, say
+from armproof.course.figures.drawing.maps import (
+    draw_levels,
+    draw_scale,
+    halo,
+    levels_up_to,
+    map_colours,
+    plain_condition,
+    smooth,
+    volume_unit,
+)
+from armproof.course.figures.drawing.placement import Label
+from armproof.course.figures.drawing.plots import plot_axes
+from armproof.course.figures.drawing.projection import joint_range
+from armproof.course.figures.drawing.scene import Scene, finish
+from armproof.course.figures.drawing.stick import draw_stick
+from armproof.course.figures.drawing.style import STROKES, new_figure, styled
+from armproof.course.figures.facts.curves import family_curve
+from armproof.course.figures.facts.positioning import Positioning, position_singularities, positioning_of
+from armproof.course.figures.registry import Kind
+from armproof.models.arm import Arm
+
+CONFIGURATIONS = 1_000_000
+_CELLS = 230  # along the longer side of the map
+_SEED = 3
+_NEARLY = 0.98
+_WIDEST, _HIGHEST = 54.0, 60.0  # mm
+_LEFT, _BOTTOM, _RIGHT, _TOP = 12.0, 10.0, 18.0, 8.0
+_MARGIN = 0.09  # of the longer side, around the workspace
+
+
+@dataclass(frozen=True, eq=False)
+class Workspace:
+    """The cells of a map that the point of an arm reaches within the joint limits.
+
+    Attributes:
+        positioning: which point, and the plane of the map.
+        x, y: the centres of the cells (m).
+        best: (len(y), len(x)), the highest manipulability in each cell, NaN where no configuration is.
+        winners: (len(y), len(x), n), the configuration of each cell that has it, NaN where none is.
+        reach: the smallest and the largest distance from the origin of the map (m).
+        curves: configurations (M, n) along the image of each singular family that has some, by its LaTeX.
+    """
+
+    positioning: Positioning
+    x: np.ndarray
+    y: np.ndarray
+    best: np.ndarray
+    winners: np.ndarray
+    reach: tuple[float, float]
+    curves: dict[str, np.ndarray]
+
+
+@lru_cache(maxsize=16)
+def workspace_of(arm: Arm) -> Workspace:
+    """Return the workspace of an arm that has one in a plane, from a million configurations drawn by a fixed generator."""
+    positioning = positioning_of(arm)
+    assert positioning is not None
+    q = np.zeros((CONFIGURATIONS, len(arm.joints)))
+    rng = np.random.default_rng(_SEED)
+    for column in positioning.free:
+        joint = arm.joints[column - 1]
+        q[:, column - 1] = rng.uniform(*joint_range(joint.lower, joint.upper, joint.kind), CONFIGURATIONS)
+    points = positioning.projection.points(positioning.points(q))
+    low, high = points.min(axis=0), points.max(axis=0)
+    cell = float((high - low).max()) / _CELLS
+    columns, rows = np.ceil((high - low) / cell).astype(int) + 1
+    across, up = ((points - low) / cell).astype(int).T
+    w = positioning.manipulability(q)
+    order = np.argsort(w)
+    winner = np.full(rows * columns, -1)
+    winner[(up * columns + across)[order]] = order  # of those in a cell, the one with the highest w is written last
+    winner = winner.reshape(rows, columns)
+    x, y = (low[k] + cell * (np.arange(count) + 0.5) for k, count in enumerate((columns, rows)))
+    distances = np.linalg.norm(points, axis=1)
+    analysis = position_singularities(arm)
+    curves = {family.latex: family_curve(positioning, family) for family in analysis.families} if analysis else {}
+    return Workspace(
+        positioning, x, y, np.where(winner < 0, np.nan, w[winner]), np.where(winner[..., None] < 0, np.nan, q[winner]),
+        (float(distances.min()), float(distances.max())), {latex: curve for latex, curve in curves.items() if len(curve)},
+    )  # fmt: skip
+
+
+@styled()
+def workspace_figure(arm: Arm, lang: str = "en") -> Figure:
+    """Return the workspace of an arm in its plane, or in the section that its first joint turns, with its singular curves."""
+    found = workspace_of(arm)
+    cell = found.x[1] - found.x[0]
+    extent = np.array([found.x[0], found.x[-1], found.y[0], found.y[-1]]) + cell / 2 * np.array([-1, 1, -1, 1])
+    margin = _MARGIN * max(np.ptp(extent[:2]), np.ptp(extent[2:]))
+    window = extent + margin * np.array([-1, 1, -1, 1])
+    metre = max(np.ptp(window[:2]) / _WIDEST, np.ptp(window[2:]) / _HIGHEST)  # metres a millimetre
+    width, height = np.ptp(window[:2]) / metre, np.ptp(window[2:]) / metre
+    figure = new_figure("column", height + _BOTTOM + _TOP)
+    names = ("x_0", "y_0") if abs(found.positioning.projection.toward[2]) > 0.9 else ("x_0", "z_0")
+    box = (_LEFT + (_WIDEST - width) / 2, _BOTTOM, width, height)
+    axes = plot_axes(figure, box, lang, axis_label("", "m", names[0]), axis_label("", "m", names[1]), grid=False)
+    axes.set(xlim=window[:2], ylim=window[2:])
+    _draw_map(figure, axes, box, found, extent, lang)
+    labels = _draw_curves(axes, found)
+    scene = Scene(axes, found.positioning.projection, metre)
+    draw_stick(scene, arm, shown_configuration(found), found.positioning.frame)
+    return finish(figure, scene, extra=labels)
+
+
+def _draw_map(
+    figure: Figure, axes: Axes, box: tuple[float, float, float, float], found: Workspace, extent: np.ndarray, lang: str
+) -> None:
+    positioning, highest = found.positioning, float(np.nanmax(found.best))
+    image = axes.imshow(found.best, cmap=map_colours(), vmin=0, vmax=highest, extent=tuple(extent), origin="lower", interpolation="nearest", zorder=0)  # fmt: skip
+    image.set_gid("best")
+    levels = levels_up_to(highest)
+    draw_levels(axes, found.x, found.y, smooth(found.best) if len(positioning.free) > 2 else found.best, levels)
+    label = axis_label(
+        say("manipulability_word", lang), volume_unit(positioning.arm, positioning.rows, positioning.columns), "w"
+    )
+    draw_scale(figure, (_LEFT + _WIDEST + 3, box[1], 3.0, box[3]), highest, levels, label, lang)
+
+
+def _draw_curves(axes: Axes, found: Workspace) -> list[Label]:
+    """Draw the images of the singular families; returns their conditions as labels."""
+    labels = []
+    for k, (latex, q) in enumerate(found.curves.items()):
+        points = curve_points(found.positioning, q)
+        stroke = STROKES[(1, 0, 3, 2, 4, 5, 6, 7)[k % len(STROKES)]]
+        line = axes.plot(
+            points[:, 0], points[:, 1], color=stroke.colour, linestyle=stroke.linestyle, path_effects=halo(), zorder=5
+        )[0]
+        if len(points) == 1:
+            line.set(marker="o", markersize=4)
+        line.set_gid(f"singular {latex}")
+        at = points[int(np.nanargmax(points @ np.array([1.0, 0.6 - 0.8 * k])))]
+        labels.append(
+            Label(axes, f"${plain_condition(latex)}$", (at[0], at[1]), (1.0, 0.5 - 0.7 * k), colour=stroke.colour)
+        )
+    return labels
+
+
+def curve_points(positioning: Positioning, q: np.ndarray) -> np.ndarray:
+    """Return the points of configurations (M, n) on the map, (M, 2); NaN where the rows are."""
+    points = np.full((len(q), 2), np.nan)
+    valid = ~np.isnan(q[:, 0])
+    points[valid] = positioning.projection.points(positioning.points(q[valid]))
+    return points
+
+
+def shown_configuration(found: Workspace) -> np.ndarray:
+    """Return where the arm is drawn: of the cells with nearly the highest manipulability the one farthest up to the right."""
+    rows, columns = np.nonzero(found.best >= _NEARLY * np.nanmax(found.best))
+    farthest = int(np.argmax(found.x[columns] + found.y[rows]))
+    return np.asarray(found.winners[rows[farthest], columns[farthest]])
+
+
+def caption(arm: Arm, lang: str = "en") -> str:
+    """Return the caption: which point, of how many configurations, how far it reaches, the best manipulability, the singular curves."""
+    found = workspace_of(arm)
+    positioning = found.positioning
+    point = say("wrist_centre" if positioning.wrist else "tool_point", lang)
+    unit = volume_unit(arm, positioning.rows, positioning.columns)
+    best = f"{number(float(np.nanmax(found.best)), lang)} {unit}".strip()
+    near, far = (length(distance, lang) for distance in found.reach)
+    parts = [
+        say("figure_of", lang, title=say("workspace", lang), arm=arm_title(arm, lang)),
+        say("workspace_is", lang, point=point, count=say("million", lang), best=best),
+    ]
+    if not positioning.about:
+        parts.append(say("workspace_reach", lang, near=near, far=far))
+    if found.curves:
+        curves = ", ".join(f"${plain_condition(latex)}$" for latex in found.curves)
+        parts.append(say("singular_curves", lang, curves=curves))
+    else:
+        parts.append(say("no_singular_curves", lang))
+    return " ".join(parts)
+
+
+def applies(arm: Arm, lang: str) -> str | None:
+    """Return why an arm has no map of its workspace, or None."""
+    return None if positioning_of(arm) is not None else say("no_plane", lang)
+
+
+KIND = Kind("workspace", applies, workspace_figure, caption)

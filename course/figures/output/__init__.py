@@ -1,0 +1,1 @@
+"""Figures as files: the command, formats, films, many on several cores."""

@@ -1,0 +1,128 @@
+"""`armproof figures`: the figures of the arms, as files."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
+from armproof.verification.cli.loading import give_up
+from armproof.verification.cli.messages import complain
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from armproof.course.figures.output.production import Delivery, Order
+
+Names = Annotated[
+    list[str] | None, typer.Argument(metavar="[NAME]...", help="Kinds of figures; by default all.", show_default=False)
+]
+Arms = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--arm",
+        metavar="ARM",
+        help="An arm, a path to a model file, or a document whose front matter has one; may be repeated. By default all arms.",
+        show_default=False,
+    ),
+]
+Formats = Annotated[
+    str,
+    typer.Option(
+        "--format",
+        metavar="LIST",
+        help="Of pdf, svg, png, pgf, and gif, mp4, html for a film of the motion; separated by commas.",
+    ),
+]
+Language = Annotated[str, typer.Option("--lang", metavar="en|fr", help="The language of the labels.")]
+Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="The folder to write into.")]
+
+
+def figures(
+    names: Names = None,
+    arms: Arms = None,
+    formats: Formats = "pdf,svg,png",
+    lang: Language = "en",
+    out: Out = Path("build/figures"),
+) -> None:
+    """Draw the figures of the arms, right by construction: each from the arm that the equations are checked against.
+
+    A figure is written as ARM-NAME.pdf and so on, with its caption in ARM-NAME.txt, a film as ARM-motion.gif. Exit code 0: all are written; 1: some
+    could not be drawn; 2: an unknown figure, arm, format or language, or a folder that cannot be written.
+    """
+    from armproof.course.figures.output.production import produce
+
+    try:
+        wanted = _formats(formats)
+        orders = _orders(tuple(names or ()), arms, lang)
+        done = _report(produce(orders, wanted, lang, out), len(orders))
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except ArmproofError as error:
+        give_up(error)
+    complain(problem for delivery in done for problem in delivery.problems)
+    if any(delivery.fatal for delivery in done):
+        raise typer.Exit(CANNOT_RUN)
+    raise typer.Exit(FAILS if any(delivery.problems for delivery in done) else PASSES)
+
+
+def _formats(text: str) -> tuple[str, ...]:
+    from armproof.course.figures.errors import FigureError
+    from armproof.course.figures.output.films import FILMS
+    from armproof.course.figures.output.save import FORMATS
+
+    found = tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
+    for suffix in found:
+        if suffix not in (*FORMATS, *FILMS):
+            known = f"figures are written as {', '.join(FORMATS)}, the motion of an arm as {', '.join(FILMS)}"
+            raise FigureError(f"no format '{suffix}'; {known}")
+    if not found:
+        raise FigureError(f"--format is empty; figures are written as {', '.join(FORMATS)}")
+    return found
+
+
+def _orders(names: tuple[str, ...], arms: Sequence[str] | None, lang: str) -> list[Order]:
+    """Return what is to be drawn; raises ArmproofError for an unknown figure, arm or language."""
+    from armproof.course.figures.drawing.labels import check_language
+    from armproof.course.figures.output.production import Order
+    from armproof.course.figures.registry import find_kind
+    from armproof.models.catalogue import arm_names
+
+    check_language(lang)
+    for name in names:
+        find_kind(name)
+    known = arm_names()
+    return [Order(arm, arm, names) if arm in known else _own_arm(arm, names) for arm in dict.fromkeys(arms or known)]
+
+
+def _own_arm(arm: str, names: tuple[str, ...]) -> Order:
+    """Return the order for a model file, or for the arm of a document."""
+    from armproof.course.figures.errors import FigureError
+    from armproof.course.figures.output.production import Order
+    from armproof.verification.document import read_document
+
+    path = Path(arm)
+    if path.suffix not in (".md", ".ipynb", ".py"):
+        return Order(arm, path.name.split(".")[0] or path.name, names)
+    spec = read_document(path).front.get("arm")
+    if spec is None:
+        raise FigureError(f"{path}: the front matter names no arm to draw")
+    return Order(spec, path.stem, names, str(path.parent))
+
+
+def _report(deliveries: Iterator[Delivery], count: int) -> list[Delivery]:
+    """Print the files as they come, and on a terminal how far the work is."""
+    done: list[Delivery] = []
+    shows = sys.stderr.isatty()
+    for delivery in deliveries:
+        done.append(delivery)
+        sys.stdout.write("".join(f"{file}\n" for file in delivery.files))
+        sys.stdout.flush()
+        if shows:
+            sys.stderr.write(f"\r{len(done)} of {count} arms" + ("\n" if len(done) == count else ""))
+            sys.stderr.flush()
+    return done

@@ -1,0 +1,1 @@
+"""DH tables, classic and modified: read, validated, built as a MultibodyPlant."""

@@ -1,0 +1,162 @@
+"""Build the arm of a DH table: a MultibodyPlant with one link a row, and the exact poses of its fixed frames."""
+
+from __future__ import annotations
+
+from itertools import count
+from math import pi
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from armproof.models.arm import Arm, Joint
+from armproof.models.dh.entry import LinearForm
+from armproof.models.dh.table import DHRow, DHTable
+from armproof.models.exact.numbers import add_angles, cos_sin_of_pi, cos_sin_of_radians, rotation
+from armproof.models.exact.offset import Offset
+from armproof.models.exact.polynomial import Entry, Rows, add, generator, matrix_product, number, scale
+
+NAME = "DH table"
+_LENGTHS = (0.431, 0.317, 0.283, 0.523, 0.229, 0.613, 0.367, 0.571, 0.271, 0.701, 0.349, 0.467, 0.757, 0.389, 0.647)
+_ANGLES = (0.41, 0.73, 1.13, 0.59, 0.97, 0.29, 1.31, 0.83)
+
+
+def build_arm(table: DHTable) -> Arm:
+    """Build the arm of a DH table.
+
+    Link i carries the DH frame i, and a joint is named by its variable. Each length symbol is given a positive value
+    (m) and each constant angle symbol a value (rad) of its own, always the same; they serve the plant of doubles only.
+    """
+    from pydrake.multibody.plant import MultibodyPlant
+
+    lengths = dict(zip(table.length_symbols, _values(_LENGTHS), strict=False))
+    angles = dict(zip(table.angle_symbols, _values(_ANGLES), strict=False))
+    plant = MultibodyPlant(time_step=0.0)
+    builder = _Builder(plant, {**lengths, **angles})
+    frame = builder.add_base()
+    frames = {"0": frame}
+    drake_joints = []
+    for i, row in enumerate(table.rows, start=1):
+        joint, frame = builder.add_row(i, row, frame, classic=table.convention == "classic")
+        drake_joints.append(joint)
+        frames[str(i)] = frame
+    plant.Finalize()
+    return Arm(
+        name=NAME,
+        title=f"Arm of a {table.convention} DH table",
+        source="",
+        zero="",
+        joints=tuple(
+            Joint(i, row.joint, row.joint, row.kind, *_limits(row)) for i, row in enumerate(table.rows, start=1)
+        ),
+        lengths=MappingProxyType(lengths),
+        angles=MappingProxyType(angles),
+        frames=tuple(frames),
+        plant=plant,
+        dh=table,
+        drake_base=frames["0"].body(),
+        drake_joints=tuple(drake_joints),
+        drake_frames=MappingProxyType(frames),
+        offsets=MappingProxyType(builder.offsets),
+    )
+
+
+def _values(fixed: tuple[float, ...]) -> Any:
+    """Yield the values of a list, then as many more, pairwise different."""
+    yield from fixed
+    for k in count(1):
+        yield from (value + 0.0007 * k for value in fixed)
+
+
+def _limits(row: DHRow) -> tuple[float, float]:
+    return (-pi, pi) if row.kind == "revolute" else (-1.0, 1.0)
+
+
+class _Builder:
+    """Adds links, joints and fixed frames to a plant, and notes the exact pose of every fixed frame."""
+
+    def __init__(self, plant: Any, values: dict[str, float]) -> None:
+        self.plant = plant
+        self.values = values
+        self.offsets: dict[int, Offset] = {}
+
+    def add_base(self) -> Any:
+        base = self._add_link(0)
+        self.plant.WeldFrames(self.plant.world_frame(), base.body_frame())
+        return base.body_frame()
+
+    def add_row(self, i: int, row: DHRow, previous: Any, classic: bool) -> tuple[Any, Any]:
+        """Add link i with its joint on the DH frame i−1; return the joint and the DH frame i."""
+        from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint
+
+        zero = LinearForm()
+        revolute = row.kind == "revolute"
+        theta, d = (row.theta.without(row.joint), row.d) if revolute else (row.theta, row.d.without(row.joint))
+        # What is constant and commutes with the motion of the joint, about or along z, stands before it.
+        if classic:
+            before = (theta, zero, zero, zero) if revolute else (theta, d, zero, zero)
+        else:
+            before = (theta, d, row.a, row.alpha)
+        link = self._add_link(i)
+        parent = self._add_frame(f"{row.joint}_parent", previous, *before, alpha_first=True)
+        kind = RevoluteJoint if revolute else PrismaticJoint
+        lower, upper = _limits(row)
+        axis: Any = np.array([0.0, 0.0, row.sign])
+        joint = self.plant.AddJoint(
+            kind(row.joint, parent, link.body_frame(), axis, pos_lower_limit=lower, pos_upper_limit=upper)
+        )
+        if not classic:
+            return joint, link.body_frame()
+        after = (zero, d if revolute else zero, row.a, row.alpha)
+        return joint, self._add_frame(f"frame_{i}", link.body_frame(), *after, alpha_first=False)
+
+    def _add_link(self, i: int) -> Any:
+        from pydrake.multibody.tree import SpatialInertia
+
+        inertia = SpatialInertia.SolidSphereWithMass(mass=1.0, radius=0.05)
+        return self.plant.AddRigidBody(f"link_{i}", inertia)
+
+    def _add_frame(
+        self,
+        name: str,
+        parent: Any,
+        theta: LinearForm,
+        z: LinearForm,
+        x: LinearForm,
+        alpha: LinearForm,
+        *,
+        alpha_first: bool,
+    ) -> Any:
+        """Add the frame Rx(α) T(x, 0, z) Rz(θ) if alpha_first, else Rz(θ) T(x, 0, z) Rx(α), with T in the axes so far."""
+        from pydrake.math import RigidTransform, RotationMatrix
+        from pydrake.multibody.tree import FixedOffsetFrame
+
+        Rx = RigidTransform(RotationMatrix.MakeXRotation(alpha.value(self.values)))
+        Rz = RigidTransform(RotationMatrix.MakeZRotation(theta.value(self.values)))
+        T = RigidTransform(np.array([x.value(self.values), 0.0, z.value(self.values)]))
+        X_PF = Rx @ T @ Rz if alpha_first else Rz @ T @ Rx
+        frame = self.plant.AddFrame(FixedOffsetFrame(name, parent, X_PF))
+        first, last = rotation(0, cos_sin(alpha)), rotation(2, cos_sin(theta))
+        if not alpha_first:
+            first, last = last, first
+        column: Rows = ((exact_length(x),), (number(0),), (exact_length(z),))
+        translation = tuple(row[0] for row in matrix_product(first, column))
+        self.offsets[int(frame.index())] = Offset(matrix_product(first, last), translation)
+        return frame
+
+
+def cos_sin(form: LinearForm) -> tuple[Entry, Entry]:
+    """Return the cosine and sine of an angle of constants and symbols, by the angle-sum formulas."""
+    total = add_angles(cos_sin_of_pi(form.pi), cos_sin_of_radians(form.number))
+    for symbol, coefficient in form.symbols:
+        sign = 1 if coefficient > 0 else -1
+        angle = generator("cos", symbol), scale(generator("sin", symbol), sign)
+        for _ in range(abs(int(coefficient))):
+            total = add_angles(total, angle)
+    return total
+
+
+def exact_length(form: LinearForm) -> Entry:
+    """Return a length of numbers and symbols as an entry."""
+    terms = (scale(generator("symbol", symbol), coefficient) for symbol, coefficient in form.symbols)
+    return add(number(form.number), *terms)

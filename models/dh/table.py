@@ -1,0 +1,185 @@
+"""DH tables, classic and modified: validated rows, and the MultibodyPlant that is built from them.
+
+Classic:  A_i = Rz(θ_i) Tz(d_i) Tx(a_i) Rx(α_i), the transform {}^{i-1}T_i.
+Modified: A_i = Rx(α_{i-1}) Tx(a_{i-1}) Rz(θ_i) Tz(d_i), the transform {}^{i-1}T_i (Craig; row i holds a and α of i−1).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import pi
+from typing import Any, Literal
+
+from armproof.models.arm import Arm
+from armproof.models.dh.entry import FORMS, LinearForm, read_entry
+from armproof.models.errors import ModelError
+
+KEYS = ("dh", "rows", "joints")
+COLUMNS = ("a", "alpha", "d", "theta")
+_ANGLES = ("alpha", "theta")
+_MOST_TIMES = 4
+_REVOLUTE_NAME = re.compile(r"(theta|q)_?\d+'*$")
+_PRISMATIC_NAME = re.compile(r"(d|q)_?\d+'*$")
+
+
+@dataclass(frozen=True)
+class DHRow:
+    """One row of a DH table: a and d in metres, alpha and theta in radians.
+
+    Attributes:
+        joint: the joint variable, in theta (revolute) or d (prismatic).
+        kind: revolute or prismatic.
+        sign: the sign, ±1, of the joint variable in its entry.
+    """
+
+    a: LinearForm
+    alpha: LinearForm
+    d: LinearForm
+    theta: LinearForm
+    joint: str
+    kind: Literal["revolute", "prismatic"]
+    sign: int
+
+
+@dataclass(frozen=True)
+class DHTable:
+    """A DH table: its convention and its rows, one a joint from base to tool."""
+
+    convention: Literal["classic", "modified"]
+    rows: tuple[DHRow, ...]
+
+    @property
+    def length_symbols(self) -> tuple[str, ...]:
+        """The symbols in a and d that are not joint variables, in order of appearance."""
+        return self._symbols("a", "d")
+
+    @property
+    def angle_symbols(self) -> tuple[str, ...]:
+        """The symbols in alpha and theta that are not joint variables, in order of appearance."""
+        return self._symbols("alpha", "theta")
+
+    def _symbols(self, *columns: str) -> tuple[str, ...]:
+        joints = {row.joint for row in self.rows}
+        found = (symbol for row in self.rows for column in columns for symbol, _ in getattr(row, column).symbols)
+        return tuple(dict.fromkeys(symbol for symbol in found if symbol not in joints))
+
+
+def read_table(spec: Mapping[str, Any]) -> DHTable:
+    """Read a DH table {dh: classic | modified, rows: [{a, alpha, d, theta}, ...], joints: [...]}.
+
+    Without `joints`, the variable of a row is the symbol in its theta that looks like a joint (theta_i, q_i), else the
+    symbol in its d.
+
+    Raises:
+        ModelError: an unknown key or convention, a bad row or entry, a joint variable in no row or in two.
+    """
+    for key in spec:
+        if key not in KEYS:
+            raise ModelError(f"DH table: unknown key '{key}'; the keys are {', '.join(KEYS)}")
+    convention = spec.get("dh")
+    if convention not in ("classic", "modified"):
+        raise ModelError(f"DH table: dh is classic or modified, not {convention!r}")
+    raw = spec.get("rows")
+    if not isinstance(raw, Sequence) or isinstance(raw, str) or not raw:
+        raise ModelError(f"DH table: rows is a list of rows, one a joint, not {raw!r}")
+    entries = [_read_row(number, row) for number, row in enumerate(raw, start=1)]
+    joints = spec.get("joints")
+    if joints is None:
+        joints = [_guess_joint(number, row) for number, row in enumerate(entries, start=1)]
+    elif not isinstance(joints, Sequence) or isinstance(joints, str) or not all(isinstance(j, str) for j in joints):
+        raise ModelError(f"DH table: joints is a list of joint variables, not {joints!r}")
+    if len(joints) != len(entries):
+        raise ModelError(f"DH table: {len(entries)} rows but {len(joints)} joints ({', '.join(joints)}); one a row")
+    rows = tuple(_make_row(number, row, joints) for number, row in enumerate(entries, start=1))
+    table = DHTable(convention, rows)
+    both = set(table.length_symbols) & set(table.angle_symbols)
+    if both:
+        raise ModelError(f"DH table: '{min(both)}' stands in a length and in an angle; a symbol is one or the other")
+    return table
+
+
+def load_table(spec: Mapping[str, Any]) -> Arm:
+    """Read a DH table and build its arm; see `read_table` and `armproof.models.dh.plant.build_arm`."""
+    from armproof.models.dh.plant import build_arm
+
+    return build_arm(read_table(spec))
+
+
+def _read_row(number: int, row: object) -> dict[str, LinearForm]:
+    if not isinstance(row, Mapping) or set(row) != set(COLUMNS):
+        given = ", ".join(map(str, row)) or "none" if isinstance(row, Mapping) else repr(row)
+        raise ModelError(f"DH table, row {number}: a row has the keys {', '.join(COLUMNS)}, not {given}")
+    entries = {}
+    for column in COLUMNS:
+        try:
+            entries[column] = read_entry(row[column])
+        except ModelError as error:
+            raise ModelError(f"DH table, row {number}, {column}: {error}") from None
+        _check_unit(number, column, row[column], entries[column])
+    return entries
+
+
+def _check_unit(number: int, column: str, text: object, form: LinearForm) -> None:
+    """Refuse an angle where a length stands, and an angle that must have been meant otherwise."""
+    where = f"DH table, row {number}, {column}: '{text}'"
+    if column not in _ANGLES:
+        if form.pi:
+            raise ModelError(f"{where} is an angle; {column} is a length and reads 0, 0.75, 3/4, l_1, d_1 + d_4")
+        return
+    radians = float(form.number)
+    if abs(radians) > 2 * pi:
+        raise ModelError(f"{where} is more than a turn in radians; write {form.number}deg or a multiple of pi")
+    quarters = round(radians / (pi / 4))
+    if quarters and form.number and abs(radians - quarters * pi / 4) < 2e-3:
+        multiple = Fraction(quarters, 4)
+        name = f"{multiple.numerator}*pi/{multiple.denominator}".replace("1*pi", "pi").removesuffix("/1")
+        raise ModelError(f"{where} is nearly {name}, which no equation can match; write {name}")
+
+
+def _guess_joint(number: int, row: Mapping[str, LinearForm]) -> str:
+    """Return the joint variable of a row: what looks like one in theta, else the symbol in d."""
+    named = [symbol for symbol, _ in row["theta"].symbols if _REVOLUTE_NAME.match(symbol)]
+    if not named:
+        in_d = [symbol for symbol, _ in row["d"].symbols]
+        named = in_d if len(in_d) == 1 else [symbol for symbol in in_d if _PRISMATIC_NAME.match(symbol)]
+    if len(named) != 1:
+        found = f"could be {' or '.join(named)}" if named else "is neither in theta (theta_i, q_i) nor in d"
+        raise ModelError(f"DH table, row {number}: the joint variable {found}; list them: joints: [theta_1, ...]")
+    return named[0]
+
+
+def _make_row(number: int, row: Mapping[str, LinearForm], joints: Sequence[str]) -> DHRow:
+    joint = joints[number - 1]
+    for symbol in dict.fromkeys(joints):
+        columns = [column for column in COLUMNS if row[column].coefficient(symbol)]
+        if symbol != joint and columns:
+            raise ModelError(
+                f"DH table, row {number}: {columns[0]} holds '{symbol}', the joint variable of row "
+                f"{joints.index(symbol) + 1}; a joint variable stands in one row"
+            )
+    if joints.index(joint) != number - 1:
+        raise ModelError(
+            f"DH table, row {number}: '{joint}' is the joint variable of row {joints.index(joint) + 1} already"
+        )
+    columns = [column for column in COLUMNS if row[column].coefficient(joint)]
+    if columns not in (["theta"], ["d"]):
+        found = f"in {' and '.join(columns)}" if columns else "nowhere"
+        raise ModelError(
+            f"DH table, row {number}: its joint variable '{joint}' stands {found}; it stands in theta or in d"
+        )
+    coefficient = row[columns[0]].coefficient(joint)
+    if abs(coefficient) != 1:
+        raise ModelError(
+            f"DH table, row {number}: '{joint}' has the factor {coefficient}; a joint variable enters as {joint} or -{joint}"
+        )
+    for column in _ANGLES:
+        for symbol, factor in row[column].symbols:
+            if factor.denominator != 1 or abs(factor) > _MOST_TIMES:
+                raise ModelError(
+                    f"DH table, row {number}, {column}: '{symbol}' has the factor {factor}; "
+                    f"an angle takes each symbol a whole number of times, at most {_MOST_TIMES}; an entry reads {FORMS}"
+                )
+    return DHRow(**row, joint=joint, kind="revolute" if columns == ["theta"] else "prismatic", sign=int(coefficient))

@@ -1,0 +1,1 @@
+"""The exact kinematics of an arm: polynomials traced through its symbolic plant."""

@@ -1,0 +1,1 @@
+"""A model file and its convention card to an arm."""

@@ -1,0 +1,162 @@
+"""Make an arm of a model file: with its convention card, or plain, with names counted along the chain."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Literal
+
+from armproof.models.arm import Arm, Joint
+from armproof.models.errors import ModelError
+from armproof.models.exact.numbers import TOLERANCE
+from armproof.models.exact.offset import Offset, exact_offset, frame_at, nearly_right_angles
+from armproof.models.exact.polynomial import generator, scale
+from armproof.models.loading.card import Card, Place
+from armproof.models.loading.chain import Chain, find_chain
+from armproof.models.loading.reader import read_model
+
+
+def load_plain(path: Path) -> Arm:
+    """Load a model file without a card.
+
+    The joint variables are theta_i (revolute) and d_i (prismatic), counted over the moving joints; frame 0 is the base
+    link, frame i the link that joint i carries, and every link is a frame under its own name.
+
+    Raises:
+        ModelError: the file cannot be read, or is not one serial chain.
+    """
+    plant, warnings = read_model(path)
+    chain = find_chain(plant, str(path))
+    warnings += nearly_right_angles(plant, str(path))
+    symbols = [
+        f"{'theta' if joint.type_name() == 'revolute' else 'd'}_{i}" for i, joint in enumerate(chain.joints, start=1)
+    ]
+    numbered = [chain.base, *(joint.child_body() for joint in chain.joints)]
+    frames = {str(i): body.body_frame() for i, body in enumerate(numbered)}
+    for frame in _frames(plant):
+        if frame.is_body_frame() and not frame.is_world_frame():
+            frames.setdefault(frame.name(), frame)
+    return Arm(
+        name=path.name.split(".")[0],
+        title=path.name.split(".")[0],
+        source=path.name,
+        zero="",
+        joints=_joints(chain, symbols),
+        lengths=MappingProxyType({}),
+        angles=MappingProxyType({}),
+        frames=tuple(frames),
+        plant=plant,
+        path=path,
+        warnings=warnings,
+        drake_base=chain.base,
+        drake_joints=chain.joints,
+        drake_frames=MappingProxyType(frames),
+    )
+
+
+def load_card(card: Card, name: str) -> Arm:
+    """Load the arm of a convention card.
+
+    Raises:
+        ModelError: the model file cannot be read, or the card names what the model does not have; with file and line.
+    """
+    plant, warnings = read_model(card.model)
+    chain = find_chain(plant, str(card.model))
+    warnings += nearly_right_angles(plant, str(card.model))
+    names = [joint.name() for joint in chain.joints]
+    if list(card.joints) != names:
+        card.fail("joints", f"joints are {', '.join(card.joints)}; the model has, base to tool, {', '.join(names)}")
+    lengths, offsets = _bind_lengths(card, plant)
+    frames = {frame: _find_frame(card, plant, frame, place) for frame, place in card.frames.items()}
+    try:
+        return Arm(
+            name=name,
+            title=card.title,
+            source=card.source,
+            zero=card.zero,
+            joints=_joints(chain, list(card.joints.values())),
+            lengths=MappingProxyType(lengths),
+            angles=MappingProxyType({}),
+            frames=tuple(frames),
+            plant=plant,
+            path=card.model,
+            warnings=warnings,
+            drake_base=chain.base,
+            drake_joints=chain.joints,
+            drake_frames=MappingProxyType(frames),
+            offsets=MappingProxyType(offsets),
+        )
+    except ModelError as error:
+        raise ModelError(f"{card.path}: {error}") from None
+
+
+def _joints(chain: Chain, symbols: list[str]) -> tuple[Joint, ...]:
+    joints = []
+    for index, (joint, symbol) in enumerate(zip(chain.joints, symbols, strict=True), start=1):
+        kind: Literal["revolute", "prismatic"] = "revolute" if joint.type_name() == "revolute" else "prismatic"
+        lower, upper = float(joint.position_lower_limit()), float(joint.position_upper_limit())
+        joints.append(Joint(index, joint.name(), symbol, kind, lower, upper))
+    return tuple(joints)
+
+
+def _frames(plant: Any) -> list[Any]:
+    return [frame_at(plant, index) for index in range(plant.num_frames())]
+
+
+def _model_joints(plant: Any) -> dict[str, Any]:
+    return {joint.name(): joint for joint in (plant.get_joint(index) for index in plant.GetJointIndices())}
+
+
+def _bind_lengths(card: Card, plant: Any) -> tuple[dict[str, float], dict[int, Offset]]:
+    """Return the value of each length, and the exact poses of the joints that the lengths are bound to."""
+    joints = _model_joints(plant)
+    context = plant.CreateDefaultContext()
+    lengths: dict[str, float] = {}
+    offsets: dict[int, Offset] = {}
+    bound: dict[tuple[str, int], str] = {}
+    for symbol, places in card.lengths.items():
+        for place in places:
+            entry = f"lengths.{symbol}"
+            text = _text(place)
+            if place.joint not in joints:
+                card.fail(entry, f"'{symbol}' is bound to {text}; the joints of the model are {', '.join(joints)}")
+            if (place.joint, place.axis) in bound:
+                other = bound[place.joint, place.axis]
+                card.fail(
+                    entry, f"'{symbol}' and '{other}' are both bound to {text.lstrip('-')}; a place has one symbol"
+                )
+            bound[place.joint, place.axis] = symbol
+            frame = joints[place.joint].frame_on_parent()
+            X_PF = None if frame.is_body_frame() else frame.GetPoseInParentFrame(context)
+            value = 0.0 if X_PF is None else place.sign * float(X_PF.translation()[place.axis])
+            if X_PF is None or abs(value) <= TOLERANCE:
+                card.fail(entry, f"'{symbol}' is bound to {text}, which is 0 in {card.model.name}")
+            if abs(lengths.setdefault(symbol, value) - value) > TOLERANCE:
+                card.fail(entry, f"'{symbol}' is {lengths[symbol]} at its first place and {value} at {text}")
+            index = int(frame.index())
+            offset = offsets.get(index) or exact_offset(X_PF)
+            translation = list(offset.translation)
+            translation[place.axis] = scale(generator("symbol", symbol), place.sign)
+            offsets[index] = replace(offset, translation=tuple(translation))
+    return lengths, offsets
+
+
+def _text(place: Place) -> str:
+    return f"{'-' if place.sign < 0 else ''}{place.joint}.{'xyz'[place.axis]}"
+
+
+def _find_frame(card: Card, plant: Any, name: str, place: str) -> Any:
+    """Return the Drake frame of a card's place: a link or frame of the model, or "<joint>.parent"."""
+    joints = _model_joints(plant)
+    joint, _, end = place.rpartition(".")
+    if end == "parent" and joint in joints:
+        return joints[joint].frame_on_parent()
+    frames = {frame.name(): frame for frame in _frames(plant)}
+    if place in frames:
+        return frames[place]
+    links = ", ".join(frame.name() for frame in frames.values() if frame.is_body_frame())
+    card.fail(
+        f"frames.{name}",
+        f"frame {name} is put at '{place}'; a place is a link ({links}) or <joint>.parent ({', '.join(joints)})",
+    )

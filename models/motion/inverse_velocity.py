@@ -1,0 +1,240 @@
+"""Inverse velocity kinematics: joint rates for a twist, by the pseudo-inverse of a Jacobian or by damped least squares."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from armproof.models.errors import ModelError
+
+Form = Literal["inverse", "right inverse", "left inverse", "damped"]
+
+
+@dataclass(frozen=True)
+class JointRates:
+    """Joint rates for a twist.
+
+    Attributes:
+        rates: q̇, (n,) or (N, n), rad/s and m/s.
+        residual: v − J q̇, what the rates miss of the twist, (m,) or (N, m).
+        form: which inverse gave the rates.
+    """
+
+    rates: np.ndarray
+    residual: np.ndarray
+    form: Form
+
+
+def right_inverse(J: np.ndarray) -> np.ndarray:
+    """Return the right inverse J⁺ = Jᵀ (J Jᵀ)⁻¹ of Jacobians of full row rank: J J⁺ = I, and ‖J⁺ v‖ is least.
+
+    It is the form for an arm with at least as many joints as rows of the task. All inverses of this module are
+    computed from the singular values of J, because J Jᵀ has the square of its condition number.
+
+    Args:
+        J: (m, n) or (N, m, n).
+
+    Returns:
+        (n, m) or (N, n, m), read-only.
+
+    Raises:
+        ModelError: J is no matrix of finite numbers, or its rank is below m.
+    """
+    U, singular_values, Vt = _decompose(J)
+    _require_rank(singular_values, U.shape[-2], "right inverse", "row")
+    return _compose(U, 1 / singular_values, Vt)
+
+
+def left_inverse(J: np.ndarray) -> np.ndarray:
+    """Return the left inverse J⁺ = (Jᵀ J)⁻¹ Jᵀ of Jacobians of full column rank: J⁺ J = I, and ‖v − J J⁺ v‖ is least.
+
+    It is the form for an arm with at most as many joints as rows of the task.
+
+    Args:
+        J: (m, n) or (N, m, n).
+
+    Returns:
+        (n, m) or (N, n, m), read-only.
+
+    Raises:
+        ModelError: J is no matrix of finite numbers, or its rank is below n.
+    """
+    U, singular_values, Vt = _decompose(J)
+    _require_rank(singular_values, Vt.shape[-1], "left inverse", "column")
+    return _compose(U, 1 / singular_values, Vt)
+
+
+def applicable_form(J: np.ndarray) -> Literal["inverse", "right inverse", "left inverse"]:
+    """Return which form of the pseudo-inverse a Jacobian of full rank has: right if m < n, left if m > n, both if m = n."""
+    rows, columns = np.shape(J)[-2:]
+    if rows == columns:
+        return "inverse"
+    return "right inverse" if rows < columns else "left inverse"
+
+
+def pseudo_inverse(J: np.ndarray) -> np.ndarray:
+    """Return the pseudo-inverse of Jacobians of full rank, in the form that applies; see applicable_form.
+
+    Args:
+        J: (m, n) or (N, m, n).
+
+    Returns:
+        (n, m) or (N, n, m), read-only.
+
+    Raises:
+        ModelError: J is no matrix of finite numbers, or its rank is below both m and n: the arm is singular.
+    """
+    J = _matrices(J)
+    return left_inverse(J) if applicable_form(J) == "left inverse" else right_inverse(J)
+
+
+def svd_pseudo_inverse(J: np.ndarray, tolerance: float | None = None) -> np.ndarray:
+    """Return the Moore–Penrose inverse J⁺ = V Σ⁺ Uᵀ of Jacobians of any rank, as numpy.linalg.pinv does.
+
+    At a singular configuration it inverts J on the directions that are kept, and gives no rate for those that are lost.
+    It jumps there: arbitrarily near to it the rates for a lost direction grow without bound.
+
+    Args:
+        J: (m, n) or (N, m, n).
+        tolerance: singular values up to this part of the largest are taken as zero; max(m, n) times the machine
+            epsilon if not given.
+
+    Returns:
+        (n, m) or (N, n, m), read-only.
+
+    Raises:
+        ModelError: J is no matrix of finite numbers, or the tolerance is not in [0, 1).
+    """
+    U, singular_values, Vt = _decompose(J)
+    if tolerance is not None and not 0 <= tolerance < 1:
+        raise ModelError(
+            f"a tolerance relative to the largest singular value is at least 0 and below 1, not {tolerance}"
+        )
+    kept = _kept(singular_values, U.shape[-2], Vt.shape[-1], tolerance)
+    return _compose(U, np.divide(1, singular_values, out=np.zeros_like(singular_values), where=kept), Vt)
+
+
+def damped_inverse(J: np.ndarray, damping: float | np.ndarray) -> np.ndarray:
+    """Return the damped least squares inverse Jᵀ (J Jᵀ + λ² I)⁻¹ of Jacobians of any rank.
+
+    q̇ = Jᵀ (J Jᵀ + λ² I)⁻¹ v minimises ‖v − J q̇‖² + λ² ‖q̇‖². Its rates are bounded, ‖q̇‖ ≤ ‖v‖ / (2λ), at every
+    configuration, singular or not, and tend to those of the pseudo-inverse with λ.
+
+    Source: Y. Nakamura and H. Hanafusa, 1986; C. W. Wampler, 1986.
+
+    Args:
+        J: (m, n) or (N, m, n).
+        damping: λ > 0, in the unit of J; one number, or one for each of the N.
+
+    Returns:
+        (n, m) or (N, n, m), read-only.
+
+    Raises:
+        ModelError: J is no matrix of finite numbers, or a λ is not positive and finite.
+    """
+    U, singular_values, Vt = _decompose(J)
+    factors = np.asarray(damping, dtype=float)
+    if factors.shape not in ((), U.shape[:-2]):
+        raise ModelError(f"a damping factor is one number, or one a Jacobian; the shape {factors.shape} is neither")
+    if not (np.isfinite(factors) & (factors > 0)).all():
+        raise ModelError(f"a damping factor is positive and finite, not {damping}; for none, take pseudo_inverse")
+    return _compose(U, singular_values / (singular_values**2 + factors[..., np.newaxis] ** 2), Vt)
+
+
+def manipulability_damping(J: np.ndarray, largest: float, threshold: float) -> np.ndarray:
+    """Return damping factors that grow from 0, where the manipulability w is the threshold, to the largest, where w is 0.
+
+    λ² = λ_max² (1 − w / w_0)² for w < w_0, otherwise 0, with w = √det(J Jᵀ), or √det(Jᵀ J) if m > n.
+
+    Source: Y. Nakamura and H. Hanafusa, 1986.
+
+    Args:
+        J: (m, n) or (N, m, n).
+        largest: λ_max > 0.
+        threshold: w_0 > 0.
+
+    Returns:
+        λ, one number or (N,).
+
+    Raises:
+        ModelError: J is no matrix of finite numbers, or λ_max or w_0 is not positive.
+    """
+    for name, value in (("largest damping factor", largest), ("manipulability threshold", threshold)):
+        if not (np.isfinite(value) and value > 0):
+            raise ModelError(f"the {name} is positive and finite, not {value}")
+    w = np.prod(np.linalg.svd(_matrices(J), compute_uv=False), axis=-1)
+    return np.asarray(largest * np.maximum(1 - w / threshold, 0))
+
+
+def joint_rates(J: np.ndarray, twist: np.ndarray, *, damping: float | None = None) -> JointRates:
+    """Return the joint rates q̇ = J⁺ v for a twist, or with damping q̇ = Jᵀ (J Jᵀ + λ² I)⁻¹ v.
+
+    Args:
+        J: (m, n) or (N, m, n), rows [v; ω] or some of them.
+        twist: (m,) or (N, m), in the order of the rows of J (m/s, rad/s).
+        damping: λ > 0; without it, the pseudo-inverse of a Jacobian of full rank.
+
+    Raises:
+        ModelError: shapes that do not fit, numbers that are not finite, λ ≤ 0, or J singular and no damping given.
+    """
+    J = _matrices(J)
+    v = np.asarray(twist, dtype=float)
+    if v.shape != J.shape[:-1]:
+        raise ModelError(f"for Jacobians of shape {J.shape} twists have the shape {J.shape[:-1]}, not {v.shape}")
+    if not np.isfinite(v).all():
+        raise ModelError("a twist has finite numbers only; one is NaN or infinite")
+    form: Form = applicable_form(J) if damping is None else "damped"
+    inverse = pseudo_inverse(J) if damping is None else damped_inverse(J, damping)
+    rates = np.asarray((inverse @ v[..., np.newaxis])[..., 0])
+    residual = np.asarray(v - (J @ rates[..., np.newaxis])[..., 0])
+    rates.flags.writeable = residual.flags.writeable = False
+    return JointRates(rates, residual, form)
+
+
+def _matrices(J: np.ndarray) -> np.ndarray:
+    try:
+        matrices = np.asarray(J, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"a Jacobian is an array of numbers: {error}") from None
+    if matrices.ndim not in (2, 3) or 0 in matrices.shape[-2:]:
+        raise ModelError(f"a Jacobian has the shape (m, n), a batch of them (N, m, n), not {matrices.shape}")
+    if not np.isfinite(matrices).all():
+        raise ModelError("a Jacobian has finite numbers only; one is NaN or infinite")
+    return matrices
+
+
+def _decompose(J: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the thin singular value decomposition J = U Σ Vᵀ, of each of a batch."""
+    U, singular_values, Vt = np.linalg.svd(_matrices(J), full_matrices=False)
+    return U, singular_values, Vt
+
+
+def _compose(U: np.ndarray, inverted: np.ndarray, Vt: np.ndarray) -> np.ndarray:
+    """Return V diag(inverted) Uᵀ."""
+    inverse = np.asarray((np.swapaxes(Vt, -1, -2) * inverted[..., np.newaxis, :]) @ np.swapaxes(U, -1, -2))
+    inverse.flags.writeable = False
+    return inverse
+
+
+def _kept(singular_values: np.ndarray, rows: int, columns: int, tolerance: float | None = None) -> np.ndarray:
+    """Tell which singular values are not zero, by the rule of numpy.linalg.matrix_rank."""
+    tolerance = max(rows, columns) * np.finfo(float).eps if tolerance is None else tolerance
+    return np.asarray(singular_values > tolerance * singular_values[..., :1])
+
+
+def _require_rank(singular_values: np.ndarray, rank: int, form: str, kind: str) -> None:
+    count = singular_values.shape[-1]
+    if count < rank:
+        raise ModelError(
+            f"a {form} needs full {kind} rank {rank}, and a Jacobian of this shape has at most rank {count}; "
+            f"take the {'left' if kind == 'row' else 'right'} inverse"
+        )
+    ranks = np.sum(_kept(singular_values, rank, rank), axis=-1)
+    if (ranks < rank).any():
+        where = f" number {int(np.argmax(ranks < rank))} of the batch" if ranks.ndim else ""
+        raise ModelError(
+            f"a {form} needs full {kind} rank {rank}; the Jacobian{where} has rank {int(ranks.min())}: "
+            "the arm is singular there; take damped_inverse or svd_pseudo_inverse"
+        )

@@ -1,0 +1,117 @@
+"""Joint values as anyone hands them in: read and checked in one place, with a message that says what is wrong."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from armproof.models.arm import Arm
+from armproof.models.errors import ModelError
+
+_UNITS = {"revolute": "rad", "prismatic": "m"}
+
+
+def read_joint_values(arm: Arm, q: Any) -> np.ndarray:
+    """Return the joint values of N configurations as an (N, n) array of doubles; N may be 0.
+
+    Args:
+        q: an array, list or tuple of N configurations, each with n real numbers, base to tool (rad, m). Values outside
+            the joint limits are allowed; `outside_limits` tells of them.
+
+    Raises:
+        ModelError: another shape, something that is not a real number, or a number that is not finite.
+    """
+    values = _read_numbers(arm, q)
+    n = len(arm.joints)
+    if values.ndim != 2 or values.shape[1] != n:
+        hint = "; write one configuration as [q]" if values.shape == (n,) else ""
+        raise ModelError(
+            f"configurations of arm '{arm.name}' have the shape (N, {n}), not {values.shape}; "
+            f"the {n} joint values are {_joints(arm)}{hint}"
+        )
+    return _finite(arm, values)
+
+
+def read_configuration(arm: Arm, q: Any) -> np.ndarray:
+    """Return the joint values of one configuration as an (n,) array of doubles.
+
+    Args:
+        q: an array, list or tuple of n real numbers, base to tool (rad, m); limits as in `read_joint_values`.
+
+    Raises:
+        ModelError: another length, something that is not a real number, or a number that is not finite.
+    """
+    values = _read_numbers(arm, q)
+    n = len(arm.joints)
+    if values.shape != (n,):
+        raise ModelError(
+            f"a configuration of arm '{arm.name}' has the shape ({n},), not {values.shape}; "
+            f"the {n} joint values are {_joints(arm)}"
+        )
+    return _finite(arm, values)
+
+
+def outside_limits(arm: Arm, q: Any) -> np.ndarray:
+    """Return which joint values lie outside the limits of their joints, an array of booleans of the shape of q.
+
+    Args:
+        q: (N, n) or (n,) joint values (rad, m).
+
+    Raises:
+        ModelError: as `read_joint_values`.
+    """
+    values = _read_numbers(arm, q)
+    values = read_configuration(arm, values) if values.ndim == 1 else read_joint_values(arm, values)
+    lower, upper = (np.array([getattr(joint, end) for joint in arm.joints]) for end in ("lower", "upper"))
+    return np.asarray((values < lower) | (values > upper))
+
+
+def limit_notes(arm: Arm, q: Any) -> tuple[str, ...]:
+    """Return one sentence for each joint that some configuration takes beyond its limits; none if all are within.
+
+    Args:
+        q: (N, n) or (n,) joint values (rad, m).
+
+    Raises:
+        ModelError: as `read_joint_values`.
+    """
+    outside = np.atleast_2d(outside_limits(arm, q))
+    return tuple(
+        f"{joint.symbol} is outside its limits [{joint.lower:g}, {joint.upper:g}] {_UNITS[joint.kind]} "
+        f"at {count} of {len(outside)} configuration{'s' * (len(outside) > 1)}"
+        for joint, count in zip(arm.joints, outside.sum(axis=0), strict=True)
+        if count
+    )
+
+
+def _read_numbers(arm: Arm, q: Any) -> np.ndarray:
+    """Return the array of doubles that q is, of whatever shape."""
+    if isinstance(q, np.ma.MaskedArray) and np.ma.is_masked(q):
+        raise ModelError(f"joint values of arm '{arm.name}' are real numbers; {q.mask.sum()} of those given are masked")
+    try:
+        values = np.asarray(q)
+    except (ValueError, TypeError, OverflowError):
+        raise ModelError(
+            f"configurations of arm '{arm.name}' have equal lengths: {len(arm.joints)} joint values, {_joints(arm)}"
+        ) from None
+    if values.dtype.kind not in "iuf":
+        what = {"b": "booleans", "c": "complex numbers", "U": "text", "S": "text"}.get(values.dtype.kind, "objects")
+        raise ModelError(f"joint values of arm '{arm.name}' are real numbers (rad, m), not {what} ({values.dtype})")
+    with np.errstate(over="ignore"):
+        return values.astype(float, copy=False)
+
+
+def _finite(arm: Arm, values: np.ndarray) -> np.ndarray:
+    wrong = np.argwhere(~np.isfinite(values))
+    if len(wrong):
+        place = ", ".join(str(index) for index in wrong[0])
+        raise ModelError(
+            f"joint values are finite numbers; q[{place}], {arm.joints[wrong[0][-1]].symbol} of arm '{arm.name}', "
+            f"is {values[tuple(wrong[0])]}"
+        )
+    return values
+
+
+def _joints(arm: Arm) -> str:
+    return ", ".join(f"{joint.symbol} ({_UNITS[joint.kind]})" for joint in arm.joints)

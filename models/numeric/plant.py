@@ -1,0 +1,95 @@
+"""The kinematics of an arm's plant of doubles at many configurations: the second route to every equation."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armproof.models.arm import Arm
+from armproof.models.numeric.jacobian import calc_jacobian
+from armproof.models.numeric.joint_values import read_joint_values
+
+
+class NumericKinematics:
+    """Poses and Jacobians at N configurations, computed once each and handed out read-only."""
+
+    def __init__(self, arm: Arm, q: np.ndarray) -> None:
+        """Take the configurations.
+
+        Args:
+            q: (N, n) array of joint variables, base to tool (rad, m).
+
+        Raises:
+            ModelError: q cannot be read (see `read_joint_values`).
+        """
+        q = read_joint_values(arm, q).copy()
+        self._arm = arm
+        self._positions = np.zeros((len(q), arm.plant.num_positions()))
+        self._positions[:, arm.position_indices] = q
+        self.q = _read_only(q)
+        self._poses: dict[str, np.ndarray] = {}
+        self._jacobians: dict[tuple[str, ...], np.ndarray] = {}
+
+    def pose(self, frame: str, reference: str | None = None) -> np.ndarray:
+        """Return the pose of a frame in a reference frame at each configuration, {}^{reference}T_{frame}.
+
+        Args:
+            reference: the base frame, usually "0", if not given.
+
+        Returns:
+            (N, 4, 4) array, metres.
+
+        Raises:
+            ModelError: the arm has no such frame.
+        """
+        X_WF, X_WR = self._world_poses(*self._arm.frame_names(frame, reference))
+        R_RW = X_WR[:, :3, :3].transpose(0, 2, 1)
+        X_RF = np.zeros_like(X_WF)
+        X_RF[:, :3, :3] = R_RW @ X_WF[:, :3, :3]
+        X_RF[:, :3, 3:] = R_RW @ (X_WF[:, :3, 3:] - X_WR[:, :3, 3:])
+        X_RF[:, 3, 3] = 1.0
+        return _read_only(X_RF)
+
+    def jacobian(self, frame: str, expressed_in: str | None = None, reference: str | None = None) -> np.ndarray:
+        """Return the geometric Jacobian of the origin of a frame at each configuration: [v; ω] = J(q) q̇.
+
+        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`;
+        both are the base frame, usually "0", if not given.
+
+        Returns:
+            (N, 6, n) array, rows [v; ω], columns base to tool.
+
+        Raises:
+            ModelError: the arm has no such frame.
+        """
+        key = self._arm.frame_names(frame, expressed_in, reference)
+        if key not in self._jacobians:
+            self._jacobians[key] = _read_only(self._calc_jacobians(*key))
+        return self._jacobians[key]
+
+    def _world_poses(self, *names: str) -> list[np.ndarray]:
+        """Return the world poses of frames; those that are new in one pass over the configurations."""
+        new = [name for name in dict.fromkeys(names) if name not in self._poses]
+        if new:
+            plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
+            frames = [self._arm.frame(name) for name in new]
+            poses = np.empty((len(new), len(self._positions), 4, 4))
+            for k, positions in enumerate(self._positions):
+                plant.SetPositions(context, positions)
+                for i, frame in enumerate(frames):
+                    poses[i, k] = frame.CalcPoseInWorld(context).GetAsMatrix4()
+            self._poses.update(zip(new, poses, strict=True))
+        return [self._poses[name] for name in names]
+
+    def _calc_jacobians(self, frame: str, expressed_in: str, reference: str) -> np.ndarray:
+        plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
+        frames = [self._arm.frame(name) for name in (frame, reference, expressed_in)]
+        jacobians = np.empty((len(self._positions), 6, plant.num_velocities()))
+        for k, positions in enumerate(self._positions):
+            plant.SetPositions(context, positions)
+            jacobians[k] = calc_jacobian(plant, context, *frames)
+        return jacobians[:, :, self._arm.position_indices]
+
+
+def _read_only(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array

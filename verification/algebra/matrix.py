@@ -1,0 +1,156 @@
+"""Matrices of any scalar that adds and multiplies: exact scalars in a proof, arrays of samples in a confirmation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from armproof.verification.errors import EvaluationError, ShapeError
+
+Cell = Any  # a Scalar of the exact ring, or a NumPy array over the samples
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """Rows of scalars, at least 1×1."""
+
+    rows: tuple[tuple[Cell, ...], ...]
+
+    @cached_property
+    def shape(self) -> tuple[int, int]:
+        """(number of rows, number of columns)."""
+        return len(self.rows), len(self.rows[0])
+
+    @property
+    def size(self) -> str:
+        """The shape as one says it: 4×4."""
+        return f"{self.shape[0]}×{self.shape[1]}"
+
+    def map(self, function: Callable[[Cell], Cell]) -> Matrix:
+        """Apply a function to every entry."""
+        return Matrix(tuple(tuple(function(cell) for cell in row) for row in self.rows))
+
+    def block(self, rows: Iterable[int], columns: Iterable[int]) -> Matrix:
+        """Return the entries at these rows and columns (counted from 0)."""
+        columns = tuple(columns)
+        return Matrix(tuple(tuple(self.rows[r][c] for c in columns) for r in rows))
+
+    @property
+    def transpose(self) -> Matrix:
+        """The transposed matrix."""
+        return Matrix(tuple(zip(*self.rows, strict=True)))
+
+    def __add__(self, other: Matrix) -> Matrix:
+        if self.shape != other.shape:
+            raise ShapeError(f"a sum of a {self.size} and a {other.size} matrix")
+        return Matrix(
+            tuple(tuple(a + b for a, b in zip(r, s, strict=True)) for r, s in zip(self.rows, other.rows, strict=True))
+        )
+
+    def __neg__(self) -> Matrix:
+        return self.map(lambda cell: -cell)
+
+    def __matmul__(self, other: Matrix) -> Matrix:
+        if self.shape[1] != other.shape[0]:
+            homogeneous = (self.shape, other.shape) == ((4, 4), (3, 1))
+            kind = EvaluationError if homogeneous else ShapeError
+            hint = "; write the vector in homogeneous coordinates" if homogeneous else ""
+            raise kind(f"a product of a {self.size} and a {other.size} matrix{hint}")
+        columns = other.transpose.rows
+        return Matrix(tuple(tuple(_dot(row, column) for column in columns) for row in self.rows))
+
+    def cross(self, other: Matrix) -> Matrix:
+        """Return the cross product of two 3-vectors."""
+        a, b = self.vector(3), other.vector(3)
+        return column([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+    def vector(self, length: int | None = None) -> tuple[Cell, ...]:
+        """Return the entries of a row or a column."""
+        if 1 not in self.shape or (length is not None and max(self.shape) != length):
+            wanted = f"a {length}-vector" if length else "a vector"
+            raise EvaluationError(f"{wanted} is expected, a {self.size} matrix is given")
+        return tuple(cell for row in self.rows for cell in row)
+
+    def minors(self, size: int, rows: tuple[int, ...]) -> dict[tuple[int, ...], Cell]:
+        """Return the determinants of the given rows with every choice of `size` columns, by columns."""
+        found: dict[tuple[int, ...], Cell] = {(c,): self.rows[rows[0]][c] for c in range(self.shape[1])}
+        for row in rows[1:size]:
+            grown: dict[tuple[int, ...], Cell] = {}
+            for columns, minor in found.items():
+                for c in range(self.shape[1]):
+                    if c in columns:
+                        continue
+                    chosen = tuple(sorted((*columns, c)))
+                    after = sum(1 for other in columns if other > c)
+                    term = self.rows[row][c] * minor
+                    term = -term if after % 2 else term
+                    grown[chosen] = grown[chosen] + term if chosen in grown else term
+            found = grown
+        return found
+
+    def determinant(self) -> Cell:
+        """Return the determinant, by expansion over column subsets (exact in any ring, no division)."""
+        size, width = self.shape
+        if size != width:
+            raise ShapeError(f"a {self.size} matrix has no determinant")
+        if size > 8:
+            raise EvaluationError(f"the determinant of a {self.size} matrix is more than is computed")
+        return self.minors(size, tuple(range(size)))[tuple(range(size))]
+
+    def adjugate(self) -> Matrix:
+        """Return the transposed matrix of cofactors."""
+        return self.cofactors().transpose
+
+    def cofactors(self) -> Matrix:
+        """Return the comatrix: the matrix of cofactors."""
+        size, width = self.shape
+        if size != width:
+            raise ShapeError(f"a {self.size} matrix has no inverse and no cofactors")
+        if size > 7:
+            raise EvaluationError(f"the cofactors of a {self.size} matrix are more than is computed")
+        if size == 1:
+            return Matrix(((self.rows[0][0] * 0 + 1,),))
+        everything = range(size)
+        rows = []
+        for r in everything:
+            others = tuple(row for row in everything if row != r)
+            minors = self.minors(size - 1, others)
+            row = [minors[tuple(c for c in everything if c != k)] for k in everything]
+            rows.append(tuple(-cell if (r + k) % 2 else cell for k, cell in enumerate(row)))
+        return Matrix(tuple(rows))
+
+
+def _dot(row: Iterable[Cell], column_: Iterable[Cell]) -> Cell:
+    total = None
+    for a, b in zip(row, column_, strict=True):
+        total = a * b if total is None else total + a * b
+    return total
+
+
+def column(cells: Iterable[Cell]) -> Matrix:
+    """Return a column vector."""
+    return Matrix(tuple((cell,) for cell in cells))
+
+
+def exact_rank(matrix: Matrix) -> int:
+    """Return the rank over the field of quotients: the size of the largest minor that is not zero (bordering)."""
+    size, width = matrix.shape
+    rows: tuple[int, ...] = ()
+    columns: tuple[int, ...] = ()
+    while len(rows) < min(size, width):
+        bordered = next(
+            (
+                ((*rows, r), (*columns, c))
+                for r in range(size)
+                if r not in rows
+                for c in range(width)
+                if c not in columns and not matrix.block((*rows, r), (*columns, c)).determinant().is_zero()
+            ),
+            None,
+        )
+        if bordered is None:
+            break
+        rows, columns = bordered
+    return len(rows)

@@ -1,5 +1,0 @@
-"""The likely mistake behind a matrix that is wrong as a whole."""
-
-from verification.causes.find import find_cause
-
-__all__ = ["find_cause"]

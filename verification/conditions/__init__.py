@@ -1,0 +1,1 @@
+"""Conditions and implications: det J = 0 ⇔ …, ranks, what follows from what."""

@@ -1,0 +1,269 @@
+"""Whether one condition follows from another: decided by unique factors, or refuted at a configuration.
+
+A condition is a set of configurations, its equations split into irreducible sets (verification/singularities). One follows
+from another when each irreducible set of the first lies in a set of the second: its equations vanish there. No bound on
+powers is needed, and factors that have no real zeros for positive lengths are left out.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.conditions.implication import Implication
+from armproof.verification.conditions.system import Condition, System, Undecided, read_condition
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import EvaluationError, NoValue
+from armproof.verification.singularities.decomposition import Decomposer, Lengths
+from armproof.verification.singularities.elimination import BeyondReach
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.points import Sampler, unknowns_of
+from armproof.verification.singularities.variety import Variety
+from armproof.verification.verdict import Verdict
+
+TRIED = 32
+CLEARLY = 1e-6  # what an equation must be off at a counterexample, relative to the size of its terms
+MOST_PRODUCTS = 32
+MOST_QUARTERS = 4  # joints of which quarter turns are tried
+SCALES = (1.0, 4.0, 0.25)  # of the lengths: what holds for an arm of any size is refuted by one
+
+
+def check_implication(
+    checker: ChainChecker, implication: Implication, equation: int
+) -> tuple[Outcome, dict[str, float]]:
+    """Return the verdict of premises ⇒ (⇔, ⇐) conclusions, and a configuration that refutes it."""
+    outcome = Outcome(Verdict.PROVED, "", equation)
+    try:
+        before = read_condition(checker, implication.before)
+        behind = read_condition(checker, implication.behind)
+        wanted = {"⇒": (0,), "⇐": (1,), "⇔": (0, 1)}[implication.arrow]
+        pairs = ((before, behind), (behind, before))
+        for side in wanted:
+            try:
+                found = Entailment(checker, *pairs[side]).counterexample()
+            except Undecided as problem:  # the other direction may yet be refuted
+                outcome.verdict, outcome.message = Verdict.UNCHECKED, str(problem)
+                continue
+            if found is not None:
+                first, second = (("left", "right"), ("right", "left"))[side]
+                outcome.verdict = Verdict.REFUTED
+                outcome.message = f"the {first} side holds and the {second} does not at the configuration given"
+                return outcome, found
+    except NoValue as problem:
+        outcome.verdict, outcome.message = Verdict.REFUTED, str(problem)
+    except EvaluationError as problem:
+        outcome.verdict, outcome.message = Verdict.UNCHECKED, str(problem)
+    return outcome, {}
+
+
+@dataclass(frozen=True, eq=False)
+class _System:
+    """A system in half-angle coordinates."""
+
+    zero: tuple[Polynomial, ...]
+    not_all_zero: tuple[tuple[Polynomial, ...], ...]
+
+
+class Entailment:
+    """One condition, and another that is said to follow from it."""
+
+    def __init__(self, checker: ChainChecker, premise: Condition, conclusion: Condition) -> None:
+        self.checker = checker
+        self.premise, self.conclusion = premise, conclusion
+        self.half = HalfAngles(checker.exact.ring, (s for system in (*premise, *conclusion) for s in _scalars(system)))
+        self.positive = _lengths(checker, self.half)
+        deadline = checker.exact.ring.deadline
+        self.decomposer = Decomposer(self.half, self.positive, lengths=Lengths.ALL, deadline=deadline)
+
+    def counterexample(self) -> dict[str, float] | None:
+        """Return a configuration at which the premise holds and the conclusion does not; None where there is none, proved.
+
+        Raises:
+            Undecided: neither could be shown, or the premise holds at no configuration.
+        """
+        premise, conclusion = ([self._polynomials(s) for s in side] for side in (self.premise, self.conclusion))
+        met = False
+        for given, system in zip(self.premise, premise, strict=True):
+            if self._follows_by_substitution(given):
+                met = True
+                continue
+            for variety in self._decompose(system.zero):
+                if any(_within(variety, others) for others in system.not_all_zero):
+                    continue
+                met = True
+                lies = any(self._lies_in(variety, system, other) for other in conclusion)
+                if not lies and not self._lies_in_union(variety):
+                    return self._point(variety, system, conclusion)
+        if not met:
+            raise Undecided("a condition that no configuration meets")
+        return None
+
+    def _follows_by_substitution(self, given: System) -> bool:
+        """Whether a system that does nothing but fix angles makes the equations of one conclusion zero.
+
+        It serves for angles such as π/4, whose cosine is a root: conjugate conditions are then one irreducible set.
+        """
+        if not given.values or len(given.values) != len(given.zero) or given.not_all_zero:
+            return False
+        ring = self.checker.exact.ring
+        values = dict(given.values)
+        return any(
+            not system.not_all_zero and all(ring.substitute(scalar, values).is_zero() for scalar in system.zero)
+            for system in self.conclusion
+        )
+
+    def _lies_in_union(self, variety: Variety) -> bool:
+        """Whether a set lies in the systems of the conclusion together: every product of one equation of each is zero there."""
+        if any(system.not_all_zero for system in self.conclusion):
+            return False
+        choices = itertools.product(*(system.zero for system in self.conclusion))
+        for number, choice in enumerate(choices):
+            product = self.checker.exact.ring.one
+            for scalar in choice:
+                product = product * scalar
+            if number >= MOST_PRODUCTS or not variety.vanishes(self.half.polynomial(product)):
+                return False
+        return True
+
+    def _decompose(self, equations: tuple[Polynomial, ...], within: Variety | None = None) -> list[Variety]:
+        try:
+            return self.decomposer.decompose(equations, within)
+        except BeyondReach as problem:
+            raise Undecided(f"beyond exact reach: {problem}") from None
+
+    def _polynomials(self, system: System) -> _System:
+        polynomial = self.half.polynomial
+        others = tuple(tuple(polynomial(s) for s in scalars) for scalars in system.not_all_zero)
+        return _System(tuple(polynomial(s) for s in system.zero), others)
+
+    def _lies_in(self, variety: Variety, premise: _System, other: _System) -> bool:
+        """Whether a set, less what the premise leaves out, lies in a system."""
+        if not _within(variety, other.zero):
+            return False
+        for excluded in other.not_all_zero:
+            for part in self._decompose(excluded, variety):
+                if not any(_within(part, left_out) for left_out in premise.not_all_zero):
+                    return False
+        return True
+
+    # -- counterexamples -----------------------------------------------------------------------------------------------
+
+    def _point(self, variety: Variety, premise: _System, conclusion: list[_System]) -> dict[str, float]:
+        """Return a configuration of a set at which no system of the conclusion holds.
+
+        Raises:
+            Undecided: none was found.
+        """
+        found = self._quarter_turns()
+        for scale in SCALES:
+            found = found or self._sampled(variety, premise, conclusion, scale)
+        if not found:
+            raise Undecided("not shown, and no configuration was found that refutes it")
+        return found
+
+    @cached_property
+    def _named(self) -> tuple[set[str], set[str]]:
+        """The angles and the symbols that occur."""
+        return set(self.half.angles), {name for kind, name in self.half.others if kind == "symbol"}
+
+    def _quarter_turns(self) -> dict[str, float] | None:
+        """Return a configuration of quarter turns at which the premise holds and the conclusion does not, exactly."""
+        arm = self.checker.names.arm
+        if arm is None:
+            return None
+        ring, pi = self.checker.exact.ring, self.checker.exact.pi()
+        angles, symbols = self._named
+        joints = [joint for joint in arm.joints if joint.symbol in angles | symbols]
+        if len(joints) > MOST_QUARTERS:
+            return None
+        quarters = [Fraction(k, 2) for k in (0, 2, 1, -1)]
+        for choice in itertools.product(quarters, repeat=len(joints)):
+            values = {
+                joint.symbol: pi * ring.rational(turn) if joint.kind == "revolute" else ring.rational(turn)
+                for joint, turn in zip(joints, choice, strict=True)
+            }
+            holds = any(_holds(system, lambda s, v=values: ring.substitute(s, v)) for system in self.premise)
+            if holds and not any(
+                _holds(system, lambda s, v=values: ring.substitute(s, v)) for system in self.conclusion
+            ):
+                scale = {joint.symbol: np.pi if joint.kind == "revolute" else 1.0 for joint in joints}
+                pairs = zip(joints, choice, strict=True)
+                return {joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in pairs}
+        return None
+
+    def _sampled(
+        self, variety: Variety, premise: _System, conclusion: list[_System], scale: float
+    ) -> dict[str, float] | None:
+        """Return a configuration drawn on a set at which the conclusion is clearly off, the lengths being scaled."""
+        if any(kind not in ("symbol", "sqrt") for kind, _ in self.half.others):
+            return None
+        rng = np.random.default_rng(2019)
+        sampler = self._sampler(variety, scale)
+        q = sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
+        if not len(q):
+            return None
+        off = np.ones(len(q), dtype=bool)
+        for excluded in premise.not_all_zero:
+            off &= self._clearly_off(sampler, excluded, q)
+        for system in conclusion:
+            fails = self._clearly_off(sampler, system.zero, q)
+            for excluded in system.not_all_zero:
+                fails |= (np.abs(sampler.values(excluded, q)) < 1e-12).all(axis=1)
+            off &= fails
+        if not off.any():
+            return None
+        place = int(np.argmax(off))
+        angles, symbols = self._named
+        point = {u.name: float(q[place, k]) for k, u in enumerate(sampler.unknowns) if u.name in angles | symbols}
+        tells = bool(variety.lengths) or scale != 1.0
+        special = {name: value for name, value in sampler.constants.items() if tells and name in symbols}
+        return {**point, **special}
+
+    def _clearly_off(self, sampler: Sampler, polynomials: tuple[Polynomial, ...], q: np.ndarray) -> np.ndarray:
+        if not polynomials:
+            return np.zeros(len(q), dtype=bool)
+        return (np.abs(sampler.values(polynomials, q)) > CLEARLY * sampler.sizes(polynomials, q)).any(axis=1)
+
+    def _sampler(self, variety: Variety, scale: float) -> Sampler:
+        """The unknowns of the conditions, with lengths, scaled, that meet those on them."""
+        arm = self.checker.names.arm
+        constants = {**arm.trace.constants, **arm.lengths} if arm is not None else {}
+        for place, name in enumerate(sorted(self.positive - set(constants))):
+            constants[name] = 0.5 + 0.3 * place
+        constants |= {name: scale * constants[name] for name in self.positive & set(constants)}
+        sampler = Sampler(self.half, unknowns_of(self.half, arm, constants), constants)
+        if variety.lengths:
+            special = sampler.solved_constants(variety.values)
+            sampler = Sampler(self.half, sampler.unknowns, {**constants, **special})
+        return sampler
+
+
+def _scalars(system: System) -> list[Scalar]:
+    return [*system.zero, *(scalar for scalars in system.not_all_zero for scalar in scalars)]
+
+
+def _holds(system: System, at: object) -> bool:
+    """Whether a system holds where a function gives the values of its scalars."""
+    assert callable(at)
+    return all(at(s).is_zero() for s in system.zero) and all(
+        any(not at(s).is_zero() for s in scalars) for scalars in system.not_all_zero
+    )
+
+
+def _within(variety: Variety, polynomials: tuple[Polynomial, ...]) -> bool:
+    return all(variety.vanishes(polynomial) for polynomial in polynomials)
+
+
+def _lengths(checker: ChainChecker, half: HalfAngles) -> frozenset[str]:
+    """The symbols taken as positive: the arm's lengths, or without an arm what reads as one: l, l_1, a_2, d_i."""
+    arm = checker.names.arm
+    if arm is not None:
+        return frozenset(arm.lengths) | frozenset(checker.names.adopted)
+    names = {name for kind, name in half.others if kind == "symbol"}
+    return frozenset(name for name in names if name[:1] in ("l", "L") or name[:2] in ("a_", "d_"))

@@ -1,0 +1,93 @@
+"""Where an implication stands among the statements of a display: its premises, its arrow, its conclusions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from armproof.verification.latex import nodes as n
+
+Alternatives = list[list[n.Chain]]  # "and" binds closer than "or"
+
+
+@dataclass(frozen=True)
+class Implication:
+    """Premises and conclusions, each some alternatives of equations that hold together, with the arrow between them."""
+
+    kind: str  # ⇒, ⇔, ⇐ or if
+    before: Alternatives
+    behind: Alternatives
+    after: int  # the statement at which to go on
+
+    @property
+    def arrow(self) -> str:
+        """The arrow; "if" points from what follows it."""
+        return "⇐" if self.kind == "if" else self.kind
+
+    @property
+    def premises(self) -> list[n.Chain]:
+        """The equations before the arrow."""
+        return [chain for chains in self.before for chain in chains]
+
+    @property
+    def conclusions(self) -> list[n.Chain]:
+        """The equations behind the arrow."""
+        return [chain for chains in self.behind for chain in chains]
+
+    @property
+    def chains(self) -> list[n.Chain]:
+        """All equations of it."""
+        return [*self.premises, *self.conclusions]
+
+
+def find_implication(statements: list[n.Statement], index: int) -> Implication | None:
+    """Return the implication that starts at a statement, or None."""
+    premises, at = _alternatives(statements, index)
+    if at >= len(statements):
+        return None
+    connective = statements[at]
+    if not isinstance(connective, n.Connective) or connective.kind not in ("⇒", "⇔", "⇐", "if"):
+        return None
+    conclusions, after = _alternatives(statements, at + 1)
+    found = Implication(connective.kind, premises, conclusions, after)
+    return found if conclusions and all(chain.relations for chain in found.chains) else None
+
+
+def _alternatives(statements: list[n.Statement], index: int) -> tuple[Alternatives, int]:
+    """Return the chains joined by "or" and "and" from here on; "θ_2 = 0 or π" repeats its subject."""
+    found: Alternatives = []
+    joined = "or"
+    while index < len(statements):
+        statement = statements[index]
+        if isinstance(statement, n.Chain):
+            if not joined:
+                break
+            chain = _with_subject(statement, found[-1][-1] if found else None)
+            if joined == "and":
+                found[-1].append(chain)
+            else:
+                found.append([chain])
+            joined = ""
+        elif statement.kind in ("or", "and") and found:
+            joined = statement.kind
+        else:
+            break
+        index += 1
+    return found, index
+
+
+def _with_subject(chain: n.Chain, before: n.Chain | None) -> n.Chain:
+    """Return the π of "θ_2 = 0 or π" as θ_2 = π."""
+    if chain.relations or before is None or before.relations != ("=",):
+        return chain
+    return replace(chain, members=(before.members[0], *chain.members), relations=("=",))
+
+
+def connectives_among(statements: list[n.Statement], index: int, chains: int) -> int:
+    """How many connectives stand among the next `chains` chains."""
+    seen = words = 0
+    while seen < chains:
+        if isinstance(statements[index + seen + words], n.Chain):
+            seen += 1
+        else:
+            words += 1
+    return words

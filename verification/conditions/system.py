@@ -1,0 +1,250 @@
+"""Conditions of a display as systems of equations: det J = 0, θ_2 = 0 or π, rank J < 2, S_2 = 0 and S_3 = 0."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.values import as_scalar
+from armproof.verification.equations.alignment import align
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.trees import bare, has_branches
+from armproof.verification.singularities.elimination import BeyondReach
+from armproof.verification.singularities.minors import maximal_minors
+
+WHOLE_NUMBERS = ("k", "n", "m")
+
+
+class Undecided(EvaluationError):
+    """Neither a proof nor a counterexample was found."""
+
+
+@dataclass(frozen=True)
+class System:
+    """The configurations at which scalars are zero, and of each set of others not all are zero.
+
+    `values` are joint angles that the equations fix, up to whole turns, in terms of other symbols.
+    """
+
+    zero: tuple[Scalar, ...]
+    not_all_zero: tuple[tuple[Scalar, ...], ...] = ()
+    values: tuple[tuple[str, Scalar], ...] = ()
+
+    def and_(self, other: System) -> System:
+        """Return the configurations of both."""
+        return System(self.zero + other.zero, self.not_all_zero + other.not_all_zero, self.values + other.values)
+
+
+Condition = tuple[System, ...]  # alternatives
+
+
+def read_condition(checker: ChainChecker, alternatives: Sequence[Sequence[n.Chain]]) -> Condition:
+    """Return where one of the alternatives holds, each of which is some chains that hold together.
+
+    f = g gives f − g = 0; an angle θ = α gives 1 − cos(θ − α) = 0; θ ∈ {α, β} and ± are alternatives; a matrix equation is
+    one of each entry; det(A Aᵀ) = 0 says that all maximal minors of A vanish, rank A < k that all minors of size k do.
+
+    Raises:
+        Undecided: a chain is no such condition.
+    """
+    found: list[System] = []
+    for chains in alternatives:
+        parts = [_of_chain(checker, chain) for chain in chains]
+        for choice in itertools.product(*parts):
+            system = System(())
+            for part in choice:
+                system = system.and_(part)
+            found.append(system)
+    if not found:
+        raise Undecided("no equation stands where a condition is expected")
+    return tuple(found)
+
+
+def _of_chain(checker: ChainChecker, chain: n.Chain) -> list[System]:
+    """The alternatives of one chain; one with ± holds on either branch."""
+    branches = (1, -1) if has_branches(chain) else (1,)
+    return [
+        system
+        for branch in branches
+        for system in _of_branch(checker, chain, Evaluator(checker.names, checker.exact, branch))
+    ]
+
+
+def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> Iterator[System]:
+    if len(chain.members) == 1:
+        raise Undecided("a condition is an equation")
+    if chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence):
+        for item in chain.members[1].items:
+            yield _fixed(checker, chain.members[0], item, evaluator)
+        return
+    *first, last = chain.members
+    if len(first) != 1:
+        raise Undecided("a chain stands where one condition is expected")
+    (relation,) = chain.relations
+    if (rank := _rank_condition(checker, first[0], relation, last, evaluator)) is not None:
+        yield rank
+    elif relation == "≠":
+        yield System((), (tuple(_equations(checker, first[0], last, evaluator)),))
+    elif relation == "=":
+        yield System(
+            tuple(_equations(checker, first[0], last, evaluator)), (), _value(checker, first[0], last, evaluator)
+        )
+    else:
+        raise Undecided(f"'{relation}' is not an equation")
+
+
+def _fixed(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> System:
+    """θ = α as a system, with the value of θ."""
+    zero = _angle_or_difference(checker, left, right, evaluator)
+    return System((zero,), (), _value(checker, left, right, evaluator))
+
+
+def _value(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> tuple[tuple[str, Scalar], ...]:
+    """The joint angle that θ = α fixes; nothing where the left side is no joint angle, or the right side holds it."""
+    symbol = checker.names.known_symbol(left.key) if isinstance(left, n.Name) else None
+    if symbol is None or any(isinstance(b, n.Name) and b.key in WHOLE_NUMBERS for b in n.walk(right)):
+        return ()
+    value = as_scalar(evaluator.evaluate(right))
+    if not isinstance(value, Scalar) or not _is_angle(checker, checker.exact.symbol(symbol) - value):
+        return ()
+    holds_itself = any(("symbol", symbol) in powers for powers, _ in checker.exact.ring.terms(value.numerator))
+    return () if holds_itself else ((symbol, value),)
+
+
+def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> list[Scalar]:
+    """The scalars that are all zero where an equation holds."""
+    if isinstance(right, n.Number) and right.value == 0 and (factor := _gram_factor(left)) is not None:
+        value = evaluator.evaluate(factor)
+        if isinstance(value, Matrix) and value.shape[0] < value.shape[1]:
+            return _minors(value, value.shape[0])
+    a = as_scalar(evaluator.evaluate(left))
+    if not isinstance(a, Matrix):
+        return [_angle_or_difference(checker, left, right, evaluator)]
+    b = as_scalar(evaluator.evaluate(right))
+    if not isinstance(b, Matrix):
+        raise Undecided("a matrix stands where a scalar condition is expected")
+    pair = next(align(a, b, checker.exact))
+    rows = zip(pair.true.rows, pair.printed.rows, strict=True)
+    return [x - y for row, other in rows for x, y in zip(row, other, strict=True)]
+
+
+def _gram_factor(node: n.Node) -> n.Node | None:
+    """The A of det(A Aᵀ), or the Aᵀ of det(Aᵀ A)."""
+    if not (isinstance(node, n.Call) and node.function in ("det", "abs")):
+        return None
+    product = bare(node.arguments[0])
+    if not isinstance(product, n.Product) or len(product.factors) != 2 or "×" in product.operators:
+        return None
+    a, b = product.factors
+    if isinstance(b, n.Postfix) and b.operator == "T" and bare(b.base) == bare(a):
+        return a
+    return a if isinstance(a, n.Postfix) and a.operator == "T" and bare(a.base) == bare(b) else None
+
+
+def _rank_condition(
+    checker: ChainChecker, left: n.Node, relation: str, right: n.Node, evaluator: Evaluator
+) -> System | None:
+    """rank A < k, ≤ k or = k: minors of one size that all vanish, and for equality smaller ones that do not all."""
+    if not (isinstance(left, n.Call) and left.function == "rank" and isinstance(right, n.Number)):
+        return None
+    value = evaluator.evaluate(left.arguments[0])
+    if not isinstance(value, Matrix) or right.value.denominator != 1 or relation not in ("=", "<", "≤", "≠"):
+        raise Undecided("the rank of something that is no matrix")
+    size = int(right.value)
+    if relation == "≠":  # a rank below the full one
+        if size != min(value.shape):
+            raise Undecided("a rank that is not one number")
+        relation = "<"
+    above = _minors(value, size if relation == "<" else size + 1)
+    return System(tuple(above), (tuple(_minors(value, size)),) if relation == "=" and size else ())
+
+
+def _minors(matrix: Matrix, size: int) -> list[Scalar]:
+    """All minors of a size; none is larger than the matrix."""
+    if size > min(matrix.shape):
+        return []
+    if size < 1:
+        return [matrix.rows[0][0].ring.one]
+    try:
+        found = maximal_minors(matrix, size)
+    except BeyondReach as problem:
+        raise Undecided(str(problem)) from None
+    return found or [matrix.rows[0][0].ring.zero]
+
+
+def _angle_or_difference(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> Scalar:
+    """f − g, or 1 − cos(f − g) where both are angles; kπ with any integer k gives the sine."""
+    periodic = _of_every_integer(checker, left, right, evaluator)
+    if periodic is not None:
+        return periodic
+    a, b = (as_scalar(evaluator.evaluate(node)) for node in (left, right))
+    if not (isinstance(a, Scalar) and isinstance(b, Scalar)):
+        raise Undecided("a matrix stands where a scalar condition is expected")
+    if _is_angle(checker, a - b) or checker.exact.ring.has_arcs(a):
+        return 1 - checker.exact.cos_sin(a - b)[0]
+    return a - b
+
+
+def _is_angle(checker: ChainChecker, value: Scalar) -> bool:
+    """Whether a scalar is a sum of joint angles and multiples of π."""
+    arm = checker.names.arm
+    revolute = {joint.symbol for joint in arm.joints if joint.kind == "revolute"} if arm is not None else set()
+    if not value.denominator.is_one():
+        return False
+    terms = [powers for powers, _ in checker.exact.ring.terms(value.numerator)]
+    symbols = [generator for powers in terms for generator in powers]
+    linear = all(sum(powers.values()) == 1 for powers in terms)
+    allowed = all(kind == "pi" or (kind == "symbol" and name in revolute) for kind, name in symbols)
+    return linear and allowed and any(kind == "symbol" for kind, _ in symbols)
+
+
+def _of_every_integer(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> Scalar | None:
+    """θ = α + kβ for every integer k: sin(m(θ − α)) where β = π/m, 1 − cos(m(θ − α)) where β = 2π/m."""
+    free = [
+        below
+        for below in n.walk(right)
+        if isinstance(below, n.Name) and below.key in WHOLE_NUMBERS and checker.names.known_symbol(below.key) is None
+    ]
+    if not free:
+        return None
+    start, one, two = (evaluator.scalar(_with_number(right, free, k)) for k in (0, 1, 2))
+    step = ((one - start) / checker.exact.pi()).as_fraction()
+    if not step or not (two - one - one + start).is_zero():
+        raise Undecided("an integer multiple of something that is no fraction of π")
+    turned = evaluator.scalar(left) - start
+    if (1 / step).denominator == 1:
+        return checker.exact.cos_sin(turned / checker.exact.rational(step))[1]
+    if (2 / step).denominator == 1:
+        return 1 - checker.exact.cos_sin(turned * checker.exact.rational(2 / step))[0]
+    raise Undecided("an integer multiple of an angle that is no part of a turn")
+
+
+def _with_number(node: n.Node, names: Sequence[n.Node], value: int) -> n.Node:
+    for name in names:
+        node = n.substitute(node, name, n.Number(Fraction(value), str(value), span=name.span))
+    return node
+
+
+def is_rank_condition(chain: n.Chain) -> bool:
+    """Whether a chain bounds a rank: rank J < 2 is true of no generic configuration, and a condition."""
+    first = chain.members[0]
+    return isinstance(first, n.Call) and first.function == "rank" and chain.relations != ("=",)
+
+
+def is_condition(chain: n.Chain) -> bool:
+    """Whether an equation before an arrow reads as a condition (det J = 0) and not as a step of a derivation."""
+    return any(relation == "∈" for relation in chain.relations) or any(
+        all(
+            isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
+            or (isinstance(b, n.Name) and b.key in ("pi", *WHOLE_NUMBERS))
+            for b in n.walk(m)
+        )
+        for m in chain.members
+    )

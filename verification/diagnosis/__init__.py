@@ -1,0 +1,1 @@
+"""Why an equation is wrong: its wrong entries, their causes, a counterexample."""

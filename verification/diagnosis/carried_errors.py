@@ -1,0 +1,96 @@
+"""Errors repeated and carried on: a refuted equation that repeats one printed before it, or follows from one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.equations.alignment import equal_matrices
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.quantities import Quantity
+from armproof.verification.verdict import WrongEntry
+
+
+@dataclass
+class PrintedError:
+    """A refuted equation, kept to recognise its consequences."""
+
+    line: int
+    key: str
+    node: n.Node
+    cells: dict[tuple[int, int], str] = field(default_factory=dict)
+
+
+def consequence_of(
+    checker: ChainChecker, errors: Sequence[PrintedError], outcome: Outcome, entries: list[WrongEntry]
+) -> str:
+    """Say if an error repeats one printed before, or follows from it; empty where it stands for itself."""
+    key = _subject(checker, outcome)
+    for error in errors:
+        same = error.key == key and all(error.cells.get((e.row or 0, e.column or 0)) == e.printed for e in entries)
+        if key and same and entries:
+            return f"the same error as in line {error.line}"
+    followed = _follows(checker, errors, outcome)
+    return f"follows from line {followed}" if followed else ""
+
+
+def printed_error(checker: ChainChecker, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:
+    """Return the refuted equation as an error to remember, where it says something of a quantity or a name."""
+    assert outcome.true is not None and outcome.printed is not None
+    key = _subject(checker, outcome)
+    cells = {(e.row or 0, e.column or 0): e.printed for e in entries}
+    return PrintedError(line, key, outcome.printed.node, cells) if key else None
+
+
+def _subject(checker: ChainChecker, outcome: Outcome) -> str:
+    assert outcome.true is not None
+    node = n.ungrouped(outcome.true.node)
+    quantity = checker.quantity_of(node)
+    if quantity is not None:
+        return repr(quantity)
+    return node.key if isinstance(node, n.Name) else ""
+
+
+def _follows(checker: ChainChecker, errors: Sequence[PrintedError], outcome: Outcome) -> int | None:
+    """Return the line of an earlier error that, carried on, gives just what is printed here."""
+    pair = outcome.pair
+    assert pair is not None and outcome.true is not None
+    printed: dict[str, PrintedError] = {}
+    for error in errors:
+        printed.setdefault(error.key, error)
+    # the pose as a product of two, the printed value of one of them in the place of the true one
+    for factors in _products(checker, outcome.true.node):
+        wrong = [printed.get(repr(factor)) for factor in factors]
+        if not any(wrong):
+            continue
+        values = [_carried_on(checker, *each) for each in zip(factors, wrong, strict=True)]
+        if not all(isinstance(value, Matrix) for value in values):
+            continue
+        product = values[0] @ values[1]
+        if equal_matrices(product, pair.printed):
+            return min(error.line for error in wrong if error is not None)
+    return None
+
+
+def _products(checker: ChainChecker, node: n.Node) -> Iterator[tuple[Quantity, Quantity]]:
+    """Yield the pairs of poses ^iT_k, ^kT_j of which the pose ^iT_j is the product, for the frames k between."""
+    arm, quantity = checker.names.arm, checker.quantity_of(node)
+    if arm is None or quantity is None or quantity.kind != "pose" or quantity.rows or quantity.columns:
+        return
+    frames = list(arm.frames)
+    if not {quantity.reference, quantity.frame} <= set(frames):
+        return
+    first, last = frames.index(quantity.reference), frames.index(quantity.frame)
+    for between in frames[first + 1 : last]:
+        yield Quantity("pose", between, quantity.reference), Quantity("pose", quantity.frame, between)
+
+
+def _carried_on(checker: ChainChecker, factor: Quantity, error: PrintedError | None) -> Value:
+    if error is None:
+        return checker.exact.quantity(factor)
+    return Evaluator(checker.names, checker.exact).evaluate(error.node)

@@ -1,0 +1,192 @@
+"""Slips in the geometric construction of a Jacobian, [z × (p_n − p); z] a revolute joint and [z; 0] a prismatic one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from armproof.verification.diagnosis.causes.case import Candidate, Case
+
+_CLOSE = 1e-9
+
+
+def stacked(v: np.ndarray, omega: np.ndarray, slide: np.ndarray, prismatic: np.ndarray) -> np.ndarray:
+    """Return (N, 6, n) from v and ω of revolute joints and v of prismatic ones, (N, n, 3) each."""
+    linear = np.where(prismatic[:, None], slide, v)
+    angular = np.where(prismatic[:, None], 0.0, omega)
+    return np.concatenate([linear, angular], axis=2).transpose(0, 2, 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Construction:
+    """The axis of each joint, fixed in a frame whose origin lies on it.
+
+    Attributes:
+        index: of that frame among the arm's, for each joint.
+        local: the axis in that frame, (n, 3).
+        poses: (N, frames, 4, 4), in the frame in which the Jacobian is expressed.
+        end: p_n, (N, 3).
+    """
+
+    index: tuple[int, ...]
+    local: np.ndarray
+    poses: np.ndarray
+    end: np.ndarray
+    prismatic: np.ndarray
+
+    def axes(self, shift: int = 0) -> np.ndarray:
+        """Return z of each joint, (N, n, 3), as it is in the frame `shift` further."""
+        R = self.poses[:, self._shifted(shift)][..., :3, :3]
+        return np.einsum("nkij,kj->nki", R, self.local)
+
+    def origins(self, shift: int = 0) -> np.ndarray:
+        """Return p of each joint, (N, n, 3), the origin of the frame `shift` further."""
+        return np.asarray(self.poses[:, self._shifted(shift)][..., :3, 3])
+
+    def jacobian(self, z: np.ndarray, p: np.ndarray) -> np.ndarray:
+        """Return [z × (p_n − p); z], (N, 6, n)."""
+        return stacked(np.cross(z, self.end[:, None] - p), z, z, self.prismatic)
+
+    def _shifted(self, shift: int) -> list[int]:
+        return [min(max(index + shift, 0), self.poses.shape[1] - 1) for index in self.index]
+
+    @cached_property
+    def convention(self) -> str:
+        """Classic where joint i is fixed in frame i − 1, modified where it is in frame i, else an empty text."""
+        if not (self.local[:, :2] == 0).all():
+            return ""
+        n = len(self.index)
+        return (
+            "classic" if self.index == tuple(range(n)) else "modified" if self.index == tuple(range(1, n + 1)) else ""
+        )
+
+
+def constructions(case: Case, J: np.ndarray) -> list[Construction]:
+    """Return the ways in which a Jacobian is constructed of the arm's frames: by frame i − 1, by frame i, by either."""
+    arm, reference = case.arm, case.quantity.reference
+    prismatic = np.array([joint.kind == "prismatic" for joint in arm.joints])
+    poses = np.stack([case.kinematics.pose(frame, reference) for frame in case.frames], 1)
+    end = case.kinematics.pose(case.quantity.frame, reference)[:, :3, 3]
+    fitting = [_frames_on_axis(J, poses, end, k, prismatic[k]) for k in range(len(arm.joints))]
+    if not all(fitting):
+        return []
+    found: dict[tuple[int, ...], Construction] = {}
+    for pick in (min, max):
+        index = tuple(pick(on) for on in fitting)
+        local = np.array([on[i] for i, on in zip(index, fitting, strict=True)])
+        found.setdefault(index, Construction(index, local, poses, end, prismatic))
+    return list(found.values())
+
+
+def _frames_on_axis(
+    J: np.ndarray, poses: np.ndarray, end: np.ndarray, k: int, prismatic: bool
+) -> dict[int, np.ndarray]:
+    """Return the frames k and k + 1, as far as the axis of joint k is fixed in them and passes through their origins."""
+    axis = J[:, :3, k] if prismatic else J[:, 3:, k]
+    found = {}
+    for index in (k, k + 1):
+        if index >= poses.shape[1]:
+            continue
+        local = np.einsum("nji,nj->ni", poses[:, index, :3, :3], axis)
+        through = prismatic or np.abs(np.cross(axis, end - poses[:, index, :3, 3]) - J[:, :3, k]).max() < _CLOSE
+        if through and np.ptp(local, axis=0).max() < _CLOSE:
+            found[index] = np.where(np.abs(local[0]) < _CLOSE, 0.0, local[0])
+    return found
+
+
+def axis_candidates(case: Case) -> Iterator[Candidate]:
+    """Yield Jacobians constructed with a usual slip."""
+    if case.quantity.kind != "jacobian":
+        return
+    J = case.kinematics.jacobian(case.quantity.frame, case.quantity.reference, case.arm.frames[0])
+    reaches = np.abs(J).max(axis=(0, 1)) > 0  # joints that move the frame at all
+    ways = constructions(case, J)
+    for search in (_by_formula, _by_neighbours, _by_z):
+        for way in ways:
+            for words, built in search(way):
+                yield words, case.selected(np.where(reaches, built, 0.0))
+                if not reaches.all():
+                    yield words, case.selected(built)
+    yield from _by_kind(case, J)
+
+
+def _by_formula(way: Construction) -> Iterator[Candidate]:
+    z, p, end, prismatic = way.axes(), way.origins(), way.end[:, None], way.prismatic
+    words = "the sign of the cross product is wrong: it is z × (p_n - p_i), not z × (p_i - p_n) or (p_n - p_i) × z"
+    yield words, stacked(np.cross(z, p - end), z, z, prismatic)
+    yield "z × p_i stands where z × (p_n - p_i) belongs", stacked(np.cross(z, p), z, z, prismatic)
+    words = "z × p_n stands where z × (p_n - p_i) belongs: the origin on the axis is not subtracted"
+    yield words, stacked(np.cross(z, np.broadcast_to(end, p.shape)), z, z, prismatic)
+    words = "p_n - p_i stands without its cross product with z: v is z × (p_n - p_i)"
+    yield words, stacked(end - p, z, z, prismatic)
+    if prismatic.any():
+        words = "prismatic joints are treated as revolute ones: their columns are [z; 0]"
+        yield words, stacked(np.cross(z, end - p), z, z, np.zeros_like(prismatic))
+        v = np.where(prismatic[:, None], z, np.cross(z, end - p))
+        words = "prismatic joints have no angular velocity: zeros belong in place of z"
+        yield words, stacked(v, z, z, np.zeros_like(prismatic))
+    words = "revolute joints are treated as prismatic ones: their columns are [z × (p_n - p_i); z]"
+    yield words, stacked(z, z, z, np.ones_like(prismatic))
+
+
+def _by_neighbours(way: Construction) -> Iterator[Candidate]:
+    """The axis, the origin, or both, of the frame after or before."""
+    for shift in (1, -1):
+        own, other, where = _names(way.convention, shift)
+        z, p = way.axes(shift), way.origins(shift)
+        yield f"{other} stands where {own} is the joint's axis{where}", way.jacobian(z, p)
+        yield f"{other} stands where {own} is the joint's axis{where}", way.jacobian(z, way.origins())
+        p_own, p_other = own.replace("z", "p"), other.replace("z", "p")
+        words = f"{p_other} stands where {p_own} is the origin on the joint's axis{where}"
+        yield words, way.jacobian(way.axes(), p)
+
+
+def _names(convention: str, shift: int) -> tuple[str, str, str]:
+    number = {"classic": -1, "modified": 0}.get(convention)
+    if number is None:
+        return "z_i", "z_{i+1}" if shift > 0 else "z_{i-1}", ", of the neighbouring frame"
+    names = {-2: "z_{i-2}", -1: "z_{i-1}", 0: "z_i", 1: "z_{i+1}"}
+    return names[number], names[number + shift], f" ({convention} DH)"
+
+
+def _by_z(way: Construction) -> Iterator[Candidate]:
+    """The z axis of every frame, on an arm whose joints turn about other axes of their frames."""
+    if (way.local[:, :2] == 0).all() and (way.local[:, 2] == way.local[0, 2]).all():
+        z = np.broadcast_to(way.axes()[:, :1], way.axes().shape)
+        yield "z_0 stands for the axis of every joint", way.jacobian(z, way.origins())
+        return
+    upright = Construction(way.index, np.tile([0.0, 0.0, 1.0], (len(way.index), 1)), way.poses, way.end, way.prismatic)
+    words = "z of the frame is taken for the axis of every joint; on this arm some joints have another axis, or its opposite"
+    for shift in (0, 1, -1):
+        yield words, way.jacobian(upright.axes(shift), way.origins(shift))
+
+
+def _by_kind(case: Case, J: np.ndarray) -> Iterator[Candidate]:
+    """One prismatic joint treated as a revolute one, or the other way round."""
+    end = case.kinematics.pose(case.quantity.frame, case.quantity.reference)[:, :3, 3]
+    for k, joint in enumerate(case.arm.joints):
+        if joint.kind == "revolute":
+            slid = J.copy()
+            slid[:, :3, k], slid[:, 3:, k] = J[:, 3:, k], 0
+            yield (
+                f"column {k + 1}: the revolute joint {joint.symbol} is treated as a prismatic one",
+                case.selected(slid),
+            )
+            continue
+        name, z = f"column {k + 1}: the prismatic joint {joint.symbol}", J[:, :3, k]
+        for sign in (1, -1):
+            turning = J.copy()
+            turning[:, 3:, k] = sign * z
+            yield f"{name} has no angular velocity: zeros belong in place of z", case.selected(turning)
+        for frame in case.arm.frames:
+            point = case.kinematics.pose(frame, case.quantity.reference)[:, :3, 3]
+            for sign in (1, -1):
+                turned = J.copy()
+                turned[:, :3, k], turned[:, 3:, k] = np.cross(sign * z, end - point), sign * z
+                yield f"{name} is treated as a revolute one: its column is [z; 0]", case.selected(turned)
+        still = J.copy()
+        still[:, :3, k], still[:, 3:, k] = 0, z
+        yield f"{name} is treated as a revolute one: its column is [z; 0]", case.selected(still)

@@ -1,0 +1,160 @@
+"""A wrong result, sampled: the arm's quantity and what was obtained for it at a few generic configurations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from armproof.models.arm import Arm
+from armproof.models.numeric.plant import NumericKinematics
+from armproof.verification.naming.quantities import COMPONENTS, Quantity, numbered_frames
+
+TOLERANCE = 1e-7
+Candidate = tuple[str, np.ndarray]  # what the result is in words, and the values it would have: (N, rows, columns)
+Place = tuple[str, np.ndarray]  # a block of the matrix in words, and its mask (rows, columns)
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """A mistake in words, empty where none was found; and in how many blocks it was not made, though it concerns them."""
+
+    words: str = ""
+    exceptions: int = 0
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the mistake was made in all that it concerns."""
+        return bool(self.words) and not self.exceptions
+
+    def or_better(self, other: Explanation) -> Explanation:
+        """Return the other explanation if it has fewer exceptions, else this one."""
+        return other if other.words and (not self.words or other.exceptions < self.exceptions) else self
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A quantity of an arm at N configurations.
+
+    Attributes:
+        kinematics: the plant of doubles at these configurations.
+        true, obtained: (N, rows, columns); `obtained` may have another shape.
+        partners: the plant at n more configurations, of which the k-th shares with the first the value of joint k and no
+            other; None where the result cannot be had there.
+        obtained_there: returns the result at those.
+    """
+
+    arm: Arm
+    quantity: Quantity
+    kinematics: NumericKinematics
+    true: np.ndarray
+    obtained: np.ndarray
+    partners: NumericKinematics | None = None
+    obtained_there: Callable[[], np.ndarray] | None = None
+
+    @property
+    def q(self) -> np.ndarray:
+        """The configurations, (N, n), rad and m."""
+        return self.kinematics.q
+
+    @property
+    def fits(self) -> bool:
+        """Whether the result has the shape of the quantity."""
+        return self.obtained.shape == self.true.shape
+
+    @cached_property
+    def frames(self) -> list[str]:
+        """The frames of the chain, base to tool: those with numbers, and the one that is asked for behind them."""
+        numbered = numbered_frames(self.arm)
+        return numbered if self.quantity.frame in numbered else [*numbered, self.quantity.frame]
+
+    @cached_property
+    def size(self) -> np.ndarray:
+        """The size 1 + |obtained| by which differences are scaled."""
+        return np.asarray(1 + np.abs(self.obtained))
+
+    def selected(self, whole: np.ndarray) -> np.ndarray:
+        """Return what the quantity names of a 4×4 pose, or of a 6×n Jacobian, at each configuration."""
+        quantity = self.quantity
+        if quantity.kind == "rotation":
+            whole = whole[:, :3, :3]
+        elif quantity.kind in ("origin", "difference"):
+            whole = whole[:, : 4 if quantity.homogeneous else 3, 3:]
+        elif quantity.kind == "axis":
+            column = COMPONENTS[quantity.along]
+            whole = whole[:, : 4 if quantity.homogeneous else 3, column : column + 1]
+        rows = [r - 1 for r in quantity.rows] if quantity.rows else range(whole.shape[1])
+        columns = [c - 1 for c in quantity.columns] if quantity.columns else range(whole.shape[2])
+        return np.asarray(whole[:, list(rows)][:, :, list(columns)])
+
+    def selected_columns(self, rows: np.ndarray) -> np.ndarray:
+        """Return the columns that the quantity names of rows of a Jacobian."""
+        columns = self.quantity.columns
+        return rows if columns is None else rows[:, :, [c - 1 for c in columns]]
+
+    @cached_property
+    def blocks(self) -> list[Place]:
+        """The parts of the matrix that may be wrong by themselves: rotation and origin, v and ω of each column."""
+        rows, columns = self.true.shape[1:]
+        row, column = np.indices((rows, columns))
+        if self.quantity.kind == "jacobian":
+            place = np.array(self.quantity.rows or range(1, 7))[row]
+            number = np.array(self.quantity.columns or range(1, columns + 1))[column]
+            parts = [("the linear part", place <= 3), ("the angular part", place > 3)]
+            blocks = [
+                (f"{name} of column {k}", part & (number == k)) for k in np.unique(number) for name, part in parts
+            ]
+        elif self.quantity.kind == "pose" and not self.quantity.rows:
+            blocks = [("the rotation", (row < 3) & (column < 3)), ("the origin", (row < 3) & (column == 3)),
+                      ("the last row", row == 3)]  # fmt: skip
+        else:
+            blocks = [("the matrix", np.ones((rows, columns), dtype=bool))]
+        return [(name, mask) for name, mask in blocks if mask.any()]
+
+    @cached_property
+    def wrong(self) -> list[Place]:
+        """The blocks in which the result differs from the quantity."""
+        off = (np.abs(self.true - self.obtained) > TOLERANCE * self.size).any(axis=0)
+        return [(name, mask) for name, mask in self.blocks if (off & mask).any()]
+
+    @cached_property
+    def _in_question(self) -> np.ndarray:
+        return np.any([mask for _, mask in self.wrong], axis=0)
+
+    def explained_by(self, candidates: Iterable[Candidate]) -> Explanation:
+        """Return the candidate that was obtained in every block that is wrong, with the fewest exceptions."""
+        best = Explanation()
+        place = self._in_question if self.fits else np.ones(self.obtained.shape[1:], dtype=bool)
+        first, limit = self.obtained[0][place], TOLERANCE * self.size[0][place]
+        for words, values in candidates:
+            if values.shape != self.obtained.shape or not (np.abs(values[0][place] - first) <= limit).all():
+                continue
+            if (np.abs(values - self.obtained) <= TOLERANCE * self.size)[:, place].all():
+                best = best.or_better(self._with_exceptions(words, values))
+            if best.is_whole:
+                break
+        return best
+
+    def _with_exceptions(self, words: str, values: np.ndarray) -> Explanation:
+        """Say in which blocks alone a candidate was obtained, where it would differ in others too."""
+        if not self.fits:
+            return Explanation(words)
+        differs = (np.abs(self.true - values) > TOLERANCE * self.size).any(axis=0)
+        concerned = sum(bool((differs & mask).any()) for _, mask in self.blocks)
+        wrong = [name for name, _ in self.wrong]
+        if len(wrong) >= concerned:
+            return Explanation(words)
+        return Explanation(f"{words}, in {_together(wrong)} alone", concerned - len(wrong))
+
+
+def _together(names: list[str]) -> str:
+    parts = {name.partition(" of ")[0] for name in names}
+    columns = sorted({name.rpartition(" ")[2] for name in names if " of column " in name})
+    if not columns:
+        return " and ".join(names)
+    if len(parts) == 1 and len(columns) > 1:
+        return parts.pop()
+    where = f"column {columns[0]}" if len(columns) == 1 else f"columns {', '.join(columns)}"
+    return where if len(parts) > 1 else f"{parts.pop()} of {where}"

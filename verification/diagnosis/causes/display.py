@@ -1,0 +1,60 @@
+"""The likely mistake behind a display whose matrix is wrong as a whole, found on samples as that of a function."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.diagnosis.causes.case import Case, Explanation
+from armproof.verification.diagnosis.causes.find import find_cause
+from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.naming.quantities import Quantity
+
+_MOST_TERMS = 5000  # of a printed matrix that is sampled
+_KINDS = ("pose", "rotation", "origin", "axis", "jacobian")
+
+
+def display_cause(checker: ChainChecker, outcome: Outcome) -> Explanation:
+    """Return the likely mistake behind a refuted equation; without words where none explains it."""
+    arm, quantity = checker.names.arm, _quantity(checker, outcome)
+    if arm is None or quantity is None or outcome.pair is None:
+        return Explanation()
+    printed, at, there = outcome.pair.printed, probes(arm), partners(arm)
+    if sum(len(cell.numerator) + len(cell.denominator) for row in printed.rows for cell in row) > _MOST_TERMS:
+        return Explanation()
+    try:
+        with np.errstate(all="ignore"):
+            obtained = _at(checker.exact, printed, at)
+            true = at.true(quantity)
+            if obtained.shape != true.shape or not np.isfinite(obtained).all():
+                return Explanation()
+            return find_cause(
+                Case(
+                    arm, quantity, at.numeric, true, obtained, there.numeric, lambda: _at(checker.exact, printed, there)
+                )
+            )
+    except ArmproofError:
+        return Explanation()
+
+
+def _quantity(checker: ChainChecker, outcome: Outcome) -> Quantity | None:
+    """Return the quantity of the arm, with the rows that are compared."""
+    if outcome.pair is None or outcome.true is None or outcome.sampled_only:
+        return None
+    quantity = checker.quantity_of(outcome.true.node)
+    if quantity is None or quantity.kind not in _KINDS or quantity.scalar:
+        return None
+    rows = outcome.pair.true_rows
+    return quantity if rows is None else replace(quantity, rows=tuple(row + 1 for row in rows))
+
+
+def _at(exact: ExactAlgebra, value: Matrix, at: Configurations) -> np.ndarray:
+    sampled = SampledAlgebra(exact, at.q).from_exact(value)
+    return np.moveaxis(np.array([list(row) for row in sampled.rows]), -1, 0)

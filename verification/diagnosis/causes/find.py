@@ -1,0 +1,74 @@
+"""The search for the likely mistake: the plain ones first, those that explain anything last."""
+
+from __future__ import annotations
+
+from itertools import chain
+
+from armproof.verification.diagnosis.causes.axes import axis_candidates
+from armproof.verification.diagnosis.causes.case import Case, Explanation
+from armproof.verification.diagnosis.causes.chains import chain_candidates
+from armproof.verification.diagnosis.causes.frames import constant_offset, frame_candidates
+from armproof.verification.diagnosis.causes.jacobian import jacobian_candidates, point_candidates
+from armproof.verification.diagnosis.causes.joint_variables import joint_candidates, offset_candidates
+from armproof.verification.diagnosis.causes.lengths import length_cause, lengths_cause
+from armproof.verification.diagnosis.causes.links import product_candidates, wrong_link
+from armproof.verification.diagnosis.causes.shapes import permutation_cause, shape_candidates
+
+FAR_FETCHED = 1000  # exceptions: what only bounds a mistake yields to any that names it
+
+
+def find_cause(case: Case) -> Explanation:
+    """Return the likely mistake behind a wrong result; one without words where none explains it.
+
+    A mistake explains a result if it turns the right values into those obtained, at every configuration, in each block of
+    the matrix (rotation and origin; v and ω of each column) that is wrong.
+    """
+    if case.fits and not case.obtained.any():
+        return Explanation()  # zeros are everything's special case
+    if not case.fits:
+        return case.explained_by(chain(shape_candidates(case), jacobian_candidates(case)))
+    best = Explanation()
+    for search in _OF_JACOBIANS if case.quantity.kind == "jacobian" else _OF_POSES:
+        best = best.or_better(search(case))
+        if best.is_whole:
+            return best
+    return best if best.words else _rest(case)
+
+
+def _matrix(case: Case) -> Explanation:
+    return case.explained_by(jacobian_candidates(case) if case.quantity.kind == "jacobian" else frame_candidates(case))
+
+
+def _joints(case: Case) -> Explanation:
+    return case.explained_by(joint_candidates(case))
+
+
+def _lengths(case: Case) -> Explanation:
+    return Explanation(length_cause(case))
+
+
+def _axes(case: Case) -> Explanation:
+    return case.explained_by(axis_candidates(case))
+
+
+def _products(case: Case) -> Explanation:
+    return case.explained_by(product_candidates(case))
+
+
+def _offsets(case: Case) -> Explanation:
+    return case.explained_by(chain(offset_candidates(case), point_candidates(case)))
+
+
+def _rest(case: Case) -> Explanation:
+    """Return what is less a mistake than a place: one wrong link, several lengths, a constant offset."""
+    return Explanation(
+        wrong_link(case) or lengths_cause(case) or constant_offset(case) or permutation_cause(case), FAR_FETCHED
+    )
+
+
+def _chains(case: Case) -> Explanation:
+    return case.explained_by(chain_candidates(case))
+
+
+_OF_POSES = (_matrix, _joints, _lengths, _offsets, _products)
+_OF_JACOBIANS = (_matrix, _joints, _lengths, _axes, _offsets, _chains)

@@ -1,0 +1,131 @@
+"""Generic configurations at which a slip is looked for, and the one of them that refutes an equation: a counterexample."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.values import as_scalar
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
+
+PROBES = 12
+SEED = 7
+TIE = 1e-9
+SAMPLED = 1_000  # terms that are evaluated for a counterexample: some hundredths of a second
+
+
+class Probe:
+    """A few generic configurations with round values, on the double plant."""
+
+    def __init__(self, checker: ChainChecker) -> None:
+        self.checker = checker
+        self.names = checker.names
+        self._samples: SampledAlgebra | None = None
+
+    @property
+    def samples(self) -> SampledAlgebra:
+        """The algebra of arrays over these configurations."""
+        if self._samples is None:
+            arm = self.names.arm
+            generator = np.random.default_rng(SEED)
+            columns = []
+            for joint in arm.joints if arm is not None else ():
+                low, high = (-2.6, 2.6) if joint.kind == "revolute" else (0.1, 0.9)
+                columns.append(np.round(generator.uniform(low, high, PROBES), 1))
+            q = np.array(columns).T if columns else np.zeros((PROBES, 0))
+            self._samples = SampledAlgebra(self.checker.exact, np.where(np.abs(q) < 0.05, 0.3, q), SEED)
+        return self._samples
+
+    def counterexample(self, outcome: Outcome, best: int) -> dict[str, float]:
+        """Return the values of joints, lengths and letters (rad, m) at the worst sample."""
+        assert outcome.true is not None and outcome.printed is not None
+        probe = self.samples
+        arm = self.names.arm
+        values: dict[str, float] = {}
+        depends = self._symbols_of(outcome)
+        if arm is not None and (not depends or any(joint.symbol in depends for joint in arm.joints)):
+            values = {joint.symbol: float(probe.q[best, k]) for k, joint in enumerate(arm.joints)}
+        for member in (outcome.true, outcome.printed):
+            for below in n.walk(member.node):
+                symbol = self.names.known_symbol(below.key) if isinstance(below, n.Name) else None
+                if symbol is None and isinstance(below, n.Name) and not depends and self._is_free_symbol(below):
+                    symbol = below.key
+                if symbol is not None:
+                    values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
+        for symbol in depends:  # those that a defined name brings along
+            values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
+        return values
+
+    def worst_sample(self, outcome: Outcome) -> int:
+        """Return at which of the configurations (from 0) the printed and the true value differ most: the counterexample."""
+        with np.errstate(all="ignore"):
+            try:
+                worst = self._sampled_difference(outcome, self.samples)
+            except EvaluationError:
+                worst = np.zeros(self.samples.samples)
+        if not np.isfinite(worst).any():
+            return 0
+        return int(
+            np.argmax(worst >= (1 - TIE) * np.nanmax(worst))
+        )  # of equal ones the first, however they were rounded
+
+    def _symbols_of(self, outcome: Outcome) -> list[str]:
+        """The symbols on which the wrong entries depend."""
+        pair = outcome.pair
+        if pair is None or outcome.sampled_only:
+            return []
+        ring = self.checker.exact.ring
+        parts = [
+            part
+            for row, column in outcome.wrong
+            for cell in (pair.true.rows[row][column], pair.printed.rows[row][column])
+            if isinstance(cell, Scalar)
+            for part in (cell.numerator, cell.denominator)
+        ]
+        generators = {generator for part in parts for _, generator in ring.generators_of(part)}
+        names = {name.split("/")[0] for kind, name in generators if kind in ("symbol", "cos", "sin")}
+        return sorted(name for name in names if name != "pi" and not name[:1].isdigit())
+
+    def _is_free_symbol(self, name: n.Name) -> bool:
+        return self.names.is_free(name) and name.key in self.names.used and name.key not in self.names.definitions
+
+    def _sampled_difference(self, outcome: Outcome, probe: SampledAlgebra) -> np.ndarray:
+        assert outcome.true is not None and outcome.printed is not None
+        if outcome.pair is not None and not outcome.sampled_only:
+            cells = _shortest(
+                [(outcome.pair.true.rows[r][c], outcome.pair.printed.rows[r][c]) for r, c in outcome.wrong]
+            )
+            return (
+                np.max([np.abs(probe.from_exact(a - b)) for a, b in cells], axis=0)
+                if cells
+                else np.zeros(probe.samples)
+            )
+        true, printed = (
+            as_scalar(Evaluator(self.names, probe).evaluate(m.node)) for m in (outcome.true, outcome.printed)
+        )
+        if isinstance(true, Matrix) or isinstance(printed, Matrix):
+            return np.zeros(probe.samples)
+        return np.abs(true - printed)
+
+
+def _shortest(cells: list[tuple[Scalar, Scalar]]) -> list[tuple[Scalar, Scalar]]:
+    """Return the shortest wrong entries, one at least, of at most SAMPLED terms together: any of them refutes."""
+    found: list[tuple[Scalar, Scalar]] = []
+    total = 0
+    for pair in sorted(cells, key=lambda pair: sum(map(count_terms, pair))):
+        total += sum(map(count_terms, pair))
+        if found and total > SAMPLED:
+            break
+        found.append(pair)
+    return found
+
+
+def count_terms(value: Scalar) -> int:
+    """Return how many terms a scalar is made of."""
+    return len(value.numerator) + len(value.denominator)

@@ -1,0 +1,304 @@
+"""Small changes of a formula: what a slip of the pen does to it, and what mends it again.
+
+One list serves both directions: the diagnosis looks for the change that makes a wrong entry right, and the mutation
+test makes right entries wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.writer import SWAPPED, bare_head
+
+
+@dataclass(frozen=True)
+class Edit:
+    """A changed tree and the kind of change: sign, index, function, factor, length, term, number, cell."""
+
+    node: n.Node
+    kind: str
+    words: str
+
+
+@dataclass(frozen=True)
+class Letters:
+    """What a display may draw on: the joints' indices and the lengths, each as a node in the document's letters."""
+
+    joints: tuple[int, ...] = ()
+    angles: tuple[n.Name, ...] = ()
+    lengths: tuple[n.Name, ...] = ()
+
+
+def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """Yield every tree that one small change makes of `root`, the most likely slips first."""
+    yield Edit(_negated(root), "sign", "wrong sign")
+    yield from _on_all(root, _signs)
+    yield from _on_all(root, _functions)
+    yield from _functions_throughout(root)
+    yield from _on_all(root, lambda node: _indices(node, letters))
+    yield from _on_all(root, lambda node: _names(node, letters))
+    yield from swapped_lengths(root, letters)
+    yield from _on_all(root, _dropped_factors)
+    yield from _on_all(root, _products_of_functions)
+    yield from _numbers(root)
+    yield from _squares(root, letters)
+    yield from _on_all(root, _dropped_terms)
+    yield from _added_factors(root, letters)
+
+
+def _negated(node: n.Node) -> n.Node:
+    if isinstance(node, n.Sum):
+        flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
+        return replace(node, terms=tuple((flipped[sign], term) for sign, term in node.terms), span=node.span)
+    return n.Sum((("-", node),), span=node.span)
+
+
+def _on_all(root: n.Node, rule: object) -> Iterator[Edit]:
+    for node in n.walk(root):
+        for changed, kind, words in rule(node):  # type: ignore[operator]
+            yield Edit(n.substitute(root, node, changed), kind, words)
+
+
+Change = tuple[n.Node, str, str]
+
+
+def _signs(node: n.Node) -> Iterator[Change]:
+    if not isinstance(node, n.Sum) or (len(node.terms) == 1):
+        return
+    flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
+    for k, (sign, term) in enumerate(node.terms):
+        terms = (*node.terms[:k], (flipped[sign], term), *node.terms[k + 1 :])
+        yield replace(node, terms=terms), "sign", f"wrong sign of term {k + 1}"
+
+
+def _functions(node: n.Node) -> Iterator[Change]:
+    if isinstance(node, n.Call) and node.function in ("cos", "sin"):
+        other = "sin" if node.function == "cos" else "cos"
+        words = "sine for cosine" if node.function == "sin" else "cosine for sine"
+        yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", words
+
+
+def _functions_throughout(root: n.Node) -> Iterator[Edit]:
+    """Every sine for a cosine and the other way round, where there are several."""
+    calls = [node for node in n.walk(root) if isinstance(node, n.Call) and node.function in ("cos", "sin")]
+    if len(calls) < 2:
+        return
+    exchanged = root
+    for call in calls:
+        [(changed, kind, _)] = _functions(call)
+        exchanged = n.substitute(exchanged, call, changed)
+    yield Edit(exchanged, kind, "sine and cosine are exchanged throughout")
+
+
+def _products_of_functions(node: n.Node) -> Iterator[Change]:
+    """C_1 C_2 for C_{12}, S_1 S_2 for S_{12}."""
+    if not isinstance(node, n.Product) or "×" in node.operators:
+        return
+    calls = [(k, f) for k, f in enumerate(node.factors) if isinstance(f, n.Call) and f.function in ("cos", "sin")]
+    for i, (k, one) in enumerate(calls):
+        for m, other in calls[i + 1 :]:
+            angle = _sum_of_angles(one.arguments[0], other.arguments[0])
+            if one.function != other.function or angle is None:
+                continue
+            joined = replace(one, arguments=(angle,))
+            factors = (*node.factors[:k], joined, *node.factors[k + 1 : m], *node.factors[m + 1 :])
+            operators = (*node.operators[: m - 1], *node.operators[m:])
+            grown = joined if len(factors) == 1 else replace(node, factors=factors, operators=operators)
+            name = "cosine" if one.function == "cos" else "sine"
+            yield grown, "function", f"a product of {name}s where the {name} of the sum of angles belongs"
+
+
+def _sum_of_angles(one: n.Node, other: n.Node) -> n.JointAngles | None:
+    if not (isinstance(one, n.JointAngles) and isinstance(other, n.JointAngles)):
+        return None
+    if {index for _, index in one.terms} & {index for _, index in other.terms}:
+        return None
+    return n.JointAngles(tuple(sorted((*one.terms, *other.terms), key=lambda term: term[1])))
+
+
+def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
+    if not isinstance(node, n.JointAngles):
+        return
+    present = {index for _, index in node.terms}
+    for k, (sign, index) in enumerate(node.terms):
+        rest = (*node.terms[:k], *node.terms[k + 1 :])
+        for joint in letters.joints:
+            if joint not in present:
+                terms = (*node.terms[:k], (sign, joint), *node.terms[k + 1 :])
+                yield replace(node, terms=terms), "index", f"index {index} where {joint} belongs"
+        if rest:
+            yield replace(node, terms=rest), "index", f"index {index} does not belong"
+            if k:
+                yield (
+                    replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])),
+                    "index",
+                    f"wrong sign of angle {index}",
+                )
+    for joint in letters.joints:
+        if joint not in present:
+            yield (
+                replace(node, terms=tuple(sorted((*node.terms, (1, joint)), key=lambda t: t[1]))),
+                "index",
+                f"index {joint} is missing",
+            )
+
+
+def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
+    if isinstance(node, n.Call) and node.function in ("cos", "sin"):
+        yield from _angle_sums(node, letters)
+    if not isinstance(node, n.Name):
+        return
+    for family, kind, what in ((letters.angles, "index", "angle"), (letters.lengths, "length", "length")):
+        if any(other.key == node.key for other in family):
+            for other in family:
+                if other.key != node.key:
+                    yield replace(other, span=node.span), kind, f"{what} {_show(node)} where {_show(other)} belongs"
+
+
+def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
+    """Angles written out: a term too many is the sums' affair, a missing one is added here."""
+    argument = node.arguments[0]
+    terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
+    if not all(isinstance(term, n.Name) for _, term in terms):
+        return
+    present = {term.key for _, term in terms if isinstance(term, n.Name)}
+    for angle in letters.angles:
+        if angle.key not in present:
+            longer = n.Sum((*terms, ("+", angle)), span=argument.span)
+            style = {"letter": "letter()", "macro": "macro()"}.get(node.style, node.style)
+            yield replace(node, arguments=(longer,), style=style), "index", f"angle {_show(angle)} is missing"
+
+
+def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """Two lengths, exchanged throughout."""
+    keys = [
+        length.key
+        for length in letters.lengths
+        if any(isinstance(b, n.Name) and b.key == length.key for b in n.walk(root))
+    ]
+    named = {length.key: length for length in letters.lengths}
+    for i, a in enumerate(keys):
+        for b in keys[i + 1 :]:
+            swapped = _rename(root, {a: named[b], b: named[a]})
+            yield Edit(swapped, "length", f"lengths {_show(named[a])} and {_show(named[b])} are swapped")
+
+
+def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
+    found = [below for below in n.walk(node) if isinstance(below, n.Name) and below.key in names]
+    for old in found:
+        node = n.substitute(node, old, replace(names[old.key], span=old.span))
+    return node
+
+
+def _dropped_factors(node: n.Node) -> Iterator[Change]:
+    if not isinstance(node, n.Product) or "×" in node.operators:
+        return
+    for k in range(len(node.factors)):
+        factors = (*node.factors[:k], *node.factors[k + 1 :])
+        operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
+        smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
+        yield smaller, "factor", f"the {_nth(k + 1)} factor does not belong"
+
+
+def _dropped_terms(node: n.Node) -> Iterator[Change]:
+    if not isinstance(node, n.Sum) or len(node.terms) < 2:
+        return
+    for k in range(len(node.terms)):
+        terms = (*node.terms[:k], *node.terms[k + 1 :])
+        yield replace(node, terms=terms), "term", f"the {_nth(k + 1)} term does not belong"
+
+
+def _numbers(root: n.Node) -> Iterator[Edit]:
+    """Another number, and in the place of a power a lower or a higher one."""
+    powers = [node for node in n.walk(root) if isinstance(node, n.Power) and isinstance(node.exponent, n.Number)]
+    exponents = {id(power.exponent) for power in powers}
+    for node in n.walk(root):
+        if isinstance(node, n.Number) and node.value and id(node) not in exponents:
+            for value in (node.value * 2, node.value / 2, node.value + 1):
+                yield Edit(
+                    n.substitute(root, node, n.Number(value, span=node.span)), "number", f"the number {node.text}"
+                )
+    for power in powers:
+        assert isinstance(power.exponent, n.Number)
+        higher = n.Number(power.exponent.value + 1, str(power.exponent.value + 1), span=power.exponent.span)
+        for changed in (power.base, replace(power, exponent=higher)):
+            yield Edit(n.substitute(root, power, changed), "number", "the power")
+
+
+def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """The square of a length, a sine or a cosine, where the first power stands."""
+    lengths = {length.key for length in letters.lengths}
+    for node in _formulas(root):
+        if (isinstance(node, n.Name) and node.key in lengths) or (
+            isinstance(node, n.Call) and node.function in ("cos", "sin")
+        ):
+            square = n.Power(node, n.Number(Fraction(2), "2"), span=node.span)
+            yield Edit(n.substitute(root, node, square), "number", "a square is missing")
+
+
+def _formulas(node: n.Node) -> Iterator[n.Node]:
+    """Yield the nodes that stand for values: not angles in a cosine, exponents, or what a derivative is taken by."""
+    yield node
+    if isinstance(node, n.Call) and node.function not in ("sqrt", "abs", "det", "adj", "com", "tr", "rank"):
+        return
+    if isinstance(node, n.Power | n.Postfix):
+        return  # a power of a power is no slip
+    inside = (
+        [node.inner]
+        if isinstance(node, n.At | n.Labelled)
+        else [node.operand]
+        if isinstance(node, n.Derivative)
+        else n.children(node)
+    )
+    for child in inside:
+        yield from _formulas(child)
+
+
+def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """A length or a sine or cosine, missing from one term."""
+    factors: list[tuple[n.Node, str]] = [(length, _show(length)) for length in letters.lengths]
+    style = next((b for b in n.walk(root) if isinstance(b, n.Call) and b.function in ("cos", "sin")), None)
+    if style is not None and isinstance(style.arguments[0], n.JointAngles):
+        for joint in letters.joints:
+            for function in ("cos", "sin"):
+                head = (
+                    bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
+                )
+                factors.append(
+                    (
+                        replace(style, function=function, head=head, arguments=(n.JointAngles(((1, joint),)),)),
+                        f"{function} {joint}",
+                    )
+                )
+    elif style is not None:
+        for angle in letters.angles:
+            for function in ("cos", "sin"):
+                head = (
+                    bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
+                )
+                factors.append(
+                    (replace(style, function=function, head=head, arguments=(angle,)), f"{function} of {_show(angle)}")
+                )
+    factors.append((n.Number(Fraction(2), "2"), "2"))
+    targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
+    if not isinstance(root, n.Sum):
+        targets.append(root)
+    for target in targets:
+        for factor, shown in factors:
+            before = target.factors if isinstance(target, n.Product) and "×" not in target.operators else (target,)
+            operators = target.operators if isinstance(target, n.Product) and len(before) > 1 else ()
+            grown = n.Product((factor, *before), ("", *operators), span=target.span)
+            yield Edit(n.substitute(root, target, grown), "factor", f"a factor {shown} is missing")
+
+
+def _show(name: n.Name) -> str:
+    return name.text or name.key
+
+
+def _nth(number: int) -> str:
+    """Return 1 as "first": "factor 2" would be read as the number."""
+    names = ("first", "second", "third", "fourth", "fifth", "sixth")
+    return names[number - 1] if number <= len(names) else f"{number}th"

@@ -1,0 +1,195 @@
+"""The statements of a display, one after the other: equations, relations, cases and implications."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from armproof.verification.conditions.entailment import check_implication
+from armproof.verification.conditions.implication import Implication, connectives_among, find_implication
+from armproof.verification.conditions.system import is_condition, is_rank_condition
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.general_links import GeneralStatements
+from armproof.verification.equations.given_values import Given
+from armproof.verification.equations.inequalities import check_relation
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.naming.sign_definitions import named_sign
+from armproof.verification.verdict import Verdict
+
+
+class Statements:
+    """Checks the statements of displays; one that begins with a relation goes on about the subject of the one before."""
+
+    def __init__(self, checker: ChainChecker) -> None:
+        self.checker = checker
+        self.names = checker.names
+        self.ring = checker.exact.ring
+        self.general = GeneralStatements(checker)
+        self.given = Given(checker)
+        self.subject: n.Node | None = None
+
+    def check(
+        self, statements: list[n.Statement], line: int, *, define: bool = True
+    ) -> tuple[list[Outcome], dict[str, float]]:
+        """Return the outcomes of a display's statements and, for a refuted condition, its counterexample."""
+        statements = [
+            part for statement in statements for part in _without_vanishing_end(self._resolve_subject(statement))
+        ]
+        outcomes: list[Outcome] = []
+        extra: dict[str, float] = {}
+        equation = 1
+        index = 0
+        while index < len(statements):
+            statement = statements[index]
+            self.ring.check_time()
+            if isinstance(statement, n.Connective):
+                index += 1
+                continue
+            implication = find_implication(statements, index)
+            if implication is None:
+                outcomes.extend(self._chain(statement, equation, line, define))
+                equation += len(statement.relations)
+                index += 1
+                continue
+            steps = [o for chain in implication.premises for o in self._chain(chain, equation, line, define)]
+            judged = self._implication(implication, steps, equation)
+            if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
+                outcomes.extend(steps)
+                equation += sum(len(chain.relations) for chain in implication.premises)
+                index += len(implication.premises) + connectives_among(statements, index, len(implication.premises))
+                continue
+            outcomes.append(judged[0])
+            extra.update(judged[1])
+            equation += sum(len(chain.relations) for chain in implication.chains)
+            index = implication.after
+        first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
+        if first_chain is not None and define:
+            self.subject = first_chain.members[0]
+        return outcomes, extra
+
+    def _implication(
+        self, implication: Implication, steps: list[Outcome], equation: int
+    ) -> tuple[Outcome, dict[str, float]] | None:
+        """Return the verdict of an implication and its counterexample, or None where its premises are claims themselves."""
+        premises, conclusions = implication.premises, implication.conclusions
+        judged: tuple[Outcome, dict[str, float]] | None = None
+        conditional = implication.kind == "if" or any(is_condition(chain) for chain in premises)
+        if conditional or all(is_condition(chain) for chain in conclusions):
+            judged = check_implication(self.checker, implication, equation)
+            conditional = conditional or judged[0].verdict is not Verdict.UNCHECKED
+        holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in steps)
+        holds = holds and not any(is_rank_condition(chain) for chain in premises)
+        if implication.kind != "if" and (holds or not conditional):
+            return None
+        assert judged is not None
+        return judged
+
+    def _resolve_subject(self, statement: n.Statement) -> n.Statement:
+        """A display that begins with a relation goes on about the subject of the one before."""
+        if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and self.subject is not None:
+            return replace(statement, members=(self.subject, *statement.members[1:]))
+        return statement
+
+    def _chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
+        if unclear:
+            return self._either_reading(chain, unclear, equation, line, define)
+        return self._clear_chain(chain, equation, line, define)
+
+    def _either_reading(
+        self, chain: n.Chain, unclear: list[n.Ambiguous], equation: int, line: int, define: bool
+    ) -> list[Outcome]:
+        """Take the reading of a/2b under which the equation holds; the message names the choice."""
+        chains = []
+        for k in (0, 1):
+            read = chain
+            for below in unclear:
+                read = n.substitute(read, below, below.readings[k])  # type: ignore[assignment]
+            chains.append(read)
+        tried = [self._clear_chain(read, equation, line, False) for read in chains]
+        good = [all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) for o in outcomes) for outcomes in tried]
+        chosen = 1 if good[1] and not good[0] else 0
+        outcomes = self._clear_chain(chains[chosen], equation, line, define)
+        whole = isinstance(unclear[0].readings[chosen], n.Quotient)
+        choice = (
+            "all that follows the slash taken as the denominator"
+            if whole
+            else "the slash dividing by the next factor alone"
+        )
+        note = (
+            f"'{unclear[0].text}' read with {choice}" if any(good) else f"neither reading of '{unclear[0].text}' holds"
+        )
+        for outcome in outcomes:
+            outcome.message = f"{outcome.message}; {note}" if outcome.message else note
+        return outcomes
+
+    def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        sign = named_sign(chain)
+        if sign is not None and self.names.defines_sign(sign):
+            self.names.signs.values.update({sign: 1} if define else {})
+            return [Outcome(Verdict.DEFINED, f"{sign} is a sign, either one", equation)]
+        if any(relation != "=" for relation in chain.relations):
+            return [check_relation(self.checker, chain, equation)]
+        if self.given.is_configuration(chain):
+            return [Outcome(Verdict.DEFINED, "a configuration, not a claim", equation)]
+        if any(isinstance(member, n.Cases) for member in chain.members):
+            return self._cases(chain, equation, line, define)
+        general = self.general.check(chain, equation, line, define)
+        if general is not None:
+            return general
+        outcomes = self.checker.check(chain, equation, line, define)
+        if (
+            self.names.arm is not None
+            and outcomes
+            and all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes)
+        ):
+            return self.general.identity(chain, equation, line) or outcomes
+        return outcomes
+
+    def _cases(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Check each case under its condition where that is an equation (σ_i = 0); words leave it unchecked."""
+        cases = next(member for member in chain.members if isinstance(member, n.Cases))
+        others = [member for member in chain.members if member is not cases]
+        outcomes: list[Outcome] = []
+        for value, condition in cases.branches:
+            found = re.search(
+                r"([^=]*?)=([^=]*)$", re.sub(r"\\(?:text|mathrm|textrm)\s*\{[^{}]*\}|\\q?quad", " ", condition)
+            )
+            try:
+                if found is None:
+                    raise ReadError("words")
+                at = tuple(self.names.reader.read_expression(side) for side in found.groups())
+            except ReadError:
+                return self.checker.check(chain, equation, line, define)
+            members = tuple(n.At(member, ((at[0], at[1]),), span=member.span) for member in (*others, value))
+            outcomes.extend(
+                self.checker.check(
+                    replace(chain, members=members, relations=("=",) * len(others)), equation, line, False
+                )
+            )
+        return outcomes
+
+
+def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
+    """det J = l_1 l_2 s_2 = 0 is an equation and a condition."""
+    if not isinstance(statement, n.Chain) or len(statement.members) < 3 or set(statement.relations) != {"="}:
+        return [statement]
+    *first, last = statement.members
+    if (
+        not isinstance(last, n.Number)
+        or last.value != 0
+        or any(isinstance(member, n.Number | n.Matrix) for member in first)
+    ):
+        return [statement]
+    determinant = isinstance(first[0], n.Call) and first[0].function in ("det", "abs")
+    if not determinant:
+        return [statement]
+    claim = replace(statement, members=tuple(first), relations=statement.relations[:-1])
+    return [claim, replace(statement, members=(first[0], last), relations=("=",))]
+
+
+def _is_condition(outcome: Outcome) -> bool:
+    return outcome.verdict is Verdict.DEFINED and ("condition" in outcome.message or "configuration" in outcome.message)

@@ -1,0 +1,210 @@
+"""Bring a printed value and the true one to one shape, and find the entries in which they differ."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from armproof.verification.algebra.matrix import Matrix, column
+from armproof.verification.algebra.protocol import Algebra, Value
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.values import Identity, as_scalar, identity, is_zero
+from armproof.verification.errors import EvaluationError, ShapeError
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A true and a printed value of one shape; `note` says what was taken for granted to bring them there.
+
+    `rows` and `columns` lead from the pair's entries back to the printed matrix.
+    """
+
+    true: Matrix
+    printed: Matrix
+    note: str = ""
+    is_scalar: bool = False
+    true_rows: tuple[int, ...] | None = None
+
+
+ROTATION = "the rotation"
+HOMOGENEOUS = "homogeneous coordinates"
+
+
+class ShapeMismatch(ShapeError):
+    """The printed value has another size than the true one."""
+
+
+def align(true: Value, printed: Value, algebra: Algebra) -> Iterator[Pair]:
+    """Yield the readings under which the two can be compared, the plainest first; raises ShapeMismatch if none."""
+    true, printed = _plain(true, printed, algebra)
+    if not isinstance(true, Matrix) and not isinstance(printed, Matrix):
+        yield Pair(Matrix(((true,),)), Matrix(((printed,),)), is_scalar=True)
+        return
+    if not isinstance(true, Matrix) or not isinstance(printed, Matrix):
+        matrix, scalar = (true, printed) if isinstance(true, Matrix) else (printed, true)
+        if not is_zero(scalar):
+            sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed, true)]
+            raise ShapeMismatch(f"the printed value is {sizes[0]}, it should be {sizes[1]}")
+        zeros = matrix.map(lambda cell: scalar)
+        yield Pair(matrix, zeros) if isinstance(true, Matrix) else Pair(zeros, matrix)
+        return
+    if true.shape == printed.shape:
+        yield Pair(true, printed)
+        return
+    found = False
+    for pair in _reshaped(true, printed):
+        found = True
+        yield pair
+    if not found:
+        raise ShapeMismatch(f"the printed matrix is {printed.size}, it should be {true.size}")
+
+
+def _plain(true: Value, printed: Value, algebra: Algebra) -> tuple[Value, Value]:
+    def plain(value: Value, other: Value) -> Value:
+        if isinstance(value, Identity):
+            if isinstance(other, Matrix):
+                return identity(algebra, other.shape[0], value.scale)
+            raise ShapeMismatch("an identity matrix stands where a scalar is expected")
+        if isinstance(value, list):
+            other_is_row = isinstance(other, Matrix) and other.shape[0] == 1
+            if any(isinstance(cell, Matrix | Identity | list) for cell in value):
+                raise EvaluationError("a list of matrices cannot be compared")
+            return Matrix((tuple(value),)) if other_is_row else column(value)
+        return as_scalar(value)
+
+    return plain(true, printed), plain(printed, true)
+
+
+def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
+    (m, k), (r, c) = true.shape, printed.shape
+    if (m, k) == (c, r) and 1 in (m, k) and r == 1:  # a vector printed as a row
+        yield Pair(true.transpose, printed, "the vector is printed as a row")
+    if (m, k, r, c) == (3, 1, 4, 1):  # homogeneous coordinates of a point or a direction
+        last = printed.rows[3][0]
+        if _is_constant(last, 1) or _is_constant(last, 0):
+            yield Pair(Matrix((*true.rows, (last,))), printed, HOMOGENEOUS)
+    if (m, k, r, c) == (4, 1, 3, 1) and (_is_constant(true.rows[3][0], 1) or _is_constant(true.rows[3][0], 0)):
+        yield Pair(true.block(range(3), [0]), printed)
+    if (m, k) == (4, 4):
+        if (r, c) == (3, 4):
+            yield Pair(true.block(range(3), range(4)), printed, "the rows above 0 0 0 1")
+        if (r, c) == (3, 3):
+            if all(is_zero(true.rows[i][3]) for i in range(3)):
+                yield Pair(true.block(range(3), range(3)), printed, ROTATION)
+            elif _is_planar(true):
+                yield Pair(
+                    true.block([0, 1, 3], [0, 1, 3]), printed, "the planar transform, without its z row and column"
+                )
+    if (m, k, r, c) == (3, 3, 2, 2) and _is_constant(true.rows[2][2], 1) and _is_planar_rotation(true):
+        yield Pair(true.block([0, 1], [0, 1]), printed, "the planar rotation, without its z row and column")
+    if (m, k, r, c) == (3, 3, 4, 4) and _is_constant(printed.rows[3][3], 1):
+        zero = printed.rows[3][3] * 0
+        padded = (*((*row, zero) for row in true.rows), (zero, zero, zero, zero + 1))
+        yield Pair(Matrix(padded), printed, ROTATION)
+    if m == 6 and c == k and r < 6:
+        for rows in _jacobian_rows(true, r):
+            note = f"rows {', '.join(str(i + 1) for i in rows)} of the geometric Jacobian"
+            yield Pair(true.block(rows, range(k)), printed, note, true_rows=rows)
+    if (m, k) == (3, 1) and (r, c) in ((2, 1), (1, 2)) and is_zero(true.rows[2][0]):
+        yield Pair(true.block([0, 1], [0]), printed if c == 1 else printed.transpose, "the plane's two components")
+    if m == 3 and r == 2 and k == c and k > 1 and all(is_zero(cell) for cell in true.rows[2]):
+        yield Pair(true.block([0, 1], range(k)), printed, "the plane's two rows")
+
+
+def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
+    """The rows a shorter Jacobian is likely to hold: linear, then those that are not zero, then planar, angular."""
+    tried: list[tuple[int, ...]] = []
+    nonzero = tuple(i for i in range(6) if not all(is_zero(cell) for cell in true.rows[i]))
+    candidates: list[tuple[int, ...]] = [tuple(range(count))] if count <= 3 else []
+    candidates.append(nonzero)
+    if count == 3:
+        candidates += [(0, 1, 5), (3, 4, 5)]
+    if count == 2:  # motion in the plane x, z or y, z
+        candidates += [(i, 2) for i in (0, 1) if 1 - i not in nonzero]
+    if count == 1:
+        candidates += [(5,)]
+    for rows in candidates:
+        if len(rows) == count and rows not in tried:
+            tried.append(rows)
+            yield rows
+
+
+def square_rows(true: Matrix) -> tuple[int, ...] | None:
+    """Return the rows (from 0) that make a Jacobian square and hold no row of zeros, or None."""
+    for rows in _jacobian_rows(true, true.shape[1]):
+        if not any(all(is_zero(cell) for cell in true.rows[row]) for row in rows):
+            return rows
+    return None
+
+
+def _is_planar(true: Matrix) -> bool:
+    return _is_planar_rotation(true) and is_zero(true.rows[2][3])
+
+
+def _is_planar_rotation(true: Matrix) -> bool:
+    return all(is_zero(true.rows[2][k]) and is_zero(true.rows[k][2]) for k in (0, 1))
+
+
+def _is_constant(value: Any, number: int) -> bool:
+    return is_zero(value - number) if isinstance(value, Scalar) else bool(np.all(value == number))
+
+
+def exactly_equal(a: Scalar, b: Scalar) -> bool:
+    """Decide a = b by normal form; angles of arc functions are compared modulo whole turns."""
+    difference = a - b
+    if difference.is_zero():
+        return True
+    ring = a.ring
+    if not (ring.has_arcs(a) or ring.has_arcs(b)):
+        return False
+    try:
+        cosine, sine = ring.cos_sin(difference)
+    except EvaluationError:
+        return False
+    return (cosine - 1).is_zero() and sine.is_zero()
+
+
+def equal_matrices(a: Matrix, b: Matrix) -> bool:
+    """Decide whether two matrices of one size are equal, entry by entry."""
+    return a.shape == b.shape and all(
+        isinstance(y, Scalar) and exactly_equal(x, y)
+        for row, other in zip(a.rows, b.rows, strict=True)
+        for x, y in zip(row, other, strict=True)
+    )
+
+
+def different_entries(pair: Pair, equal: Callable[[Any, Any], bool]) -> list[tuple[int, int]]:
+    """Return the places (from 0) of the entries that differ."""
+    return [
+        (r, c)
+        for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True))
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True))
+        if not equal(a, b)
+    ]
+
+
+def angle_places(pair: Pair) -> set[tuple[int, int]]:
+    """Return the places (from 0) whose exact values hold an arc function: angles, equal up to whole turns."""
+    return {
+        (r, c)
+        for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True))
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True))
+        if a.ring.has_arcs(a) or b.ring.has_arcs(b)
+    }
+
+
+def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c: False) -> np.ndarray:
+    """Return |printed − true| of sampled values as an array (rows, columns, samples); up to whole turns for `angles`."""
+    stacked = []
+    for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True)):
+        cells = []
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
+            error = np.abs(a - b)
+            if angles(r, c):
+                error = np.minimum(error, np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi))
+            cells.append(error)
+        stacked.append(cells)
+    return np.array(stacked)

@@ -1,0 +1,105 @@
+"""The verdict of one chain of equations: which member is true, which names are defined, which entries are wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.equations.definitions import Definitions
+from armproof.verification.equations.equality import Equality
+from armproof.verification.equations.new_letters import adopts_letters, keys_alone, new_letters, new_name, renew_letter
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.readings import Readings
+from armproof.verification.equations.second_route import SecondRoute
+from armproof.verification.equations.sides import Member, Members
+from armproof.verification.errors import UnboundName
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import Quantity
+from armproof.verification.naming.trees import bare_key, has_branches
+
+
+class ChainChecker:
+    """Checks chains of `=` under the bindings of a document."""
+
+    def __init__(self, names: Names, exact: ExactAlgebra, sampled: Callable[[], SampledAlgebra]) -> None:
+        self.names = names
+        self.exact = exact
+        self.sampled = sampled
+        self.members = Members(names, exact, sampled)
+        self.route = SecondRoute(self.members)
+        self.equality = Equality(self.members, self.route)
+        self.readings = Readings(self.equality)
+
+    @property
+    def confirm(self) -> bool:
+        """Whether what is proved is also evaluated on the double plant."""
+        return self.route.enabled
+
+    @confirm.setter
+    def confirm(self, enabled: bool) -> None:
+        self.route.enabled = enabled
+
+    def member(self, node: n.Node) -> Member:
+        """Evaluate one side exactly."""
+        return self.members.evaluate(node)
+
+    def sampled_value(self, node: n.Node) -> Value:
+        """Return a tree's value on the samples of the double plant."""
+        return self.members.sampled_value(node)
+
+    def quantity_of(self, node: n.Node) -> Quantity | None:
+        """Return the arm's quantity that a name, with or without arguments, stands for."""
+        return self.members.quantity_of(node)
+
+    def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
+        """Return one outcome an equation, numbered from `first_equation`."""
+        self.names.signs.read.clear()
+        if define:
+            renew_letter(self.equality, chain)
+        self.readings.choose_square_rows(chain)
+        new = new_name(self.names, chain)
+        fresh = new_letters(self.names, chain)
+        members = [
+            Member(node, None, UnboundName(new))
+            if new is not None and bare_key(node) == new
+            else self.members.evaluate(node)
+            for node in chain.members
+        ]
+        branches = has_branches(chain) or bool(self.names.signs.read)
+        if fresh and len(members) > 1 and all(member.known for member in members):
+            members = [
+                Member(m.node, None, UnboundName(min(fresh))) if fresh & keys_alone(m.node) else m for m in members
+            ]
+        else:
+            fresh = frozenset()
+        definitions = Definitions(self.readings, line, define, fresh)
+        known = [member for member in members if member.known]
+        if not known:
+            if define and adopts_letters(self.members, members):
+                return self.check(chain, first_equation, line, define)
+            return definitions.nothing_known(members, first_equation)
+        members = [self.readings.part(member, known) for member in members]
+        if define:
+            members = [self.readings.own_angle(member, members) for member in members]
+        known = [member for member in members if member.known]
+        true = max(known, key=lambda member: member.rank)  # the first of the highest
+        outcomes: list[Outcome] = []
+        for index, member in enumerate(members):
+            if member is true:
+                continue
+            equation = first_equation + max(0, index - 1)
+            if member.known:
+                outcomes.append(self.equality.compare(true, member, equation, branches))
+            else:
+                outcomes.append(definitions.define(true, member, equation))
+        if any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes):
+            outcomes = (
+                self.readings.with_fewer_rows(chain, lambda read: self.check(read, first_equation, line, define))
+                or outcomes
+            )
+            outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
+        outcomes.extend(definitions.labels(chain, first_equation))
+        return outcomes

@@ -1,0 +1,82 @@
+"""Equations between printed decimals: true to the digits shown, or at the configuration that a display gave."""
+
+from __future__ import annotations
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.equations.alignment import Pair
+from armproof.verification.equations.branches import holds_on
+from armproof.verification.equations.numeric_matrices import (
+    FEW,
+    coarsest_decimals,
+    compare_numbers,
+    depends_on_joints,
+    finest_decimals,
+    is_numeric,
+)
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.second_route import SecondRoute
+from armproof.verification.equations.sides import Member, Members
+from armproof.verification.verdict import Verdict
+
+
+def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:
+    """Confirm an equation whose numbers are rounded (1.501 for √(1.5² + 0.054²)) to the decimals they are printed with."""
+    assert outcome.true is not None and outcome.printed is not None
+    decimals = coarsest_decimals((outcome.true.node, outcome.printed.node), route.names.rounded)
+    if decimals is None or not _leaves_rounding(outcome, decimals):
+        return False
+    errors = route.sampled_errors(outcome, branches)
+    if errors is None:
+        return False
+    scaled, finite = errors
+    tolerance = 0.45 * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
+    holding = (scaled <= tolerance).all(axis=(0, 1)) & finite
+    left = min(outcome.true.node, outcome.printed.node, key=lambda node: node.span)
+    everywhere = holding.sum() == finite.sum() >= 10
+    if not everywhere and not (
+        route.is_solved_for(left) and holds_on(scaled, finite & route.sampled().random, tolerance)
+    ):
+        return False
+    outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
+    outcome.samples, outcome.max_error = int(holding.sum()), float(scaled[..., holding].max())
+    branch = "" if everywhere else ", on one branch of its arc functions"
+    outcome.message = f"to the {decimals} decimals printed{branch}"
+    return True
+
+
+def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
+    """Whether a wrong entry may be wrong by rounding: 0.334 for 0.333 is not, the decimals printed hold 0.333 exactly."""
+    assert outcome.true is not None and outcome.printed is not None
+    if outcome.pair is None:
+        return True
+    decimals = max(decimals, finest_decimals((outcome.true.node, outcome.printed.node)))
+    true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
+    for difference in (true[r][c] - printed[r][c] for r, c in outcome.wrong):
+        roots = any(kind == "sqrt" for powers, _ in difference.ring.terms(difference.numerator) for kind, _ in powers)
+        if roots or not difference.denominator.is_one() or difference.ring.leaves_open(difference):
+            continue
+        if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):
+            return False
+    return True
+
+
+def at_a_configuration(members: Members, true: Member, printed: Member, outcome: Outcome) -> Outcome | None:
+    """A numeric matrix equated to a pose that moves is that pose at the configuration the document gave last."""
+    arm = members.names.arm
+    if arm is None or true.rank != 4 or not is_numeric(printed.node) or not isinstance(true.value, Matrix):
+        return None
+    if not isinstance(printed.value, Matrix) or true.value.shape != printed.value.shape:
+        return None
+    if not depends_on_joints(true.value, {joint.symbol for joint in arm.joints}):
+        return None
+    found = compare_numbers(true.value, printed.value, printed.node, members.sampled(), members.names.configuration)
+    outcome.pair = Pair(true.value, printed.value)
+    if found.wrong and len(found.wrong) <= FEW:
+        outcome.wrong, outcome.message, outcome.sampled_only = found.wrong, "at the configuration given before", True
+    elif found.wrong or found.open:
+        outcome.verdict = Verdict.UNCHECKED
+        outcome.message = "numbers at a configuration, or for lengths, that no display before states"
+    else:
+        outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, found.largest
+        outcome.message = "to the decimals printed, at the configuration given before"
+    return outcome

@@ -1,0 +1,169 @@
+"""Names that get a meaning from the display they stand in: alone, entry by entry, under a brace."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import OutsideAlgebra, Value
+from armproof.verification.equations.alignment import Pair
+from armproof.verification.equations.numeric_matrices import coarsest_decimals
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.readings import Readings
+from armproof.verification.equations.sides import Member
+from armproof.verification.errors import EvaluationError, NoValue, UnboundName
+from armproof.verification.evaluation.blocks import partition
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.trees import bare_key, has_branches, has_dots, squared_name
+from armproof.verification.verdict import Verdict
+
+
+class Definitions:
+    """Gives unbound names their meaning in one chain.
+
+    Args:
+        readings: how else a member may be read.
+        line: where the display stands.
+        defines: whether the names are to keep their meaning after the display.
+        fresh: the new letters of a matrix that the chain defines.
+    """
+
+    def __init__(self, readings: Readings, line: int, defines: bool, fresh: frozenset[str]) -> None:
+        self.readings = readings
+        self.equality = readings.equality
+        self.members = readings.members
+        self.route = readings.equality.route
+        self.names = readings.names
+        self.line = line
+        self.defines = defines
+        self.fresh = fresh
+
+    def define(self, true: Member, member: Member, equation: int) -> Outcome:
+        """Give the unbound names of a member their meaning by what is known, or say what is not bound."""
+        if isinstance(member.problem, OutsideAlgebra):
+            return self.route.confirm_only(
+                true.node, member.node, equation, has_branches(member.node), f"{member.problem} is not exact"
+            )
+        if isinstance(member.problem, NoValue):
+            located = self._define_entries(true, member, equation, False)
+            if located is not None and located.verdict is Verdict.REFUTED:
+                return replace(located, message=str(member.problem))
+            return Outcome(Verdict.REFUTED, str(member.problem), equation, true, member)
+        if has_dots(member.node):
+            return Outcome(
+                Verdict.DEFINED, "an ellipsis stands for terms: a pattern, not a claim", equation, true, member
+            )
+        if isinstance(member.problem, UnboundName):
+            key = bare_key(member.node)
+            if key is not None:
+                if self.defines:
+                    self.names.define(key, self.members.meaning(true.node), self.line)
+                    if (decimals := coarsest_decimals((true.node,), self.names.rounded)) is not None:
+                        self.names.rounded[key] = decimals
+                    if isinstance(member.node, n.Name):
+                        self.names.add_frame(member.node)
+                return Outcome(Verdict.DEFINED, f"gives {key} its meaning", equation, true, member, defines=(key,))
+            if (root := squared_name(member.node)) is not None:
+                if self.defines:
+                    square_root = n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)
+                    self.names.define(root, self.members.meaning(square_root), self.line)
+                return Outcome(Verdict.DEFINED, f"gives {root} its meaning", equation, true, member, defines=(root,))
+            pattern = self._define_entries(true, member, equation, self.defines)
+            if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
+                return pattern
+            slip = self.readings.slipped_index(true, member, equation)
+            if slip is not None or pattern is not None:
+                return slip or pattern  # type: ignore[return-value]
+        return Outcome(Verdict.UNCHECKED, str(member.problem), equation, true, member)
+
+    def _define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
+        """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
+        node = n.ungrouped(member.node)
+        transposed = isinstance(node, n.Postfix) and node.operator == "T"
+        if isinstance(node, n.Postfix) and transposed:
+            node = node.base
+        if isinstance(node, n.Sequence):
+            node = n.Matrix((node.items,) if transposed else tuple((i,) for i in node.items), span=node.span)
+        if not isinstance(node, n.Matrix):
+            return None
+        rows = tuple(zip(*node.rows, strict=False)) if transposed else node.rows
+        value = true.value
+        blocks = partition(rows, value.shape) if isinstance(value, Matrix) else None
+        if not isinstance(value, Matrix) or blocks is None:
+            return None
+        first: dict[str, Value] = {}  # what a name is where it stands first
+        wrong: list[tuple[int, int]] = []
+        unknown: EvaluationError | None = None
+        for block in blocks:
+            cell, key = self.members.evaluate(block.cell), bare_key(block.cell)
+            if key in self.fresh:
+                cell = Member(block.cell, None, UnboundName(str(key)))
+            if cell.known:
+                if not self.equality.equals_block(block.of(value), cell.value):
+                    wrong.append((block.row, block.column))
+            elif isinstance(cell.problem, NoValue):
+                wrong.append((block.row, block.column))
+            elif key is None or not isinstance(cell.problem, UnboundName):
+                unknown = cell.problem
+            elif key in first:
+                if not self.equality.equals_block(first[key], block.of(value)):
+                    wrong.append((block.row, block.column))
+            else:
+                first[key] = block.of(value)
+                if defines:
+                    self.names.define(key, self.members.meaning(true.node, block), self.line, by_place=True)
+        if wrong:
+            pair = Pair(value, value) if len(blocks) == len(value.rows) * len(value.rows[0]) else None
+            return Outcome(Verdict.REFUTED, "" if pair else "a block differs", equation, true, member, pair, wrong)
+        if unknown is not None:
+            return Outcome(Verdict.UNCHECKED, str(unknown), equation, true, member)
+        return Outcome(
+            Verdict.DEFINED, f"gives {', '.join(first)} their meaning", equation, true, member, defines=tuple(first)
+        )
+
+    def labels(self, chain: n.Chain, first_equation: int) -> list[Outcome]:
+        """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim."""
+        outcomes: list[Outcome] = []
+        for index, member in enumerate(chain.members):
+            for below in n.walk(member):
+                if not isinstance(below, n.Labelled) or below.label is None:
+                    continue
+                label, inner = self.members.evaluate(below.label), self.members.evaluate(below.inner)
+                key = bare_key(below.label)
+                if label.known and inner.known:
+                    outcomes.append(self.equality.compare(label, inner, first_equation + max(0, index - 1), False))
+                elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
+                    self.names.define(key, self.members.meaning(below.inner), self.line)
+        return outcomes
+
+    def nothing_known(self, members: list[Member], equation: int) -> list[Outcome]:
+        """Nothing has a value: a bare new name on one side is a definition in words or symbols, else unchecked."""
+        if any(has_dots(m.node) for m in members):
+            return [Outcome(Verdict.DEFINED, "an ellipsis stands for terms: a pattern, not a claim", equation)]
+        outside = [m for m in members if isinstance(m.problem, OutsideAlgebra)]
+        if len(outside) >= 2 and len(outside) == len(members):
+            first, *others = outside
+            return [
+                self.route.confirm_only(
+                    first.node, m.node, equation + k, has_branches(m.node), f"{m.problem} is not exact"
+                )
+                for k, m in enumerate(others)
+            ]
+        shape = next((m.problem for m in members if isinstance(m.problem, NoValue)), None)
+        if shape is not None:
+            return [Outcome(Verdict.REFUTED, str(shape), equation)]
+        if len(members) == 1:
+            return [Outcome(Verdict.DEFINED, "states no equation", equation)]
+        bare = next(
+            (key for m in members if (key := bare_key(m.node)) is not None and isinstance(m.problem, UnboundName)), None
+        )
+        unbound = next(
+            (m.problem for m in members if isinstance(m.problem, UnboundName) and m.problem.name != bare), None
+        )
+        other = next(
+            (m.problem for m in members if m.problem is not None and not isinstance(m.problem, UnboundName)), None
+        )
+        if bare is not None and other is None:
+            return [Outcome(Verdict.DEFINED, f"gives {bare} its meaning in terms of names without a value", equation + k)
+                    for k in range(len(members) - 1)]  # fmt: skip
+        return [Outcome(Verdict.UNCHECKED, str(other or unbound), equation)]

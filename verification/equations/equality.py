@@ -1,0 +1,185 @@
+"""Whether two members of a chain are equal, and in which entries they differ."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import prod
+from typing import Any
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.values import Identity
+from armproof.verification.equations.alignment import (
+    HOMOGENEOUS,
+    ROTATION,
+    Pair,
+    ShapeMismatch,
+    align,
+    different_entries,
+    exactly_equal,
+)
+from armproof.verification.equations.decimals import at_a_configuration, holds_to_its_decimals
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.second_route import SecondRoute
+from armproof.verification.equations.sides import Member, Members
+from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.evaluation.blocks import partition
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.jacobian_parts import jacobian_name
+from armproof.verification.verdict import Verdict
+
+# What a proof says that takes θ_2 for the angle of the table, θ_2 − π/2, and not for the joint variable.
+TABLE_ANGLES = "with the joint angles read as those of the DH table, offsets included"
+
+
+class Equality:
+    """Compares a member with the true one: exactly, then by what decimals, table angles and samples allow."""
+
+    def __init__(self, members: Members, route: SecondRoute) -> None:
+        self.members = members
+        self.route = route
+        self.names = members.names
+        self.exact = members.exact
+
+    def compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
+        """Return whether a printed member equals the true one, and where it does not."""
+        outcome = Outcome(Verdict.REFUTED, "", equation, true, printed)
+        if (numbers := at_a_configuration(self.members, true, printed, outcome)) is not None:
+            return numbers
+        try:
+            pairs = list(align(true.value, printed.value, self.exact))
+        except ShapeMismatch as mismatch:
+            outcome.message = str(mismatch)
+            return self._compare_blocks(true, printed, outcome)
+        except EvaluationError as problem:
+            return replace(outcome, verdict=Verdict.UNCHECKED, message=str(problem))
+        pairs = [self._with_last_coordinate(true.node, pair) for pair in pairs]
+        best: tuple[Pair, list[tuple[int, int]]] | None = None
+        if true.rank < 4:  # only a quantity of the arm may be met in another shape
+            rotations = _is_made_of_rotations(true.node)
+            pairs = [pair for pair in pairs if not pair.note or (rotations and pair.note == ROTATION)]
+            if not pairs:
+                sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
+                outcome.message = f"the printed matrix is {sizes[0]}, it should be {sizes[1]}"
+                return outcome
+        for pair in pairs:
+            if branches:
+                wrong = self._wrong_in_branches(true.node, printed.node, pair)
+            else:
+                wrong = different_entries(pair, exactly_equal)
+            if not wrong:
+                outcome.verdict, outcome.pair, outcome.message = Verdict.PROVED, pair, pair.note
+                if pair.true_rows is not None and (name := jacobian_name(true.node, self.names)) is not None:
+                    self.names.shown[name.key] = tuple(row + 1 for row in pair.true_rows)
+                return self.route.confirm(outcome, branches)
+            if best is None or len(wrong) < len(best[1]):
+                best = (pair, wrong)
+        assert best is not None
+        outcome.pair, outcome.wrong = best
+        outcome.message = best[0].note
+        if self._holds_of_table_angles(outcome):
+            outcome.verdict, outcome.wrong = Verdict.PROVED, []
+            outcome.message = TABLE_ANGLES
+            return outcome
+        if holds_to_its_decimals(self.route, outcome, branches):
+            return outcome
+        return self.route.doubt(outcome, branches)
+
+    def equals_block(self, true: Value, printed: Value) -> bool:
+        """Whether a block of a matrix has the value printed for it."""
+        try:
+            return any(
+                not pair.note and not different_entries(pair, exactly_equal)
+                for pair in align(true, printed, self.exact)
+            )
+        except EvaluationError:
+            return False
+
+    def _compare_blocks(self, true: Member, printed: Member, outcome: Outcome) -> Outcome:
+        """A printed matrix of blocks in which a 0 stands for a block of zeros: [z_2; 0] is 6×1."""
+        node = printed.node
+        if not isinstance(node, n.Matrix) or not isinstance(true.value, Matrix):
+            return outcome
+        blocks = partition(node.rows, true.value.shape)
+        if blocks is None or len(blocks) < 2:
+            return outcome
+        cells = [(block, self.members.evaluate(block.cell)) for block in blocks]
+        if not all(
+            cell.known and (isinstance(cell.value, Matrix | Identity) or _is_zero(cell.value)) for _, cell in cells
+        ):
+            return outcome
+        outcome.wrong = [
+            (block.row, block.column)
+            for block, cell in cells
+            if not self.equals_block(block.of(true.value), cell.value)
+        ]
+        outcome.message = "a block differs" if outcome.wrong else ""
+        outcome.verdict = Verdict.REFUTED if outcome.wrong else Verdict.PROVED
+        return outcome
+
+    def _with_last_coordinate(self, node: n.Node, pair: Pair) -> Pair:
+        """The fourth coordinate is 1 of a point, 0 of a direction or a difference of points."""
+        quantity = self.members.quantity_of(node)
+        if pair.note != HOMOGENEOUS or quantity is None or quantity.kind not in ("origin", "axis", "difference"):
+            return pair
+        last = self.exact.ring.one if quantity.kind == "origin" else self.exact.ring.zero
+        return replace(pair, true=Matrix((*pair.true.rows[:3], (last,))))
+
+    def _holds_of_table_angles(self, outcome: Outcome) -> bool:
+        """Whether the equation holds where θ_i means the table's angle and not the variable it is offset from."""
+        arm = self.names.arm
+        assert outcome.pair is not None and outcome.true is not None
+        if arm is None or arm.dh is None or outcome.true.rank < 3 or self.members.is_symbol(outcome.true.node):
+            return False
+        pi, rational = self.exact.pi(), self.exact.rational
+        shifts = {
+            row.joint: (self.exact.symbol(row.joint) - pi * rational(row.theta.pi) - rational(row.theta.number))
+            * row.sign
+            for row in arm.dh.rows
+            if row.kind == "revolute" and (row.theta.pi or row.theta.number)
+        }
+        if not shifts:
+            return False
+        shifted = self.exact.substitute(outcome.pair.true, shifts)
+        return not different_entries(replace(outcome.pair, true=shifted), exactly_equal)
+
+    def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
+        """With ±, an entry is right when the product of its differences over the branches vanishes."""
+        differences = []
+        for branch in self.names.signs.branches():
+            one = Evaluator(self.names, self.exact, branch)
+            differences.append(next(align(one.evaluate(true), one.evaluate(printed), self.exact)))
+        wrong = []
+        for r, row in enumerate(pair.true.rows):
+            for c in range(len(row)):
+                factors = [_distance(p.true.rows[r][c], p.printed.rows[r][c]) for p in differences]
+                if not prod(factors).is_zero():
+                    wrong.append((r, c))
+        return wrong
+
+
+def _distance(a: Any, b: Any) -> Any:
+    """A scalar that vanishes where two agree: the difference, or 1 − cos of it for angles."""
+    difference = a - b
+    ring = difference.ring
+    if ring.has_arcs(a) or ring.has_arcs(b):
+        try:
+            return 1 - ring.cos_sin(difference)[0]
+        except TooComplex:
+            raise
+        except EvaluationError:  # no angle: a product with an arc function, a sum of one and a length
+            return difference
+    return difference
+
+
+def _is_made_of_rotations(node: n.Node) -> bool:
+    """Whether a tree is an elementary rotation or a product of such: 3×3 or 4×4, as the document prints it."""
+    calls = [below for below in n.walk(node) if isinstance(below, n.Call) and below.function in ("Rot", "Rot3")]
+    factors = node.factors if isinstance(node, n.Product) else (node,)
+    return bool(calls) and all(factor in calls for factor in factors)
+
+
+def _is_zero(value: Value) -> bool:
+    return isinstance(value, Scalar) and value.is_zero()

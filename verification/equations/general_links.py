@@ -1,0 +1,171 @@
+"""General statements: the link matrix with index i, in the classic and the modified convention."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.equations.alignment import align, different_entries, exactly_equal
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import EvaluationError
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import Quantity
+from armproof.verification.naming.trees import bare
+from armproof.verification.verdict import Verdict
+
+PAIRS = {("i-1", "i"): False, ("i", "i-1"): True}
+MIXED = 9  # as many where indices of both conventions are mixed, which is nobody's own definition
+NEARLY = 6  # a matrix with at most so many wrong entries is meant to be that link matrix
+
+
+ELEMENTARY = ("Rot", "Rot3", "Trans")
+ANGLES = frozenset(["theta", "alpha", "beta", "gamma", "phi", "psi", "q", "pi"])
+LENGTHS = frozenset(["a", "d", "l", "b", "r"])
+
+
+def _letters(node: n.Node) -> frozenset[tuple[str, str]]:
+    """The names of a tree but for π and the axes of elementary matrices."""
+    axes = {id(b.arguments[0]) for b in n.walk(node) if isinstance(b, n.Call) and b.function in ELEMENTARY}
+    names = (below for below in n.walk(node) if isinstance(below, n.Name) and id(below) not in axes)
+    return frozenset((name.base, name.sub) for name in names if name.key != "pi")
+
+
+class GeneralStatements:
+    """Checks chains about `{}^{i-1}T_i` and its inverse, whose index i stands for any link.
+
+    α, a, d, θ are free symbols there, whatever arm the document is about. A convention named in the front matter
+    ({link: classic} or {link: modified}) decides; else the indices do: a_{i-1}, α_{i-1} belong to the modified
+    convention, a_i, α_i to the classic one.
+    """
+
+    def __init__(self, checker: ChainChecker) -> None:
+        self.checker = checker
+        names = checker.names
+        general = Names(None, names.symbols, names.quantities, names.transforms, names.definitions, names.reader)
+        self._general = ChainChecker(general, replace_arm(checker), checker.sampled)
+
+    def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
+        """Return the outcomes if the chain is about the general link matrix, else None."""
+        heads = [self._link_pair(member) for member in chain.members]
+        if not any(heads) or any(
+            m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)
+        ):
+            return None
+        self._general.confirm = self.checker.confirm
+        named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
+        # letters of both conventions: the one that is nearer is meant
+        readings = [(convention, self._members(chain, heads, convention)) for convention in self._conventions(chain)]
+        if not readings:
+            return None
+        counts = [self._wrong_entries(*members) for _, members in readings]
+        wrong, (convention, (_, members)) = min(zip(counts, readings, strict=True), key=lambda pair: pair[0])
+        bound = MIXED if len(readings) > 1 else NEARLY
+        if not named and wrong > (0 if self._is_defined(chain) else bound):
+            return None
+        outcomes = self._general.check(replace(chain, members=members), equation, line, define)
+        return [self._noted(outcome, convention) for outcome in outcomes] or None
+
+    def _members(
+        self, chain: n.Chain, heads: list[tuple[bool, bool] | None], convention: str
+    ) -> tuple[n.Node, tuple[n.Node, ...]]:
+        """Return the link matrix of a convention, and the chain with it (or its inverse) in the place of its name."""
+        link: n.Node = n.Name("link", sub=convention, span=chain.members[0].span)
+        self._general.names.quantities = {**self._general.names.quantities, link.key: Quantity("link", convention)}  # type: ignore[attr-defined]
+        members = tuple(
+            member if head is None else n.Postfix(link, "-1") if head[1] else link
+            for head, member in zip(heads, chain.members, strict=True)
+        )
+        return next(m for m, head in zip(members, heads, strict=True) if head is not None), members
+
+    def _is_defined(self, chain: n.Chain) -> bool:
+        """Whether the document has given the link matrix a meaning of its own: then only what is exactly one is judged here."""
+        return any(isinstance(below, n.Name) and below.key in self.checker.names.definitions
+                   for member in chain.members if self._link_pair(member) for below in n.walk(member))  # fmt: skip
+
+    def identity(self, chain: n.Chain, equation: int, line: int) -> list[Outcome] | None:
+        """Return the outcomes of an identity in letters that are no arm's: R_z(θ) = […], cos² θ + sin² θ = 1; else None.
+
+        An elementary matrix in the letters of its own arguments is a claim. Any other equation between angles may be
+        a condition of its figure, and counts only where it is an identity.
+        """
+        members = [(_letters(member), member) for member in chain.members]
+        elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for _, m in members for b in n.walk(m))
+        known = ANGLES | (LENGTHS if elementary else frozenset())
+        letters = frozenset[tuple[str, str]]().union(*(found for found, _ in members))
+        if not letters or any(base not in known for base, _ in letters):
+            return None
+        outcomes = self._general.check(chain, equation, line, False)
+        if all(outcome.verdict in (Verdict.PROVED, Verdict.CONFIRMED) for outcome in outcomes):
+            return outcomes
+        claimed = elementary and any(found == letters for found, m in members if not isinstance(m, n.Name))
+        return outcomes if claimed and all(o.verdict is not Verdict.UNCHECKED for o in outcomes) else None
+
+    def _noted(self, outcome: Outcome, convention: str) -> Outcome:
+        if outcome.verdict is Verdict.PROVED:
+            outcome.message = f"the {convention} link matrix"
+        return outcome
+
+    def _wrong_entries(self, node: n.Node, members: tuple[n.Node, ...]) -> int:
+        """How many entries of the chain's worst matrix differ from the link matrix; beyond NEARLY it is somebody's own definition.
+
+        The link matrix printed for its inverse, or the inverse for it, is no definition: it counts as one wrong entry.
+        """
+        reference = self._general.member(node).value
+        other = self._general.member(node.base if isinstance(node, n.Postfix) else n.Postfix(node, "-1")).value
+        most = 0
+        for member in members:
+            value = self._general.member(member)
+            if not value.known or not isinstance(value.value, Matrix) or len(members) < 2:
+                return MIXED + 1
+            wrong = min(self._differences(reference, value.value), 1 + NEARLY * self._differences(other, value.value))
+            most = max(most, wrong)
+        return most
+
+    def _differences(self, reference: Matrix, printed: Matrix) -> int:
+        try:
+            return min(
+                len(different_entries(pair, exactly_equal)) for pair in align(reference, printed, self._general.exact)
+            )
+        except EvaluationError:
+            return MIXED + 1
+
+    def _link_pair(self, node: n.Node) -> tuple[bool, bool] | None:
+        """Return (True, whether inverse) for {}^{i-1}T_i, T_i^{i-1}, {}^{i-1}_iT, A_i and their inverses."""
+        node = bare(node)
+        if isinstance(node, n.Postfix) and node.operator == "-1":
+            inner = self._link_pair(node.base)
+            return None if inner is None else (True, not inner[1])
+        if not isinstance(node, n.Name) or node.base not in ("T", "A", "H") or node.primes or node.dots:
+            return None
+        if node.pre_sup and (node.sub or node.pre_sub) and not node.sup:
+            pair = (node.pre_sup, node.sub or node.pre_sub)
+        elif node.sub and node.sup:
+            upper = self.checker.names.transforms == "upper"
+            pair = (node.sup, node.sub) if upper else (node.sub, node.sup)
+        elif node.sub == "i" and not node.sup and not node.pre_sup and node.base in ("A", "H", "T"):
+            pair = ("i-1", "i")
+        else:
+            return None
+        return (True, PAIRS[pair]) if pair in PAIRS else None
+
+    def _conventions(self, chain: n.Chain) -> tuple[str, ...]:
+        """The convention that the front matter names, else those to which the indices of a and α belong."""
+        for quantity in self.checker.names.quantities.values():
+            if quantity.kind == "link":
+                return (quantity.frame,)
+        subs = {
+            (below.base, below.sub) for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)
+        }
+        modified = any(base in ("a", "alpha") and sub == "i-1" for base, sub in subs)
+        classic = any(base in ("a", "alpha") and sub == "i" for base, sub in subs)
+        return (("classic",) if classic else ()) + (("modified",) if modified else ())
+
+
+def replace_arm(checker: ChainChecker) -> Any:
+    """Return an exact algebra over the same ring in which no arm binds any symbol."""
+    from armproof.verification.evaluation.exact import ExactAlgebra
+
+    return ExactAlgebra(checker.exact.ring, None)

@@ -1,0 +1,108 @@
+"""Relations other than equality: sizes, inequalities and approximations, decided exactly or on samples."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.values import Identity, as_scalar, is_zero
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import EvaluationError
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Verdict
+
+
+def check_relation(checker: ChainChecker, chain: n.Chain, equation: int) -> Outcome:
+    """Return the verdict of a chain with ≤, <, ≠, ≈, ∈: sizes and inequalities on samples, conditions as definitions."""
+    relation = next(r for r in chain.relations if r != "=")
+    left, right = chain.members[0], chain.members[-1]
+    outcome = Outcome(Verdict.DEFINED, "a condition, not a claim", equation)
+    if relation == "∈":
+        size = _size_of_space(right)
+        member = checker.member(left)
+        if size is None or not member.known or not isinstance(member.value, Matrix):
+            return outcome
+        if member.value.shape == size:
+            outcome.verdict, outcome.message = Verdict.PROVED, "the size"
+        else:
+            wanted = f"{member.value.size}, not {size[0]}×{size[1]}"
+            outcome.verdict, outcome.message = Verdict.REFUTED, f"the matrix is {wanted}"
+        return outcome
+    members = [checker.member(node) for node in chain.members]
+    if relation == "≠":
+        if all(m.known for m in members) and _identical(members[0].value, members[-1].value):
+            outcome.verdict, outcome.message = Verdict.REFUTED, "the two sides are equal for every configuration"
+        return outcome
+    if isinstance(left, n.Name) or isinstance(right, n.Name):
+        return outcome  # a bound on a variable: a condition
+    if relation in ("≤", "<", "≥", ">"):
+        return _sampled_inequality(checker, chain, outcome)
+    if relation == "≈":
+        return _sampled_approximation(checker, chain, outcome)
+    return outcome
+
+
+def _identical(a: Any, b: Any) -> bool:
+    a, b = as_scalar(a), as_scalar(b)
+    if isinstance(a, Matrix) and isinstance(b, Matrix):
+        return a.shape == b.shape and all(
+            is_zero(x - y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True)
+        )
+    if isinstance(a, Scalar) and isinstance(b, Scalar):
+        return (a - b).is_zero()
+    if isinstance(a, Matrix) and isinstance(b, Scalar):
+        return b.is_zero() and all(is_zero(x) for row in a.rows for x in row)
+    return False
+
+
+def _size_of_space(node: n.Node) -> tuple[int, int] | None:
+    """ℝ^{6×4} → (6, 4); ℝ^3 → (3, 1)."""
+    if not (isinstance(node, n.Power) and isinstance(node.base, n.Name) and node.base.base == "R"):
+        return None
+    exponent = node.exponent
+    if isinstance(exponent, n.Number):
+        return int(exponent.value), 1
+    if isinstance(exponent, n.Product) and exponent.operators == ("×",):
+        sizes = [int(f.value) for f in exponent.factors if isinstance(f, n.Number)]
+        return (sizes[0], sizes[1]) if len(sizes) == 2 else None
+    return None
+
+
+def _sampled_inequality(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
+    holds = {"≤": lambda a, b: a <= b + 1e-9, "<": lambda a, b: a < b + 1e-9, "≥": lambda a, b: a >= b - 1e-9,
+             ">": lambda a, b: a > b - 1e-9, "=": lambda a, b: np.abs(a - b) < 1e-9}  # fmt: skip
+    try:
+        with np.errstate(all="ignore"):
+            values = [as_scalar(checker.sampled_value(node)) for node in chain.members]
+            if any(isinstance(value, Matrix | Identity | list) for value in values):
+                return outcome
+            good = np.ones(checker.sampled().samples, dtype=bool)
+            for relation, a, b in zip(chain.relations, values, values[1:], strict=False):
+                good &= holds[relation](a, b) | ~np.isfinite(a) | ~np.isfinite(b)
+    except (EvaluationError, KeyError):
+        return outcome
+    outcome.samples = int(good.size)
+    if good.all():
+        outcome.verdict, outcome.message = Verdict.CONFIRMED, "an inequality holds at every sample"
+    else:
+        outcome.verdict, outcome.message = Verdict.REFUTED, "the inequality fails at some configurations"
+    return outcome
+
+
+def _sampled_approximation(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
+    try:
+        with np.errstate(all="ignore"):
+            first, *others = [as_scalar(checker.sampled_value(node)) for node in chain.members]
+            if not all(isinstance(value, np.ndarray) for value in (first, *others)):
+                return outcome
+            close = all(np.allclose(first, other, rtol=1e-2, atol=1e-3) for other in others)
+    except EvaluationError:
+        return outcome
+    outcome.samples = checker.sampled().samples
+    outcome.verdict = Verdict.CONFIRMED if close else Verdict.REFUTED
+    outcome.message = "an approximation, to about a hundredth"
+    return outcome

@@ -1,0 +1,40 @@
+"""What became of one equation of a display."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from armproof.verification.equations.alignment import Pair
+from armproof.verification.equations.sides import Member
+from armproof.verification.errors import NoValue
+from armproof.verification.verdict import Verdict
+
+
+@dataclass
+class Outcome:
+    """What became of one equation of a display."""
+
+    verdict: Verdict
+    message: str = ""
+    equation: int = 1
+    true: Member | None = None
+    printed: Member | None = None
+    pair: Pair | None = None
+    wrong: list[tuple[int, int]] = field(default_factory=list)
+    samples: int = 0
+    max_error: float | None = None
+    sampled_only: bool = False
+    defines: tuple[str, ...] = ()
+
+    @property
+    def is_mismatch(self) -> bool:
+        """Whether two values of different sizes were equated."""
+        known = self.true is not None and self.printed is not None and self.true.known and self.printed.known
+        return self.verdict is Verdict.REFUTED and known and self.pair is None and not self.wrong
+
+    @property
+    def is_overloaded(self) -> bool:
+        """Whether a formula without a value, for the sizes in it, stands in the equation."""
+        return (
+            self.verdict is Verdict.REFUTED and self.printed is not None and isinstance(self.printed.problem, NoValue)
+        )

@@ -1,0 +1,145 @@
+"""The other readings that a display may have: fewer rows of a Jacobian, an angle of its own, a slipped index."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.equations.alignment import square_rows
+from armproof.verification.equations.equality import Equality
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Member
+from armproof.verification.errors import UnboundName
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
+from armproof.verification.naming.trees import bare_key, has_branches
+from armproof.verification.verdict import Verdict
+
+
+class Readings:
+    """Reads a chain as its author meant it, where notation alone leaves that open."""
+
+    def __init__(self, equality: Equality) -> None:
+        self.equality = equality
+        self.members = equality.members
+        self.names = equality.names
+
+    def choose_square_rows(self, chain: n.Chain) -> None:
+        """Before det J or J^{-1} of a Jacobian that only notation implies: the rows that make it square, if not printed yet."""
+        for below in n.walk(chain):
+            inverted = isinstance(below, n.Postfix) and below.operator == "-1"
+            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
+                continue
+            name = jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], self.names)  # type: ignore[attr-defined]
+            if name is None:
+                continue
+            value = self.members.evaluate(name).value
+            if isinstance(value, Matrix) and len(self.names.shown.get(name.key, ())) == value.shape[1]:
+                continue
+            if (
+                isinstance(value, Matrix)
+                and value.shape[0] != value.shape[1]
+                and (rows := square_rows(value)) is not None
+            ):
+                self.names.shown[name.key] = tuple(row + 1 for row in rows)
+
+    def part(self, member: Member, known: list[Member]) -> Member:
+        """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
+        if not isinstance(member.problem, UnboundName) or not isinstance(member.node, n.Name):
+            return member
+        quantity = part_of_jacobian(member.node, known[0].value, self.names)
+        if quantity is None:
+            return member
+        self.names.inferred[member.node.key] = quantity
+        return self.members.evaluate(member.node)
+
+    def own_angle(self, member: Member, members: list[Member]) -> Member:
+        """θ_{12} is θ_1 + θ_2, unless the display gives it another value: then it is the document's own name."""
+        if not isinstance(member.node, n.Name) or not member.known or len(member.node.sub) > 2:
+            return member
+        if member.node.key in self.names.definitions or self.names.known_symbol(member.node.key) is not None:
+            return member
+        if self.names.angle_sum(member.node) is None or member.node.key in self.names.quantities:
+            return member
+        other = next((m for m in members if m is not member and m.known), None)
+        if (
+            other is None
+            or self.equality.compare(member, other, 0, has_branches(other.node)).verdict is not Verdict.REFUTED
+        ):
+            return member
+        return Member(member.node, None, UnboundName(member.node.key))
+
+    def other_meaning(self, outcome: Outcome, line: int, define: bool) -> Outcome:
+        """A letter that stands for something of another size here: x-dot = J q-dot for a component x, a height z_1."""
+        if not outcome.is_mismatch or outcome.true is None or outcome.printed is None:
+            return outcome
+        sides = (outcome.true, outcome.printed)
+        implied, other = outcome.true, outcome.printed
+        vector = isinstance(implied.node, n.Name) and implied.node.base in "zZ" and implied.node.sub != "0"
+        number = isinstance(other.value, Scalar) and other.value.as_fraction() is None  # a height, not the constant 1
+        if (
+            define
+            and vector
+            and number
+            and isinstance(implied.value, Matrix)
+            and (key := bare_key(implied.node)) not in (*self.names.quantities, *self.names.definitions)
+        ):
+            self.names.define(str(key), self.members.meaning(other.node), line)
+            return replace(outcome, verdict=Verdict.DEFINED, message=f"{key} is a number here, not the arm's vector")
+        rate = next((side.node for side in sides if isinstance(side.node, n.Name) and side.node.dots), None)
+        matrices = [side for side in sides if isinstance(side.value, Matrix)]
+        if (
+            rate is None
+            or self.names.is_free(replace(rate, dots=0))  # a free scalar's rate is a scalar
+            or len(matrices) != 1
+            or any(isinstance(b, n.Matrix) for side in sides for b in n.walk(side.node))
+        ):
+            return outcome
+        return replace(outcome, verdict=Verdict.DEFINED, message=f"{rate.key} is a vector here, a component elsewhere")
+
+    def with_fewer_rows(self, chain: n.Chain, check: Callable[[n.Chain], list[Outcome]]) -> list[Outcome] | None:
+        """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
+        whole = [(below, name) for below in n.walk(chain) if (name := jacobian_name(below, self.names)) is below]
+        if not whole or any(member is name for member in chain.members for name, _ in whole):
+            return None
+        fitting: list[Outcome] | None = None
+        for rows in jacobian_rows(self.members.evaluate(whole[0][0]).value, self.names.shown.get("J")):
+            read = chain
+            for below, name in whole:
+                quantity = self.names.quantity(replace(name, dots=0))
+                assert quantity is not None
+                part = replace(name, sub=f"rows {rows}")
+                self.names.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
+                read = n.substitute(read, below, part)  # type: ignore[assignment]
+            outcomes = check(read)
+            if not any(outcome.is_mismatch for outcome in outcomes):
+                for outcome in outcomes:
+                    outcome.message = outcome.message or f"J is read as its rows {', '.join(map(str, rows))}"
+                if all(outcome.verdict is not Verdict.REFUTED for outcome in outcomes):
+                    return outcomes
+                fitting = fitting or outcomes
+        return fitting
+
+    def slipped_index(self, true: Member, member: Member, equation: int) -> Outcome | None:
+        """A length that the arm does not have (a_3 of a 2R arm) is a slip where one of its lengths makes the equation hold."""
+        unknown = {
+            b.key: b for b in n.walk(member.node) if isinstance(b, n.Name) and not self.members.evaluate(b).known
+        }
+        if self.names.arm is None or len(unknown) != 1:
+            return None
+        (name,) = unknown.values()
+        family = [
+            length for length in self.names.arm.lengths if length.partition("_")[0] == name.base and name.sub.isdigit()
+        ]
+        for length in family:
+            read = member.node
+            for below in n.walk(member.node):
+                if isinstance(below, n.Name) and below.key == name.key:
+                    read = n.substitute(read, below, replace(below, sub=length.partition("_")[2]))
+            mended = self.members.evaluate(read)
+            if mended.known and self.equality.compare(true, mended, equation, False).verdict is Verdict.PROVED:
+                message = f"the arm has no {name.key}; with {length} the equation holds"
+                return Outcome(Verdict.REFUTED, message, equation, true, member)
+        return None

@@ -1,0 +1,108 @@
+"""The sides of an equation: their values, and how far each may be trusted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import OutsideAlgebra, Value
+from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.evaluation.blocks import Block
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names, call_key
+from armproof.verification.naming.quantities import Quantity
+
+
+@dataclass(frozen=True)
+class Member:
+    """One side of a chain: its tree, and its exact value or why it has none."""
+
+    node: n.Node
+    value: Value = None
+    problem: EvaluationError | None = None
+    rank: int = 0  # how far it may be trusted: 4 a quantity of the arm, 3 or 2 made of such, 1 a formula, 0 none
+
+    @property
+    def known(self) -> bool:
+        """Whether it has a value."""
+        return self.problem is None
+
+
+class Members:
+    """Evaluates the sides of equations: exactly, and on samples."""
+
+    def __init__(self, names: Names, exact: ExactAlgebra, sampled: Callable[[], SampledAlgebra]) -> None:
+        self.names = names
+        self.exact = exact
+        self.sampled = sampled
+
+    def evaluate(self, node: n.Node) -> Member:
+        """Evaluate one side exactly."""
+        try:
+            value = Evaluator(self.names, self.exact).evaluate(node)
+            return Member(node, value, None, self._rank(node))
+        except AngleFraction:
+            raise
+        except OutsideAlgebra as problem:
+            return Member(node, None, problem, self._rank(node))
+        except TooComplex:
+            raise
+        except EvaluationError as problem:
+            return Member(node, None, problem)
+
+    def sampled_value(self, node: n.Node, branch: int = 1) -> Value:
+        """Return a tree's value on the samples of the double plant."""
+        return Evaluator(self.names, self.sampled(), branch).evaluate(node)
+
+    def _rank(self, node: n.Node) -> int:
+        if isinstance(node, n.Group | n.Labelled):
+            return self._rank(node.inner)
+        quantity = self.quantity_of(node)
+        if quantity is not None or (
+            isinstance(node, n.Name) and node.dots and self.names.quantity(replace(node, dots=0)) is not None
+        ):
+            return 4
+        if (
+            isinstance(node, n.Name)
+            and self.names.arm is not None
+            and (symbol := self.names.known_symbol(node.key)) is not None
+        ):
+            return 3 if any(joint.symbol == symbol for joint in self.names.arm.joints) else 1
+        names = [below for below in n.walk(node) if isinstance(below, n.Name | n.Call)]
+        if any(isinstance(below, n.Matrix) for below in n.walk(node)):
+            return 2 if any(self.quantity_of(below) is not None for below in names) else 1
+        if any(self.quantity_of(below) is not None for below in names):
+            return 3
+        if any(isinstance(below, n.Name) and below.key in self.names.definitions for below in names):
+            return 3 if isinstance(node, n.Name) else 2
+        return 1
+
+    def quantity_of(self, node: n.Node) -> Quantity | None:
+        """Return the arm's quantity that a name, with or without arguments, stands for."""
+        if isinstance(node, n.Call) and node.function == "name" and all(isinstance(a, n.Name) for a in node.arguments):
+            found = self.names.quantities.get(call_key(node))
+            return found or self.quantity_of(node.arguments[0])
+        return self.names.quantity(node) if isinstance(node, n.Name) else None
+
+    def is_symbol(self, node: n.Node) -> bool:
+        """Whether a tree is the name of a joint variable or a length."""
+        return isinstance(node, n.Name) and self.names.known_symbol(node.key) is not None
+
+    def meaning(self, node: n.Node, block: Block | None = None) -> Callable[[Any], Value]:
+        """Return a definition's meaning: the value of `node`, or a block of it, in whichever algebra asks."""
+
+        def evaluate(algebra: Any) -> Value:
+            value = Evaluator(self.names, algebra).evaluate(node)
+            if block is None:
+                return value
+            if not isinstance(value, Matrix):
+                raise EvaluationError("an entry of a scalar")
+            return block.of(value)
+
+        return evaluate

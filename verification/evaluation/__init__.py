@@ -1,0 +1,1 @@
+"""A tree to its value: exact, or sampled at many configurations."""

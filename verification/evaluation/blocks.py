@@ -1,0 +1,57 @@
+"""Matrices of blocks with names in them: which rows and columns of the value each printed cell stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.latex import nodes as n
+
+
+@dataclass(frozen=True)
+class Block:
+    """A printed cell and the rows and columns (from 0) of the whole that it stands for."""
+
+    row: int
+    column: int
+    cell: n.Node
+    rows: tuple[int, ...]
+    columns: tuple[int, ...]
+
+    def of(self, whole: Matrix) -> Value:
+        """Return the block's value: a scalar where it is one entry."""
+        block = whole.block(self.rows, self.columns)
+        return block.rows[0][0] if block.shape == (1, 1) else block
+
+
+def partition(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> list[Block] | None:
+    """Return the blocks of a value of that size, or None where the printed rows cannot be laid over it.
+
+    One cell an entry; R, p, 0, 1 over a 4×4 pose; n, o, a, p over its columns; J_v over J_ω; columns of a Jacobian.
+    """
+    heights = _shares(len(printed), size[0])
+    if heights is None:
+        return None
+    blocks: list[Block] = []
+    top = 0
+    for r, (row, height) in enumerate(zip(printed, heights, strict=True)):
+        widths = _shares(len(row), size[1])
+        if widths is None:
+            return None
+        left = 0
+        for c, (cell, width) in enumerate(zip(row, widths, strict=True)):
+            blocks.append(Block(r, c, cell, tuple(range(top, top + height)), tuple(range(left, left + width))))
+            left += width
+        top += height
+    return blocks
+
+
+def _shares(parts: int, whole: int) -> tuple[int, ...] | None:
+    """How a side of the matrix falls to the printed parts: singly, all in one, 3 and 1 of a pose, 3 and 3 of [v; ω]."""
+    if parts == whole:
+        return (1,) * whole
+    if parts == 1:
+        return (whole,)
+    return {(2, 4): (3, 1), (2, 6): (3, 3)}.get((parts, whole))

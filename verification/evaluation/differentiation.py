@@ -1,0 +1,83 @@
+"""Derivatives: by joint variables, and in time with the rates as free symbols."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from armproof.verification.algebra.matrix import Matrix, column
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.values import sized
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
+
+if TYPE_CHECKING:
+    from armproof.verification.evaluation.evaluator import Evaluator
+
+
+def derivative_value(evaluator: Evaluator, node: n.Derivative) -> Value:
+    """Return a partial derivative, or one in time."""
+    if isinstance(evaluator.algebra, SampledAlgebra):
+        return evaluator.algebra.from_exact(evaluator.within(evaluator.algebra.exact).evaluate(node))
+    value = sized(evaluator.evaluate(node.operand))
+    variable = node.variable
+    for _ in range(node.order):
+        value = _differentiate(evaluator, value, variable)
+    return value
+
+
+def _differentiate(evaluator: Evaluator, value: Value, variable: n.Node) -> Value:
+    if evaluator.names.arm is not None and isinstance(variable, n.Name) and variable.key == "t":
+        return _in_time(evaluator, value)
+    by = sized(evaluator.evaluate(variable))
+    if isinstance(by, Matrix):  # ∂P/∂q: one column a variable
+        cells = by.vector()
+        value = value if isinstance(value, Matrix) else column([value])
+        return Matrix(tuple(tuple(evaluator.algebra.derivative(f, x) for x in cells) for f in value.vector()))
+    if isinstance(value, Matrix):
+        return value.map(lambda cell: evaluator.algebra.derivative(cell, by))
+    return evaluator.algebra.derivative(value, by)
+
+
+def time_derivative(evaluator: Evaluator, node: n.Name) -> Value:
+    """x-dot: a joint rate where x is a joint variable, else the derivative of what x stands for."""
+    plain = replace(node, dots=0)
+    symbol = evaluator.names.known_symbol(plain.key)
+    if symbol is not None and _is_variable(evaluator, symbol):
+        return evaluator.algebra.symbol(rate_symbol(symbol, node.dots))
+    if evaluator.names.is_free(plain) and plain.key not in evaluator.names.definitions:
+        evaluator.names.used.add(node.key)
+        return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))
+    if node.key in evaluator.names.definitions:
+        return evaluator.names.definitions[node.key].evaluate(evaluator.algebra)
+    if isinstance(evaluator.algebra, SampledAlgebra):
+        return evaluator.algebra.from_exact(evaluator.within(evaluator.algebra.exact).evaluate(node))
+    value = evaluator.evaluate(plain)
+    for order in range(node.dots):
+        value = _in_time(evaluator, value, order)
+    return value
+
+
+def _is_variable(evaluator: Evaluator, symbol: str) -> bool:
+    return evaluator.names.arm is not None and any(joint.symbol == symbol for joint in evaluator.names.arm.joints)
+
+
+def _in_time(evaluator: Evaluator, value: Value, orders: int = 1) -> Value:
+    if evaluator.names.arm is None:
+        raise EvaluationError("a time derivative in a document with no arm")
+    if isinstance(value, Matrix):
+        return value.map(lambda cell: _in_time(evaluator, cell, orders))
+    algebra = evaluator.algebra
+    total = algebra.rational(Fraction(0))
+    for joint in evaluator.names.arm.joints:
+        for order in range(orders + 1):
+            variable = algebra.symbol(rate_symbol(joint.symbol, order))
+            total = total + algebra.derivative(value, variable) * algebra.symbol(rate_symbol(joint.symbol, order + 1))
+    return total
+
+
+def rate_symbol(symbol: str, order: int) -> str:
+    """The free symbol that stands for the order-th time derivative of a variable."""
+    return f"{'dot ' * order}{symbol}"

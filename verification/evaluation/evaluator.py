@@ -1,0 +1,121 @@
+"""The value of an expression tree in an algebra, under a document's bindings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Algebra, Value
+from armproof.verification.algebra.values import Identity, as_scalar, sized
+from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
+from armproof.verification.evaluation.arithmetic import ambiguous, power_value, product_value, quotient_value, sum_value
+from armproof.verification.evaluation.calls import call_value
+from armproof.verification.evaluation.differentiation import derivative_value
+from armproof.verification.evaluation.inverses import postfix_value
+from armproof.verification.evaluation.matrices import matrix_value
+from armproof.verification.evaluation.names_and_numbers import (
+    ellipsis,
+    joint_angle_sum,
+    layout,
+    name_value,
+    number_value,
+)
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+
+MAX_DEPTH = 150
+
+
+class Evaluator:
+    """Evaluates nodes; `branch` is the sign that ± takes (∓ takes the other)."""
+
+    def __init__(self, names: Names, algebra: Algebra, branch: int = 1) -> None:
+        self.names = names
+        self.algebra = algebra
+        self.branch = branch
+        self.depth = 0
+
+    def within(self, algebra: Algebra) -> Evaluator:
+        """Return an evaluator of the same names and branch in another algebra."""
+        return Evaluator(self.names, algebra, self.branch)
+
+    def evaluate(self, node: n.Node) -> Value:
+        """Return the value; raises UnboundName, EvaluationError."""
+        self.depth += 1
+        try:
+            self.algebra.check_time()
+            if self.depth > MAX_DEPTH:
+                raise EvaluationError("nested too deeply")
+            method = _METHODS.get(type(node))
+            if method is None:
+                raise EvaluationError("a differential stands outside a derivative")
+            return method(self, node)
+        finally:
+            self.depth -= 1
+
+    def scalar(self, node: n.Node) -> Any:
+        """Return the value of a node that must be a scalar."""
+        value = as_scalar(self.evaluate(node))
+        if isinstance(value, Matrix | Identity | list):
+            raise EvaluationError("a scalar is expected where a matrix stands")
+        return value
+
+    def _group(self, node: n.Group) -> Value:
+        return self.evaluate(node.inner)
+
+    def _sequence(self, node: n.Sequence) -> Value:
+        values = [as_scalar(self.evaluate(item)) for item in node.items]
+        if node.brackets == "[]" and not any(isinstance(value, Matrix | Identity) for value in values):
+            return Matrix((tuple(values),))
+        return values
+
+    def _labelled(self, node: n.Labelled) -> Value:
+        value = self.evaluate(node.inner)
+        if node.size is not None and isinstance(value, Matrix) and value.shape != node.size:
+            raise ShapeError(f"the matrix is {value.size}, the label says {node.size[0]}×{node.size[1]}")
+        return value
+
+    def _cases(self, _node: n.Cases) -> Value:
+        raise UnboundName("cases", "a value that depends on words")
+
+    def _at(self, node: n.At) -> Value:
+        values: dict[str, Any] = {}
+        for left, right in node.values:
+            symbol = self.names.known_symbol(left.key) if isinstance(left, n.Name) else None
+            if symbol is None and isinstance(left, n.Name) and self.names.is_free(left):
+                symbol = left.key
+            if symbol is None:
+                raise EvaluationError("the configuration must give joint variables or lengths values")
+            values[symbol] = self.scalar(right)
+        return self.at_values(values, node.inner)
+
+    def at_values(self, values: dict[str, Any], node: n.Node) -> Value:
+        """Return a tree's value where some joint variables or lengths have the values given."""
+        if isinstance(self.algebra, SampledAlgebra):
+            return self.within(self.algebra.at(values)).evaluate(node)
+        return self.algebra.substitute(sized(self.evaluate(node)), values)
+
+
+_METHODS: dict[type[n.Node], Callable[[Evaluator, Any], Value]] = {
+    n.Number: number_value,
+    n.Name: name_value,
+    n.JointAngles: joint_angle_sum,
+    n.Dots: ellipsis,
+    n.Layout: layout,
+    n.Sum: sum_value,
+    n.Product: product_value,
+    n.Quotient: quotient_value,
+    n.Ambiguous: ambiguous,
+    n.Power: power_value,
+    n.Postfix: postfix_value,
+    n.Group: Evaluator._group,
+    n.Sequence: Evaluator._sequence,
+    n.Labelled: Evaluator._labelled,
+    n.Cases: Evaluator._cases,
+    n.At: Evaluator._at,
+    n.Matrix: matrix_value,
+    n.Call: call_value,
+    n.Derivative: derivative_value,
+}

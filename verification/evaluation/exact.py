@@ -1,0 +1,87 @@
+"""The exact algebra: scalars of a ring, the arm's quantities from its symbolic trace."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from armproof.models.arm import Arm
+from armproof.models.exact.polynomial import Rows
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.matrix import Matrix, exact_rank
+from armproof.verification.algebra.protocol import OutsideAlgebra, Value
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.evaluation.of_arm import ArmAlgebra
+
+
+class ExactAlgebra(ArmAlgebra):
+    """Scalars of a ring; the arm's quantities as its symbolic trace gives them."""
+
+    def __init__(self, ring: Ring, arm: Arm | None) -> None:
+        super().__init__(arm)
+        self.ring = ring
+
+    def check_time(self) -> None:
+        self.ring.check_time()
+
+    def rational(self, value: Fraction) -> Scalar:
+        return self.ring.rational(value)
+
+    def pi(self) -> Scalar:
+        return self.ring.generator(("pi", ""))
+
+    def symbol(self, name: str) -> Scalar:
+        return self.ring.symbol(name)
+
+    def cos_sin(self, angle: Scalar) -> tuple[Scalar, Scalar]:
+        """Return (cos, sin) of a sum of angles; raises OutsideAlgebra for what is none, such as cos(ω t)."""
+        try:
+            return self.ring.cos_sin(angle)
+        except TooComplex:
+            raise
+        except EvaluationError as problem:
+            raise OutsideAlgebra(str(problem)) from None
+
+    def sqrt(self, value: Scalar) -> Scalar:
+        return self.ring.sqrt(value)
+
+    def arc(self, function: str, arguments: list[Scalar]) -> Scalar:
+        """Return an arc function as an angle whose cosine and sine are known."""
+        ring = self.ring
+        if function == "atan2":
+            return ring.atan2(*arguments)
+        (u,) = arguments
+        if function == "atan":
+            return ring.atan2(u, ring.one)
+        other = ring.sqrt(ring.one - u * u)
+        return ring.arc(u, other) if function == "acos" else ring.arc(other, u)
+
+    def absolute(self, value: Scalar) -> Scalar:
+        number = value.as_fraction()
+        if number is None:
+            raise OutsideAlgebra("an absolute value")
+        return self.ring.rational(abs(number))
+
+    def derivative(self, value: Scalar, variable: Scalar) -> Scalar:
+        return self.ring.derivative(value, variable)
+
+    def rank(self, matrix: Matrix) -> Scalar:
+        return self.ring.rational(exact_rank(matrix))
+
+    def substitute(self, value: Value, values: Mapping[str, Scalar]) -> Value:
+        """Return a value with joint variables and lengths replaced."""
+        if isinstance(value, Matrix):
+            return value.map(lambda cell: self.ring.substitute(cell, values))
+        return self.ring.substitute(value, values)
+
+    def pose(self, frame: str, reference: str) -> Matrix:
+        assert self.arm is not None
+        return self._from_entries(self.arm.trace.pose(frame, reference))
+
+    def jacobian(self, frame: str, expressed_in: str) -> Matrix:
+        assert self.arm is not None
+        return self._from_entries(self.arm.trace.jacobian(frame, expressed_in, self.arm.frames[0]))
+
+    def _from_entries(self, rows: Rows) -> Matrix:
+        return Matrix(tuple(tuple(self.ring.from_entry(entry) for entry in row) for row in rows))

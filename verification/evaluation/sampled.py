@@ -1,0 +1,217 @@
+"""The sampled algebra: arrays over configurations, the arm's quantities from the double plant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from armproof.models.arm import Arm
+from armproof.models.exact.numbers import angle_value
+from armproof.models.numeric.plant import NumericKinematics
+from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.evaluation.of_arm import ArmAlgebra
+from armproof.verification.naming.quantities import Quantity
+
+
+class SampledAlgebra(ArmAlgebra):
+    """Arrays over N configurations; the arm's quantities as the double plant gives them."""
+
+    def __init__(
+        self,
+        exact: ExactAlgebra,
+        q: np.ndarray,
+        seed: int = 0,
+        overrides: Mapping[str, np.ndarray] | None = None,
+        random: np.ndarray | None = None,
+    ) -> None:
+        """Take the configurations, (N, n), the values that replace lengths or letters, and which q are drawn at random."""
+        super().__init__(exact.arm)
+        self.exact = exact
+        self.q = q
+        self.seed = seed
+        self.overrides = dict(overrides or {})
+        self.free: dict[str, np.ndarray] = {}
+        self.regular = np.ones(len(q), dtype=bool)
+        self.random = np.ones(len(q), dtype=bool) if random is None else random
+        self.kinematics = _kinematics(self.arm, len(q), q.tobytes()) if self.arm is not None else None
+
+    @property
+    def samples(self) -> int:
+        """The number of configurations."""
+        return len(self.q)
+
+    def check_time(self) -> None:
+        self.exact.ring.check_time()
+
+    def rational(self, value: Fraction) -> np.ndarray:
+        return _constant(float(value), self.samples)
+
+    def pi(self) -> np.ndarray:
+        return _constant(np.pi, self.samples)
+
+    def symbol(self, name: str) -> np.ndarray:
+        if name in self.overrides:
+            return self.overrides[name]
+        if self.arm is not None:
+            for index, joint in enumerate(self.arm.joints):
+                if joint.symbol == name:
+                    return self.q[:, index]
+            known = {**self.arm.lengths, **self.arm.angles}
+            if name in known:
+                return _constant(known[name], self.samples)
+        if name not in self.free:
+            digest = np.frombuffer(name.encode("utf-8"), dtype=np.uint8)
+            generator = np.random.default_rng([self.seed, *digest.tolist()])
+            values = generator.uniform(0.3, 2.2, self.samples)
+            self.free[name] = values
+        return self.free[name]
+
+    def exclude_near_zeros(self, denominator: np.ndarray) -> None:
+        """Mark the samples at which a denominator is smaller than a ten-thousandth of what it usually is."""
+        size = np.abs(denominator)
+        if not np.isfinite(size).any():
+            self.regular[:] = False
+            return
+        self.regular &= size > 1e-4 * np.nanpercentile(size, 95)
+
+    def cos_sin(self, angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return np.cos(angle), np.sin(angle)
+
+    def sqrt(self, value: np.ndarray) -> np.ndarray:
+        # rounding may leave a hair below zero where the root is of a square
+        return np.sqrt(np.where((value < 0) & (value > -1e-9), 0.0, value))
+
+    def arc(self, function: str, arguments: list[np.ndarray]) -> np.ndarray:
+        if function == "atan2":
+            self.exclude_near_zeros(np.hypot(*arguments))  # atan2(0, 0) has no value
+            return np.arctan2(*arguments)
+        (u,) = arguments
+        if function == "atan":
+            return np.arctan(u)
+        self.regular &= np.abs(np.abs(u) - 1) > 1e-8  # at ±1 half the digits are lost
+        near = np.where((np.abs(u) > 1) & (np.abs(u) < 1 + 1e-9), np.sign(u), u)
+        return np.arccos(near) if function == "acos" else np.arcsin(near)
+
+    def absolute(self, value: np.ndarray) -> np.ndarray:
+        return np.abs(value)
+
+    def derivative(self, value: np.ndarray, variable: np.ndarray) -> np.ndarray:
+        raise EvaluationError("a derivative is taken exactly, then sampled")
+
+    def from_exact(self, value: Value) -> Value:
+        """Return an exact value at the samples."""
+        if isinstance(value, Matrix):
+            return value.map(self.from_exact)
+        ring = value.ring
+        return self._sample(ring, value.numerator) / self._sample(ring, value.denominator)
+
+    def _sample(self, ring: Ring, polynomial: Any) -> np.ndarray:
+        total = np.zeros(self.samples)
+        known: dict[tuple[tuple[str, str], int], np.ndarray] = {}
+        for powers, coefficient in ring.terms(polynomial):
+            term = np.full(self.samples, float(coefficient))
+            for item in powers.items():
+                if item not in known:
+                    known[item] = self._generator(ring, item[0]) ** item[1]
+                term = term * known[item]
+            total = total + term
+        return total
+
+    def _generator(self, ring: Ring, generator: tuple[str, str]) -> np.ndarray:
+        kind, name = generator
+        if kind == "symbol":
+            return self.symbol(name)
+        if kind in ("cos", "sin"):
+            angle = self._angle(name)
+            return np.cos(angle) if kind == "cos" else np.sin(angle)
+        if kind == "pi":
+            return self.pi()
+        if kind == "sqrt":
+            return self.rational(Fraction(int(name))) ** 0.5
+        if kind == "radical":
+            return self.sqrt(self.from_exact(ring.radicand(name)))
+        cosine, sine = ring.arcs[name]
+        return np.arctan2(self.from_exact(sine), self.from_exact(cosine))
+
+    def _angle(self, name: str) -> np.ndarray:
+        if "pi/" in name or re.fullmatch(r"[\d.]+", name):
+            return _constant(angle_value(name), self.samples)
+        symbol, _, parts = name.rpartition("/")
+        if symbol and parts.isdigit():
+            return self.symbol(symbol) / int(parts)
+        return self.symbol(name)
+
+    def rank(self, matrix: Matrix) -> np.ndarray:
+        stacked = np.array([[np.broadcast_to(cell, (self.samples,)) for cell in row] for row in matrix.rows])
+        ranks = np.linalg.matrix_rank(np.moveaxis(stacked, -1, 0), tol=1e-9).astype(float)
+        self.regular &= (
+            ranks == ranks.max()
+        )  # the rank is that of a generic configuration; the singular ones are left out
+        return ranks
+
+    def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:
+        raise EvaluationError("samples are taken anew at a configuration")
+
+    def at(self, values: Mapping[str, np.ndarray]) -> SampledAlgebra:
+        """Return the algebra at configurations in which some joint variables or lengths have other values."""
+        q = self.q.copy()
+        overrides = dict(self.overrides)
+        for name, value in values.items():
+            index = (
+                next((i for i, joint in enumerate(self.arm.joints) if joint.symbol == name), None) if self.arm else None
+            )
+            if index is None:
+                overrides[name] = value
+            else:
+                q[:, index] = value
+        finite = np.isfinite(q).all(axis=1)
+        q[~finite] = 0.0  # as where an arccosine has no value: the plant takes finite joint values only
+        self.regular &= finite
+        moved = SampledAlgebra(self.exact, q, self.seed, overrides, self.random)
+        moved.free, moved.regular = self.free, self.regular
+        return moved
+
+    def whole(self, quantity: Quantity) -> Matrix:
+        if self._has_other_lengths() and quantity.kind != "link":
+            # the double plant keeps the lengths of its URDF and the angles of its table: at others the exact trace is sampled
+            return self.from_exact(self.exact.whole(quantity))
+        return super().whole(quantity)
+
+    def _has_other_lengths(self) -> bool:
+        return self.arm is not None and any(
+            name in self.arm.lengths or name in self.arm.angles for name in self.overrides
+        )
+
+    def pose(self, frame: str, reference: str) -> Matrix:
+        assert self.kinematics is not None
+        return _from_stack(self.kinematics.pose(frame, reference))
+
+    def jacobian(self, frame: str, expressed_in: str) -> Matrix:
+        assert self.arm is not None and self.kinematics is not None
+        return _from_stack(self.kinematics.jacobian(frame, expressed_in, self.arm.frames[0]))
+
+
+@lru_cache(maxsize=8)  # some megabytes each; the same come again in an arm's next display or document
+def _kinematics(arm: Arm, samples: int, q: bytes) -> NumericKinematics:
+    return arm.numeric(np.frombuffer(q).reshape(samples, len(arm.joints)))
+
+
+@lru_cache(maxsize=512)
+def _constant(value: float, samples: int) -> np.ndarray:
+    constant = np.full(samples, value)
+    constant.flags.writeable = False
+    return constant
+
+
+def _from_stack(stack: np.ndarray) -> Matrix:
+    _, rows, columns = stack.shape
+    return Matrix(tuple(tuple(np.ascontiguousarray(stack[:, r, c]) for c in range(columns)) for r in range(rows)))

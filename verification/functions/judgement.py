@@ -1,0 +1,116 @@
+"""The verdict on each quantity of a function: by the probes, the proof, and the plant of doubles at more configurations."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import FAMILIES
+from armproof.verification.diagnosis.causes.probes import Configurations, samples
+from armproof.verification.functions.arguments import constants_of
+from armproof.verification.functions.caller import FunctionCaller, Stopped
+from armproof.verification.functions.function_check import FunctionCheck, FunctionVerdict
+from armproof.verification.functions.part import Part, read_part, scaled_errors, wrong_entries
+from armproof.verification.functions.proof import Proof
+
+FEW = 12  # configurations at which a function that is proved is called as well
+SECONDS_FOR_FEW = 0.02
+_WEIGHT = list(FunctionVerdict)
+
+
+def judge(
+    arm: Arm,
+    caller: FunctionCaller,
+    parts: list[Part],
+    proof: Proof | None,
+    blank: FunctionCheck,
+    sampling: tuple[int, int],
+) -> FunctionCheck:
+    """Give each part its verdict, and the check the worst of them.
+
+    Args:
+        sampling: at how many configurations a function is called that is not proved, and their seed.
+    """
+    count, largest = _sample(arm, caller, parts, proof, sampling)
+    for part in parts:
+        if part.mismatch or part.wrong:
+            continue
+        proved = proof is not None and proof.proved[part.number - 1]
+        part.verdict = FunctionVerdict.PROVED if proved else FunctionVerdict.CONFIRMED
+        part.message = _claim(arm, caller, part, proof) if proved else _confirmed(count, proof)
+    verdicts = tuple(part.verdict for part in parts)
+    worst = max(verdicts, key=_WEIGHT.index)
+    message = "; ".join(dict.fromkeys(part.message for part in parts if part.verdict is worst and part.message))
+    return replace(blank, verdict=worst, message=message, verdicts=verdicts, samples=count, max_error=largest)
+
+
+def _confirmed(count: int, proof: Proof | None) -> str:
+    """Say at how many configurations a part is right, and why it is not proved although its formula is known."""
+    reason = "" if proof is None else "; not exactly the arm's formula: a rounded constant or a difference quotient"
+    return f"equal at {count:,} configurations{reason}"
+
+
+def _claim(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) -> str:
+    """Say for which values a part is proved."""
+    assert proof is not None
+    symbols = proof.bench.lengths_in(part.asked.quantity)
+    if not symbols:
+        return "proved for all joint values"
+    if set(symbols) <= set(caller.layout.lengths) and proof.for_all_lengths[part.number - 1]:
+        return "proved for all joint values and all lengths"
+    values = ", ".join(f"{symbol} = {constants_of(arm)[symbol]:g}" for symbol in symbols)
+    return f"proved for all joint values, at the arm's lengths {values}"
+
+
+def _sample(
+    arm: Arm, caller: FunctionCaller, parts: list[Part], proof: Proof | None, sampling: tuple[int, int]
+) -> tuple[int, float | None]:
+    """Call the function at configurations of the six families; return at how many, and the largest error of what is right.
+
+    What is wrong there is added to the parts; a function that is proved is called at a few only.
+    """
+    right = [part for part in parts if not (part.mismatch or part.wrong)]
+    if not right:
+        return 0, None
+    proved = proof is not None and all(proof.proved[part.number - 1] for part in right)
+    at = samples(arm, min(FEW, sampling[0]) if proved else sampling[0], sampling[1])
+    results = _call(caller, at, SECONDS_FOR_FEW if proved else np.inf)
+    largest = max(float(scaled_errors(part.obtained, part.true).max()) for part in right)
+    for part in right if results else ():
+        largest = max(largest, _compare(part, at, [result[part.number - 1] for result in results]))
+    return len(results) or len(parts[0].obtained), largest
+
+
+def _call(caller: FunctionCaller, at: Configurations, seconds: float) -> list[list[np.ndarray]]:
+    """Return the results at the configurations, or at the first of them where the time is up; at one of each family at least."""
+    started = time.monotonic()
+    results: list[list[np.ndarray]] = []
+    for q in at.q:
+        if caller.guard.left <= 0 or (len(results) >= len(FAMILIES) and time.monotonic() - started > seconds):
+            break
+        try:
+            results.append(caller.at(q))
+        except Stopped as stop:
+            if not stop.is_exhausted:
+                raise
+            break
+    return results
+
+
+def _compare(part: Part, at: Configurations, results: list[np.ndarray]) -> float:
+    """Compare the results with the plant's; return the largest error."""
+    true = at.true(part.asked.quantity)[: len(results)]
+    if len({result.shape for result in results}) > 1:
+        part.mismatch = "the result has another shape at some configurations"
+        return 0.0
+    again = read_part(part.number, part.asked, true, np.array(results))
+    if again.mismatch:
+        part.mismatch = again.mismatch
+        return 0.0
+    part.wrong = wrong_entries(again.obtained, again.true)
+    if part.wrong:
+        again.q, part.elsewhere = at.q[: len(results)], again
+    return float(scaled_errors(again.obtained, again.true).max())

@@ -1,0 +1,125 @@
+"""Wrong entries as formulas: what the function computes, what it should, and the change that mends it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.bounded_form import write_bounded
+from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.diagnosis.counterexample import Probe
+from armproof.verification.diagnosis.learnt_notation import LearntNotation
+from armproof.verification.diagnosis.mend import Mender
+from armproof.verification.errors import EvaluationError
+from armproof.verification.functions.bench import Bench
+from armproof.verification.functions.part import Part
+from armproof.verification.functions.proof import Proof
+from armproof.verification.latex.writer import Notation
+from armproof.verification.verdict import WrongEntry
+
+WRITTEN = 6  # entries that are written as formulas
+WRITTEN_ANYWAY = 3  # where the cause is known
+SHORT = 4  # terms of a formula that is written in any case
+MENDED = 4  # wrong entries of which the change is sought; where more are wrong the cause lies elsewhere
+SECONDS_TO_MEND = 0.5
+
+
+def describe_entries(part: Part, proof: Proof, *, mend: bool) -> list[WrongEntry]:
+    """Return the wrong entries of a part, in formulas the first few, with the change of each where it is small.
+
+    Args:
+        mend: whether to seek those changes; without them, the cause being known, long formulas are left out.
+    """
+    bench = proof.bench
+    true = bench.true(part.asked.quantity)
+    writer = EntryWriter(bench)
+    bench.ring.deadline = now() + SECONDS_TO_MEND
+    entries = []
+    for index, (r, c) in enumerate(part.wrong):
+        row, column = (None, None) if part.is_scalar else (r + 1, c + 1)
+        printed = correct = change = ""
+        if index < (WRITTEN if mend else WRITTEN_ANYWAY):
+            try:
+                value, right = proof.entry(part.number, r, c), true.rows[r][c]
+                if mend or max(len(value.numerator), len(right.numerator)) <= SHORT:
+                    printed, correct, change = writer.describe(value, right, mend and len(part.wrong) <= MENDED)
+            except (EvaluationError, AngleFraction):  # the formula is beyond the algebra; the table shows its values
+                pass
+        entries.append(WrongEntry(part.number, row, column, printed, correct, change))
+    return entries
+
+
+class EntryWriter:
+    """Writes entries with the letters of the arm, and seeks the change that mends one."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.notation = Notation(style="index", cosine="C", learnt=True)
+
+    @cached_property
+    def _mender(self) -> Mender:
+        learnt = LearntNotation(self.bench.names, self.notation)
+        return Mender(self.bench.checker, Probe(self.bench.checker), learnt)
+
+    def describe(self, value: Scalar, true: Scalar, mend: bool) -> tuple[str, str, str]:
+        """Return the formula obtained, the right one, and the change in words where it is a small one."""
+        printed, correct = write_bounded(value, self.notation), self._correct(true)
+        mended, change = self._mend(printed, true) if mend else ("", "")
+        return printed, mended or correct, change
+
+    def _correct(self, true: Scalar) -> str:
+        """Write an entry of the arm's own, once for all checks if it got the time that it needs."""
+        kept = self.bench.written
+        if true not in kept:
+            text = write_bounded(true, self.notation)
+            if now() > self.bench.ring.deadline:
+                return text
+            kept[true] = text
+        return kept[true]
+
+    def _mend(self, printed: str, true: Scalar) -> tuple[str, str]:
+        try:
+            node = self.bench.names.reader.read_expression(printed)
+            return self._mender.mend(printed, node, true, self.notation)
+        except (ArmproofError, NotImplementedError):
+            return "", ""
+
+
+def summary(entries: list[WrongEntry]) -> Iterator[str]:
+    """Yield in words what is wrong with a few entries."""
+    changes = {entry.change for entry in entries}
+    if len(entries) > 1 and len(changes) == 1 and "" not in changes:
+        yield f"{_glossed(changes.pop())}, in each of the wrong entries, {_places(entries)}"
+        return
+    if len(entries) > MENDED:
+        yield f"{len(entries)} entries are wrong: {_places(entries)}"
+        return
+    for entry in entries:
+        where = "" if entry.row is None else f"entry ({entry.row}, {entry.column}): "
+        if entry.change:
+            yield f"{where}{_glossed(entry.change)}"
+        elif entry.printed and entry.correct:
+            yield f"{where}is {entry.printed}, should be {entry.correct}"
+        else:
+            yield f"entry ({entry.row}, {entry.column}) is wrong" if entry.row else "the value is wrong"
+
+
+def _glossed(change: str) -> str:
+    """Return a change with what it tells of the angles: a missing one makes an absolute angle of a relative one."""
+    if re.fullmatch(r"(index|angle) \S+ is missing", change):
+        return f"{change}: an angle is taken as absolute where the sum of relative angles belongs"
+    return change
+
+
+def _places(entries: list[WrongEntry]) -> str:
+    rows, columns = ({getattr(entry, kind) for entry in entries} for kind in ("row", "column"))
+    if len(columns) == 1:
+        return f"all in column {columns.pop()}"
+    if len(rows) == 1:
+        return f"all in row {rows.pop()}"
+    shown = ", ".join(f"({entry.row}, {entry.column})" for entry in entries[:6])
+    return shown + (", …" if len(entries) > 6 else "")

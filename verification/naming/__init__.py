@@ -1,0 +1,1 @@
+"""What a name of the document means on the arm."""

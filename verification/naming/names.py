@@ -1,0 +1,256 @@
+"""What the names of a document mean: front matter first, then earlier displays, the arm, and common notation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any
+
+from armproof.models.arm import Arm
+from armproof.verification.algebra.protocol import Algebra, Value
+from armproof.verification.errors import DocumentError, ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader, key_as_latex
+from armproof.verification.naming.named_signs import NamedSigns
+from armproof.verification.naming.quantities import Quantity, implied_quantity, read_quantity, transform_pair
+
+FREE_IN_GENERAL = re.compile(r"[a-z]|theta|alpha|beta|gamma|phi|psi|omega|sigma|lambda|mu|rho|tau|delta|epsilon|Delta")
+FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
+COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A name's meaning: how to get its value in an algebra, and the display that gave it."""
+
+    evaluate: Callable[[Any], Value]
+    line: int = 0
+    section: str = ""
+    by_place: bool = False  # the entry or block of a matrix, not an equation of its own
+
+
+@dataclass
+class Names:
+    """The bindings of one document, growing as its displays are read."""
+
+    arm: Arm | None
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    quantities: Mapping[str, Quantity] = field(default_factory=dict)
+    transforms: str = "upper"
+    definitions: dict[str, Definition] = field(default_factory=dict)
+    reader: Reader = field(default_factory=Reader)
+    used: set[str] = field(default_factory=set)  # free letters that displays have used so far
+    inferred: dict[str, Quantity] = field(
+        default_factory=dict
+    )  # names whose meaning the other side of an equation told
+    beyond: dict[str, tuple[str, str]] = field(
+        default_factory=dict
+    )  # a frame the document adds: (on which of the arm's, name)
+    configuration: dict[str, float] = field(
+        default_factory=dict
+    )  # joint variables and lengths that displays gave a value
+    adopted: set[str] = field(
+        default_factory=set
+    )  # letters that only a frame the document adds brings in: a tool's length
+    signs: NamedSigns = field(default_factory=NamedSigns)
+    section: str = ""  # the heading under which the display stands that is being checked
+    rounded: dict[str, int] = field(default_factory=dict)  # names made of rounded numbers: to how many decimals
+    shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
+
+    def known_symbol(self, key: str) -> str | None:
+        """Return the model's symbol for a scalar name of the document, or None."""
+        if key in self.symbols:
+            return self.symbols[key]
+        if self.arm is None:
+            return None
+        joints = {joint.symbol: joint for joint in self.arm.joints}
+        if key in joints or key in self.arm.lengths or key in self.arm.angles or key in self.adopted:
+            return key
+        found = re.fullmatch(r"(q|theta|d|r)_(\d+)", key)
+        if found:
+            letter, index = found.group(1), int(found.group(2))
+            joint = self._joint_of_index(index)
+            if joint is not None and (letter == "q" or (letter == "theta") == (joint.kind == "revolute")):
+                return str(joint.symbol)
+        return None
+
+    def _joint_of_index(self, index: int) -> Any:
+        """The joint whose symbol carries the index; else the index-th from the base."""
+        assert self.arm is not None
+        named = [joint for joint in self.arm.joints if joint.symbol.endswith(f"_{index}")]
+        if len(named) > 1:  # an index that an angle and a slide share is the angle's
+            named = [joint for joint in named if joint.kind == "revolute"]
+        if len(named) == 1:
+            return named[0]
+        return self.arm.joints[index - 1] if not named and 1 <= index <= len(self.arm.joints) else None
+
+    def joint_angle(self, index: int) -> str | None:
+        """Return the symbol of the angle that the digit in c_{12} names."""
+        for key in (f"theta_{index}", f"q_{index}"):
+            if key in self.symbols:
+                return self.symbols[key]
+        if self.arm is None:
+            return f"theta_{index}"
+        joint = self._joint_of_index(index)
+        return str(joint.symbol) if joint is not None and joint.kind == "revolute" else None
+
+    def angle_sum(self, name: n.Name) -> n.JointAngles | None:
+        """Return θ_2 + θ_3 for a θ_{23} that nothing else gives a meaning, or None."""
+        if (
+            name.base not in ("theta", "q")
+            or not re.fullmatch(r"[1-9]{2,}", name.sub)
+            or name.sup
+            or name.pre_sup
+            or name.primes
+        ):
+            return None
+        digits = [int(digit) for digit in name.sub]
+        rising = all(a < b for a, b in pairwise(digits))
+        if self.arm is None or not rising or any(self.joint_angle(digit) is None for digit in digits):
+            return None
+        return n.JointAngles(tuple((1, digit) for digit in digits), span=name.span)
+
+    def added_frame(self, name: n.Name) -> tuple[str, str, str] | None:
+        """Return (reference, frame of the arm, name of the transform from it) of a transform to a frame the document added."""
+        if self.arm is None or name.base not in ("T", "A", "H", "R") or name.primes or name.dots:
+            return None
+        pair = transform_pair(name, self.arm, self.transforms)
+        if pair is None or pair[1] not in self.beyond or pair[0] not in self.arm.frames:
+            return None
+        frame, key = self.beyond[pair[1]]
+        return (pair[0], frame, key) if key != name.key else None
+
+    def adds_frame(self, name: n.Name) -> bool:
+        """Whether a transform leads from a frame of the arm to one that is not the arm's."""
+        pair = (
+            transform_pair(name, self.arm, self.transforms)
+            if self.arm is not None and name.base in ("T", "A", "H")
+            else None
+        )
+        return (
+            pair is not None and self.arm is not None and pair[0] in self.arm.frames and pair[1] not in self.arm.frames
+        )
+
+    def add_frame(self, name: n.Name) -> None:
+        """Remember that a defined transform leads from a frame of the arm to one that is not the arm's."""
+        pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None else None
+        if pair is not None and self.adds_frame(name):
+            self.beyond.setdefault(pair[1], (pair[0], name.key))
+
+    def quantity(self, name: n.Name) -> Quantity | None:
+        """Return the arm's quantity that a name stands for, or None."""
+        if name.key in self.quantities:
+            return self.quantities[name.key]
+        if self.arm is None or name.key in self.definitions:
+            return None
+        if name.key in self.inferred:
+            return self.inferred[name.key]
+        return implied_quantity(name, self.arm, self.transforms)
+
+    def is_free(self, name: n.Name) -> bool:
+        """Whether an unbound name is a free scalar: in a document of general statements, a letter with indices."""
+        if self.arm is not None or name.pre_sub or name.pre_sup:
+            return False
+        component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
+        return component or bool(FREE_IN_GENERAL.fullmatch(name.base))
+
+    def defines_sign(self, key: str) -> bool:
+        """Whether a display that gives a name both signs defines it: nothing else gives it a meaning."""
+        return not (key in self.quantities or key in self.definitions or self.known_symbol(key) is not None)
+
+    def is_new(self, name: n.Name) -> bool:
+        """Whether a letter that could be free has not been used or defined: one side of an equation may define it."""
+        return self.is_free(name) and name.key not in self.used and name.key not in self.definitions
+
+    def define(self, key: str, evaluate: Callable[[Algebra], Value], line: int = 0, *, by_place: bool = False) -> None:
+        """Give a name its meaning, unless it has one."""
+        self.definitions.setdefault(key, Definition(evaluate, line, self.section, by_place))
+
+
+def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
+    """Return the bindings of a front matter; raises DocumentError with the key and the valid choices."""
+    symbols_spec = front.get("symbols") or {}
+    quantities_spec = front.get("quantities") or {}
+    transforms = front.get("transforms", "upper")
+    for key, value in (("symbols", symbols_spec), ("quantities", quantities_spec)):
+        if not isinstance(value, Mapping):
+            raise DocumentError(f"'{key}' must be a mapping from names to meanings, not {value!r}", key)
+    if transforms not in ("upper", "lower"):
+        raise DocumentError(f"'transforms' must be upper or lower, not {transforms!r}", "transforms")
+    words = frozenset(
+        word
+        for key in [*symbols_spec, *quantities_spec]
+        for word in re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key))
+        if not _is_greek(word)
+    ) - {
+        "dot",
+        "ddot",
+        "vec",
+        "mathbf",
+        "mathrm",
+        "text",
+        "prime",
+        "hat",
+        "bar",
+        "operatorname",
+        "mathcal",
+        "boldsymbol",
+        "star",
+        "frac",
+    }
+    plain = Reader(words=words)
+    symbols: dict[str, str] = {}
+    for key, value in symbols_spec.items():
+        if not isinstance(value, str):
+            raise DocumentError(f"symbol '{key}' must be bound to a symbol of the arm, not {value!r}", "symbols")
+        name = name_key(plain, str(key))
+        if arm is not None and value != FREE and value not in (known := _scalars(arm)):
+            raise DocumentError(
+                f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)} "
+                f"('{FREE}' binds a letter that is none of the arm's)",
+                "symbols",
+            )
+        if value == FREE and arm is not None and name in _scalars(arm):
+            raise DocumentError(f"symbol '{key}' is one of the arm '{arm.name}': it cannot be free", "symbols")
+        symbols[name] = name if value == FREE else value
+    quantities = {
+        name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()
+    }
+    bound = frozenset(symbols) | frozenset(quantities)
+    # A trig letter bound with any index (s_x) or an applied name (J(q)) is bound as written.
+    reader = Reader(lambda key: key in bound, words)
+    return Names(arm, symbols, quantities, transforms, {}, reader)
+
+
+def _is_greek(word: str) -> bool:
+    from armproof.verification.latex.vocabulary import FUNCTIONS, GREEK
+
+    return word in GREEK or word in FUNCTIONS
+
+
+def _scalars(arm: Arm) -> list[str]:
+    return [*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles]
+
+
+def name_key(reader: Reader, key: str) -> str:
+    """Return the canonical key of a front-matter name, such as J(q), J'_P, {}^0P_{1,G} or theta_12."""
+    latex = key_as_latex(key)
+    probe = Reader(lambda _key: True, reader.words)
+    try:
+        node = probe.read_expression(latex)
+    except ReadError as error:
+        raise DocumentError(f"'{key}' is not a name: {error}") from None
+    if isinstance(node, n.Name):
+        return node.key
+    if isinstance(node, n.Call) and node.function == "name":
+        return call_key(node)
+    raise DocumentError(f"'{key}' is not a name; write it as in the displays, such as P_x, J(q) or {{}}^0T_4")
+
+
+def call_key(node: n.Call) -> str:
+    """Return the key of a name with arguments: J(q)."""
+    name, *arguments = node.arguments
+    head = name.key if isinstance(name, n.Name) else "?"
+    return f"{head}({','.join(a.key for a in arguments if isinstance(a, n.Name))})"

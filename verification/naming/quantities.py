@@ -1,0 +1,241 @@
+"""What a name means on an arm: poses, origins, axes and Jacobians, as the front matter lists or notation implies."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from armproof.models.arm import Arm
+from armproof.verification.errors import DocumentError
+from armproof.verification.latex import nodes as n
+
+KINDS = ("pose", "rotation", "origin", "axis", "jacobian", "link", "difference", "joint", "vector")
+OPTIONS = {
+    "pose": {"in", "rows", "columns", "component"},
+    "rotation": {"in", "rows", "columns"},
+    "origin": {"in", "component", "rows", "homogeneous"},
+    "axis": {"in", "component", "along", "rows", "homogeneous"},
+    "jacobian": {"in", "rows", "columns"},
+    "link": {"rows", "columns"},
+    "difference": {"in", "component", "rows", "homogeneous"},
+    "joint": set(),
+    "vector": set(),
+}
+COMPONENTS = {"x": 0, "y": 1, "z": 2}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A matrix of an arm: `kind` of `frame` in `reference`, then the rows and columns that are meant (from 1).
+
+    pose: 4×4 X_{reference,frame}; rotation: its 3×3 block; origin: 3×1, p of the frame's origin in the reference;
+    axis: 3×1, the frame's x, y or z axis in the reference; difference: p_frame − p_start in the reference;
+    jacobian: 6×n, rows [v; ω], of the frame's origin with respect to frame 0, expressed in the reference;
+    link: the general link matrix of a convention in frame; joint: a joint's variable; vector: all of them.
+    """
+
+    kind: str
+    frame: str
+    reference: str = "0"
+    rows: tuple[int, ...] | None = None
+    columns: tuple[int, ...] | None = None
+    along: str = "z"
+    start: str = "0"
+    scalar: bool = False
+    homogeneous: bool = False
+
+
+def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
+    """Return the quantity that a front-matter entry describes; raises DocumentError with the valid choices."""
+    if not isinstance(spec, Mapping) or len(kinds := [kind for kind in KINDS if kind in spec]) != 1:
+        raise DocumentError(
+            f"quantity '{key}' must name one of {', '.join(KINDS)}, such as {{origin: 3}}; it is {spec!r}"
+        )
+    kind = kinds[0]
+    unknown = set(map(str, spec)) - OPTIONS[kind] - {kind}
+    if unknown:
+        valid = ", ".join(sorted(OPTIONS[kind])) or "none"
+        raise DocumentError(
+            f"quantity '{key}': unknown option {', '.join(sorted(unknown))}; valid with '{kind}': {valid}"
+        )
+    if kind == "link":
+        if spec["link"] not in ("classic", "modified"):
+            raise DocumentError(f"quantity '{key}': link must be classic or modified, not {spec['link']!r}")
+        return Quantity(
+            "link", str(spec["link"]), rows=_indices(key, spec, "rows"), columns=_indices(key, spec, "columns")
+        )
+    if arm is None:
+        raise DocumentError(f"quantity '{key}' is of an arm, but the front matter names no arm")
+    if kind == "vector":
+        return Quantity("vector", "q")
+    if kind == "joint":
+        symbols = [joint.symbol for joint in arm.joints]
+        if str(spec["joint"]) not in symbols:
+            raise DocumentError(f"quantity '{key}': no joint '{spec['joint']}'; the arm's are {', '.join(symbols)}")
+        return Quantity("joint", str(spec["joint"]), scalar=True)
+    start = "0"
+    frame = spec[kind]
+    if kind == "difference":
+        if not (isinstance(frame, list) and len(frame) == 2):
+            raise DocumentError(f"quantity '{key}': difference takes two frames, [to, from], not {frame!r}")
+        start = frame_name(arm, str(frame[1]), key)
+        frame = frame[0]
+    reference = frame_name(arm, str(spec["in"]), key) if "in" in spec else arm.frames[0]
+    rows, columns = _indices(key, spec, "rows"), _indices(key, spec, "columns")
+    for option, indices, most in (("rows", rows, _height(kind)), ("columns", columns, _width(kind, arm))):
+        if indices and max(indices) > most:
+            raise DocumentError(
+                f"quantity '{key}': a {kind} has {most} {option}, there is no {option[:-1]} {max(indices)}"
+            )
+    quantity = Quantity(
+        kind,
+        frame_name(arm, str(frame), key),
+        reference,
+        rows,
+        columns,
+        start=start,
+        homogeneous=bool(spec.get("homogeneous", False)),
+    )
+    if "along" in spec:
+        if spec["along"] not in COMPONENTS:
+            raise DocumentError(f"quantity '{key}': along must be x, y or z, not {spec['along']!r}")
+        quantity = replace(quantity, along=str(spec["along"]))
+    if "component" in spec:
+        quantity = _component(key, quantity, spec["component"])
+    return quantity
+
+
+def _height(kind: str) -> int:
+    return {"pose": 4, "jacobian": 6}.get(kind, 3)
+
+
+def _width(kind: str, arm: Arm) -> int:
+    return len(arm.joints) if kind == "jacobian" else {"pose": 4, "rotation": 3}.get(kind, 1)
+
+
+def _component(key: str, quantity: Quantity, component: object) -> Quantity:
+    if quantity.kind == "pose":
+        if not (isinstance(component, list) and len(component) == 2 and all(c in (1, 2, 3, 4) for c in component)):
+            raise DocumentError(f"quantity '{key}': component of a pose is [row, column], not {component!r}")
+        return replace(quantity, rows=(component[0],), columns=(component[1],), scalar=True)
+    if component not in COMPONENTS:
+        raise DocumentError(f"quantity '{key}': component must be x, y or z, not {component!r}")
+    return replace(quantity, rows=(COMPONENTS[str(component)] + 1,), scalar=True)
+
+
+def _indices(key: str, spec: Mapping, option: str) -> tuple[int, ...] | None:
+    value = spec.get(option)
+    if value is None:
+        return None
+    if isinstance(value, int):
+        value = [value]
+    if not (isinstance(value, list) and value and all(type(i) is int and 1 <= i <= 64 for i in value)):
+        raise DocumentError(f"quantity '{key}': {option} must be a list of indices counted from 1, not {value!r}")
+    return tuple(value)
+
+
+def frame_name(arm: Arm, name: str, key: str = "") -> str:
+    """Return the arm's frame of that name; `n` is the last where no frame is called so."""
+    if name in arm.frames:
+        return name
+    if name in ("n", "N"):
+        return numbered_frames(arm)[-1]
+    where = f"quantity '{key}': " if key else ""
+    raise DocumentError(f"{where}no frame '{name}' on arm '{arm.name}'; its frames are {', '.join(arm.frames)}")
+
+
+def numbered_frames(arm: Arm) -> list[str]:
+    """The frames 0…n of the document, in order."""
+    return [frame for frame in arm.frames if frame.isdigit()] or list(arm.frames)
+
+
+def implied_quantity(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
+    """Return what `{}^iT_j`, `T^i_j`, `A_i`, `p_i`, `z_i`, `J` and their like mean without being listed, or None."""
+    if name.primes or name.dots:
+        return None
+    base = name.base
+    if base in ("T", "A", "H", "R"):
+        return _implied_transform(name, arm, transforms)
+    if base in ("p", "P", "o", "O", "d", "z", "Z", "x", "X", "y", "Y"):
+        return _implied_vector(name, arm)
+    if base == "J":
+        return _implied_jacobian(name, arm)
+    return None
+
+
+def _frame(arm: Arm, text: str) -> str | None:
+    if text in arm.frames:
+        return text
+    return numbered_frames(arm)[-1] if text == "n" else None
+
+
+def transform_pair(name: n.Name, arm: Arm, transforms: str) -> tuple[str, str] | None:
+    """Return (reference, frame) as the indices of a transform's name say, whether the arm has such frames or not."""
+    if name.pre_sup and name.pre_sub and not name.sub and not name.sup:
+        return (name.pre_sup, name.pre_sub)
+    if name.pre_sup and name.sub and not name.sup and not name.pre_sub:
+        return (name.pre_sup, name.sub)
+    if name.sub and name.sup and not name.pre_sub and not name.pre_sup:
+        return (name.sup, name.sub) if transforms == "upper" else (name.sub, name.sup)
+    if name.sub and not (name.sup or name.pre_sub or name.pre_sup):
+        two = re.fullmatch(r"(\w),?(\w)", name.sub)
+        frame = _frame(arm, name.sub)
+        if two and not (frame and name.base in "AH"):
+            return (two.group(1), two.group(2))
+        if name.base in ("A", "H") and frame and frame.isdigit():
+            frames = numbered_frames(arm)
+            index = frames.index(frame)
+            return (frames[index - 1], frame) if index > 0 else None
+    return None
+
+
+def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
+    pair = transform_pair(name, arm, transforms)
+    if pair is None:
+        return None
+    reference, frame = _frame(arm, pair[0]), _frame(arm, pair[1])
+    if reference is None or frame is None:
+        return None
+    return Quantity("rotation" if name.base == "R" else "pose", frame, reference)
+
+
+def _implied_vector(name: n.Name, arm: Arm) -> Quantity | None:
+    reference = name.pre_sup or name.sup
+    if name.pre_sub or (name.pre_sup and name.sup):
+        return None
+    frame = _frame(arm, re.sub(r"(?<=\w),?(?:ORG|org|orig)$", "", name.sub))  # Craig's P_{3ORG}
+    if frame is None:
+        return None
+    first = numbered_frames(arm)[0]
+    if not reference:
+        if name.base not in ("p", "z", "o", "O"):
+            return None
+        resolved: str | None = first
+    else:
+        resolved = _frame(arm, reference)
+    if resolved is None:
+        return None
+    if name.base in ("p", "P", "o", "O", "d"):
+        return Quantity("origin", frame, resolved)
+    return Quantity("axis", frame, resolved, along=name.base.lower())
+
+
+LINEAR, ANGULAR = ("v", "L", "P", "p", "l", "lin"), ("omega", "A", "O", "o", "w", "ang", "a")
+
+
+def _implied_jacobian(name: n.Name, arm: Arm) -> Quantity | None:
+    frames = numbered_frames(arm)
+    reference = name.pre_sup or name.sup
+    if name.pre_sub or (name.pre_sup and name.sup):
+        return None
+    resolved = _frame(arm, reference) if reference else frames[0]
+    if resolved is None:
+        return None
+    if not name.sub or (name.sub == "n" and "n" not in arm.frames):
+        return Quantity("jacobian", frames[-1], resolved)
+    if name.sub in LINEAR:
+        return Quantity("jacobian", frames[-1], resolved, rows=(1, 2, 3))
+    if name.sub in ANGULAR:
+        return Quantity("jacobian", frames[-1], resolved, rows=(4, 5, 6))
+    return None

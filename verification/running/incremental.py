@@ -1,0 +1,108 @@
+"""Check a document again after it was changed: only the displays that its verdicts can have changed of.
+
+A display's verdict rests on the names that those before it define. The checker's state is kept after each display; from
+the first one that differs the displays are checked anew, until what follows is as it was and so is the state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.check import DocumentChecker, load_arm_of
+from armproof.verification.document import Display, Document
+from armproof.verification.errors import DocumentError
+from armproof.verification.running.snapshot import Snapshot
+from armproof.verification.verdict import DocumentResult, Record
+
+MOST_DENOMINATORS = 8
+
+
+@dataclass(frozen=True)
+class _Checked:
+    """A display with its verdict and the checker's state behind it."""
+
+    display: Display
+    record: Record
+    after: Snapshot
+
+
+class IncrementalChecker:
+    """The verdicts of one document, kept up to date; `result` is that of the last update."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.result: DocumentResult | None = None
+        self._front: object = None
+        self._checker: DocumentChecker | None = None
+        self._before: Snapshot | None = None
+        self._checked: list[_Checked] = []
+
+    def update(self, document: Document) -> Iterator[Record]:
+        """Yield the verdict of each display that is checked again; then `result` is that of the document as it is now.
+
+        Raises DocumentError where the document as a whole cannot be checked; the next update then begins anew.
+        """
+        denominators: dict[str, int] = {}
+        fresh = self._checker is None or (document.front, document.lines) != self._front
+        self.result = None
+        for _ in range(MOST_DENOMINATORS):
+            try:
+                if fresh:
+                    self._begin(document, denominators)
+                yield from self._continue(document)
+                return
+            except AngleFraction as fraction:  # θ/2 was met: begin again with it as the ring's generator
+                denominators[fraction.symbol] = fraction.denominator
+                fresh = True
+        self._checker = None
+        raise DocumentError(f"{document.path}: fractions of angles with too many denominators")
+
+    def _begin(self, document: Document, denominators: dict[str, int]) -> None:
+        self._checker, self._checked = None, []
+        checker = DocumentChecker(document, load_arm_of(document), denominators)
+        self._checker, self._front = checker, (document.front, document.lines)
+        self._before = Snapshot(checker)
+
+    def _continue(self, document: Document) -> Iterator[Record]:
+        assert self._checker is not None and self._before is not None
+        checker, old = self._checker, self._checked
+        kept = next(
+            (k for k, (a, b) in enumerate(zip(document.displays, old, strict=False)) if not _alike(a, b.display)),
+            min(len(document.displays), len(old)),
+        )
+        self._checked = checked = old[:kept]
+        (checked[-1].after if checked else self._before).restore()
+        checker.document = document
+        known = {_key(each.display) for each in old}
+        for index in range(kept, len(document.displays)):
+            if index > kept and _goes_on_as_before(document.displays, index, old, checked[-1]):
+                checked.extend(old[index:])
+                checked[-1].after.restore()
+                break
+            display = document.displays[index]
+            record = checker.check_display(display)
+            checked.append(_Checked(display, record, Snapshot(checker)))
+            if _key(display) not in known or index == kept:
+                yield record
+        self.result = checker.result_of(tuple(each.record for each in checked))
+
+
+def _key(display: Display) -> tuple[str, bool]:
+    return display.latex, display.erratum
+
+
+def _alike(display: Display, before: Display) -> bool:
+    """Whether a display would get the record that it had: the same formula at the same place."""
+    return display == before
+
+
+def _goes_on_as_before(displays: tuple[Display, ...], index: int, old: list[_Checked], last: _Checked) -> bool:
+    """Whether the displays from one on are those that were there, and the state before them is what it was."""
+    return (
+        len(displays) == len(old)
+        and all(_alike(a, b.display) for a, b in zip(displays[index:], old[index:], strict=True))
+        and last.after.is_same(old[index - 1].after)
+    )
