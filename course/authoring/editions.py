@@ -7,9 +7,9 @@ from dataclasses import replace
 from typing import Any
 
 from armproof.course.authoring.lesson_source import LessonSource
-from armproof.course.authoring.notebook import NotebookCell, as_bytes, as_notebook
+from armproof.course.authoring.notebook import as_bytes, as_notebook
 from armproof.course.authoring.solutions import without_solutions
-from armproof.course.authoring.source import Cell
+from armproof.verification.document.cells import Cell
 
 FOLDED = {"jupyter": {"source_hidden": True}}  # JupyterLab shows the front matter as a bar
 
@@ -24,12 +24,12 @@ def instructor_notebook(lesson: LessonSource) -> bytes:
     return as_bytes(as_notebook(lesson.name, solved_cells(lesson)))
 
 
-def solved_cells(lesson: LessonSource) -> Iterator[NotebookCell]:
+def solved_cells(lesson: LessonSource) -> Iterator[Cell]:
     """Yield the cells of the source as they are."""
     yield from map(_written, lesson.cells)
 
 
-def student_cells(lesson: LessonSource) -> Iterator[NotebookCell]:
+def student_cells(lesson: LessonSource) -> Iterator[Cell]:
     """Yield the cells of the student's notebook, one for each of the source."""
     needed = lesson.needed
     for index, cell in enumerate(lesson.cells):
@@ -37,8 +37,8 @@ def student_cells(lesson: LessonSource) -> Iterator[NotebookCell]:
         yield _written(replace(cell, text=without_solutions(cell, blocks, needed)) if blocks else cell)
 
 
-def _written(cell: Cell) -> NotebookCell:
-    return NotebookCell(cell.kind, cell.source, metadata_of(cell))
+def _written(cell: Cell) -> Cell:
+    return replace(cell, metadata=metadata_of(cell))
 
 
 def metadata_of(cell: Cell) -> Mapping[str, Any]:

@@ -16,8 +16,9 @@ from subprocess import DEVNULL
 from typing import Any
 
 from armproof.course.authoring.errors import AuthoringError
-from armproof.course.authoring.notebook import NotebookCell, as_bytes, as_notebook
+from armproof.course.authoring.notebook import as_bytes, as_notebook
 from armproof.course.authoring.places import COURSE, Place
+from armproof.verification.document.cells import Cell
 
 NEEDED = ("nbclient", "nbformat", "ipykernel")
 SECONDS_A_CELL = 60
@@ -55,9 +56,7 @@ def require_jupyter() -> None:
         raise AuthoringError(f"{', '.join(missing)}: not installed; lessons run with: pip install 'armproof[lab]'")
 
 
-def run_cells(
-    name: str, cells: list[NotebookCell], place: Place = COURSE, settings: Mapping[str, str] | None = None
-) -> Run:
+def run_cells(name: str, cells: list[Cell], place: Place = COURSE, settings: Mapping[str, str] | None = None) -> Run:
     """Run cells in a kernel, in an empty folder and with an empty record of progress.
 
     Args:
@@ -69,7 +68,7 @@ def run_cells(
     import nbformat
     from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
-    data = as_bytes(as_notebook(name, [*cells, NotebookCell("code", _REPORT)]))
+    data = as_bytes(as_notebook(name, [*cells, Cell("code", _REPORT)]))
     notebook = nbformat.reads(data, as_version=4)  # type: ignore[no-untyped-call]
     started = time.perf_counter()
     with tempfile.TemporaryDirectory(prefix="armproof-", ignore_cleanup_errors=True) as folder:

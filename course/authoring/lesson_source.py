@@ -10,7 +10,8 @@ from pathlib import Path
 
 from armproof.course.authoring.errors import SourceError
 from armproof.course.authoring.solutions import BEGIN, END, Block, find_blocks
-from armproof.course.authoring.source import Cell, read_cells
+from armproof.course.authoring.source import read_cells
+from armproof.verification.document.cells import Cell
 
 FILE = re.compile(r"(?P<number>\d\d)_(?P<name>[a-z][a-z0-9_]*)\.py")
 

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from armproof.course.authoring.editions import metadata_of
 from armproof.course.authoring.errors import SourceError
 from armproof.course.authoring.lesson_source import Check, LessonSource
-from armproof.course.authoring.notebook import NotebookCell, as_bytes, as_notebook
-from armproof.course.authoring.source import Cell
+from armproof.course.authoring.notebook import as_bytes, as_notebook
+from armproof.verification.document.cells import Cell
 
 POINTS = 1
 _GRADED = """_feedback = {call}
@@ -43,18 +43,18 @@ def nbgrader_notebook(lesson: LessonSource) -> bytes:
     return as_bytes(as_notebook(lesson.name, _cells(lesson, list(graded.values()))))
 
 
-def _cells(lesson: LessonSource, graded: list[Check]) -> Iterator[NotebookCell]:
+def _cells(lesson: LessonSource, graded: list[Check]) -> Iterator[Cell]:
     for index, cell in enumerate(lesson.cells):
         if cell.kind != "code":
-            yield NotebookCell(cell.kind, cell.source, metadata_of(cell))
+            yield replace(cell, metadata=metadata_of(cell))
             continue
         own = [check for check in graded if check.cell == index]
         for number, part in enumerate(_parts(lesson, index, own), 1):
-            text = Cell("code", part.text, cell.line).source
-            yield _as_cell(lesson.name, cell, part, text, f"{index}-{number}")
+            yield _as_cell(lesson.name, cell, part, f"{index}-{number}")
 
 
-def _as_cell(lesson: str, cell: Cell, part: Part, text: str, place: str) -> NotebookCell:
+def _as_cell(lesson: str, cell: Cell, part: Part, place: str) -> Cell:
+    text = part.text
     if part.check is not None:
         metadata = _metadata(f"{lesson}-{part.check.task}", grade=True, locked=True) | {"points": POINTS}
         text = _GRADED.format(call=text)
@@ -62,7 +62,7 @@ def _as_cell(lesson: str, cell: Cell, part: Part, text: str, place: str) -> Note
         metadata = _metadata(f"{lesson}-answer-{place}", solution=True)
     else:
         metadata = _metadata(f"{lesson}-cell-{place}", locked=True)
-    return NotebookCell("code", text, {**cell.metadata, "nbgrader": metadata})
+    return Cell("code", text, metadata={**cell.metadata, "nbgrader": metadata})
 
 
 def _metadata(grade_id: str, *, grade: bool = False, solution: bool = False, locked: bool = False) -> dict[str, Any]:

@@ -5,22 +5,14 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
+
+from armproof.verification.document.cells import Cell
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 
 
-@dataclass(frozen=True)
-class NotebookCell:
-    """A cell to be written: `code`, `markdown` or `raw`, its source and metadata."""
-
-    kind: str
-    source: str
-    metadata: Mapping[str, Any] = field(default_factory=dict)
-
-
-def as_notebook(name: str, cells: Iterable[NotebookCell]) -> dict[str, Any]:
+def as_notebook(name: str, cells: Iterable[Cell]) -> dict[str, Any]:
     """Return cells as a notebook of format 4.5, without outputs; each cell's id is a digest of the name and its position."""
     return {
         "cells": [_as_json(cell, cell_id(name, position)) for position, cell in enumerate(cells)],
@@ -40,7 +32,7 @@ def cell_id(name: str, position: int) -> str:
     return hashlib.sha256(f"{name}/{position}".encode()).hexdigest()[:12]
 
 
-def _as_json(cell: NotebookCell, identifier: str) -> dict[str, Any]:
+def _as_json(cell: Cell, identifier: str) -> dict[str, Any]:
     written: dict[str, Any] = {
         "cell_type": cell.kind,
         "id": identifier,

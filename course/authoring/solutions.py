@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.course.authoring.errors import SourceError
-from armproof.course.authoring.source import Cell
+from armproof.verification.document.cells import Cell
 
 BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"
 CODE, ANSWER = "...  # your code here", "...  # your answer here"

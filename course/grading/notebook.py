@@ -8,9 +8,9 @@ import re
 import stat
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from armproof.course.grading.limits import MEGABYTE
+from armproof.verification.document.cells import notebook_cells
 
 _LARGEST = 20 * MEGABYTE
 _OPENED = re.compile(r"open_lesson\(\s*[\"'](\w+)[\"']")
@@ -42,15 +42,14 @@ class Notebook:
 def read_notebook(path: Path) -> Notebook:
     """Read a notebook; raises UnreadableError."""
     try:
-        cells = json.loads(_read_text(path))["cells"]
-        read = [(str(cell["cell_type"]), _source(cell["source"])) for cell in cells]
+        cells = notebook_cells(_read_text(path))
     except json.JSONDecodeError as error:
         raise UnreadableError(f"line {error.lineno} is not JSON, which a notebook is: {error.msg}") from None
-    except (KeyError, TypeError, ValueError, RecursionError, MemoryError):
-        raise UnreadableError("it is no notebook: it has no list of cells with a type and a source") from None
-    code = tuple(source for kind, source in read if kind == "code")
+    except ValueError as error:
+        raise UnreadableError(f"it is no notebook: {error}") from None
+    code = tuple(cell.text for cell in cells if cell.kind == "code")
     opened = dict.fromkeys(name for source in code for name in _OPENED.findall(source))
-    title = _title([source for kind, source in read if kind in ("raw", "markdown")])
+    title = _title([cell.text for cell in cells if cell.kind in ("raw", "markdown")])
     return Notebook(code, tuple(opened), title, any(_SOLUTIONS.search(source) for source in code))
 
 
@@ -73,14 +72,6 @@ def _read_text(path: Path) -> str:
             return file.read(_LARGEST).decode("utf-8-sig")
         except UnicodeDecodeError:
             raise UnreadableError("it is not text in UTF-8, which a notebook is") from None
-
-
-def _source(source: Any) -> str:
-    if isinstance(source, str):
-        return source
-    if isinstance(source, list) and all(isinstance(line, str) for line in source):
-        return "".join(source)
-    raise TypeError
 
 
 def _title(cells: list[str]) -> str:

@@ -16,7 +16,7 @@ from armproof.models.catalogue import load_arm
 from armproof.verification.document import Document
 from armproof.verification.document.front_matter import split_front_matter
 from armproof.verification.document.markdown import markdown_reader
-from armproof.verification.document.notebook import notebook_cells
+from armproof.verification.document.notebook import read_cells
 from armproof.verification.document.text import read_text
 from armproof.verification.naming.names import read_names
 from armproof.verification.verdict import DocumentResult
@@ -77,8 +77,8 @@ def _bodies(path: Path) -> list[tuple[str, int, int | None]]:
     if path.suffix != ".ipynb":
         _, _, body, first = split_front_matter(path, text)
         return [(body, first, None)]
-    cells = enumerate(notebook_cells(path, text))
-    return [(_without_front_matter(path, source), 1, number) for number, (kind, source) in cells if kind == "markdown"]
+    cells = enumerate(read_cells(path, text))
+    return [(_without_front_matter(path, cell.text), 1, number) for number, cell in cells if cell.kind == "markdown"]
 
 
 def _without_front_matter(path: Path, source: str) -> str:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 from armproof.course.authoring.kernel import Fault, run_cells
 from armproof.course.authoring.lesson_source import LessonSource
-from armproof.course.authoring.notebook import NotebookCell
 from armproof.course.authoring.places import COURSE, Place
 from armproof.course.site.cells import Cell, cells_of, with_outputs
 from armproof.course.site.errors import SiteError
+from armproof.verification.document.cells import Cell as SourceCell
 
 _CONFIG = "c.InlineBackend.figure_formats = {'svg'}\nc.HistoryManager.enabled = False\n"
 _LONGEST = 300  # characters of what was raised
@@ -28,7 +28,7 @@ def execute(source: LessonSource, place: Place = COURSE, *, solved: bool = False
         SiteError: a cell raises an exception or takes too long: the lesson, the cell, the line and the exception.
     """
     cells = cells_of(source)
-    notebook = [NotebookCell(cell.kind, cell.solved if solved else cell.source) for cell in cells]
+    notebook = [SourceCell(cell.kind, cell.solved if solved else cell.source) for cell in cells]
     with tempfile.TemporaryDirectory(prefix="armproof-site-") as folder:
         run = run_cells(source.name, notebook, place, _settings(Path(folder)))
     if run.fault is not None:

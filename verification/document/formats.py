@@ -7,8 +7,7 @@ from pathlib import Path
 
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import Document
-from armproof.verification.document.notebook import read_notebook
-from armproof.verification.document.percent import read_percent
+from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.text import read_text

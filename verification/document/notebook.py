@@ -1,43 +1,69 @@
-"""Read a notebook: the displays of its Markdown cells, each at its line of the cell."""
+"""Read a notebook or its py:percent source: the displays of its Markdown cells."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from armproof.verification.document.cells import Cell, comment_width, notebook_cells, percent_cells
 from armproof.verification.document.front_matter import split_front_matter
 from armproof.verification.document.markdown import read_markdown
-from armproof.verification.document.model import Display, Document, Table
+from armproof.verification.document.model import Display, Document, Piece, Table
 from armproof.verification.errors import DocumentError
 
 
 def read_notebook(path: Path, text: str) -> Document:
-    """Return the document of a notebook's JSON; its front matter stands in its first Markdown or raw cell that has one."""
+    """Return the document of a notebook's JSON, each display at its line of the cell; raises DocumentError."""
+    return _read_cells(path, read_cells(path, text))
+
+
+def read_cells(path: Path, text: str) -> tuple[Cell, ...]:
+    """Return the cells of a notebook; raises DocumentError."""
+    try:
+        return notebook_cells(text)
+    except json.JSONDecodeError as error:
+        raise DocumentError(f"{path}:{error.lineno}: not a notebook: {error.msg} (a notebook is JSON)") from None
+    except ValueError as error:
+        raise DocumentError(f"{path}:1: not a notebook: {error}") from None
+
+
+def read_percent(path: Path, text: str) -> Document:
+    """Return the document of a py:percent file, each display at its own line of the file."""
+    document = _read_cells(path, percent_cells(text))
+    margins = [comment_width(line) for line in text.replace("\r\n", "\n").split("\n")]
+    displays = tuple(
+        replace(display, pieces=tuple(_moved(piece, margins) for piece in display.pieces))
+        for display in document.displays
+    )
+    tables = tuple(
+        replace(table, pieces=tuple(tuple(piece and _moved(piece, margins) for piece in row) for row in table.pieces))
+        for table in document.tables
+    )
+    return replace(document, displays=displays, tables=tables)
+
+
+def _moved(piece: Piece, margins: list[int]) -> Piece:
+    return replace(piece, column=piece.column + margins[piece.line - 1])
+
+
+def _read_cells(path: Path, cells: Iterable[Cell]) -> Document:
+    """Return the document of cells; its front matter stands in its first Markdown or raw cell that has one."""
     front: dict[str, Any] | None = None
     lines: dict[str, int] = {}
     displays: list[Display] = []
     tables: list[Table] = []
-    for number, (kind, source) in enumerate(notebook_cells(path, text)):
-        if kind not in ("markdown", "raw"):
+    for number, cell in enumerate(cells):
+        if cell.kind not in ("markdown", "raw"):
             continue
-        first = 1
-        if front is None and source.lstrip().startswith("---"):
-            blank = len(source) - len(source.lstrip())
-            front, lines, source, first = split_front_matter(path, source[blank:], 1 + source.count("\n", 0, blank))
-        if kind == "markdown":
-            more, more_tables = read_markdown(source, first, number)
+        body, first = cell.text, cell.line
+        if front is None and body.lstrip().startswith("---"):
+            blank = len(body) - len(body.lstrip())
+            front, lines, body, first = split_front_matter(path, body[blank:], first + body.count("\n", 0, blank))
+        if cell.kind == "markdown":
+            more, more_tables = read_markdown(body, first, number)
             displays += more
             tables += more_tables
     return Document(path, front or {}, tuple(displays), tuple(tables), lines)
-
-
-def notebook_cells(path: Path, text: str) -> list[tuple[str, str]]:
-    """Return the type and the source of each cell; raises DocumentError."""
-    try:
-        cells = json.loads(text)["cells"]
-        return [(c["cell_type"], c["source"] if isinstance(c["source"], str) else "".join(c["source"])) for c in cells]
-    except json.JSONDecodeError as error:
-        raise DocumentError(f"{path}:{error.lineno}: not a notebook: {error.msg} (a notebook is JSON)") from None
-    except (KeyError, TypeError, ValueError, RecursionError):
-        raise DocumentError(f"{path}:1: not a notebook: it has no list of cells with a type and a source") from None

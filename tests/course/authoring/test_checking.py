@@ -11,8 +11,8 @@ from armproof.course.authoring import checking
 from armproof.course.authoring.building import student_files, write_stale
 from armproof.course.authoring.checking import check_lesson, check_lessons
 from armproof.course.authoring.kernel import Fault, Run
-from armproof.course.authoring.notebook import NotebookCell
 from armproof.course.authoring.places import COURSE, Place
+from armproof.verification.document.cells import Cell
 
 pytest.importorskip("nbclient")
 WRONG = ("return a * b - corner", "return a * b + corner")
@@ -28,7 +28,7 @@ def built(place: Place, source: Path) -> Path:
 def without_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run cells in this process: a kernel takes a second to start."""
 
-    def run_here(name: str, cells: list[NotebookCell], place: Place = COURSE) -> Run:
+    def run_here(name: str, cells: list[Cell], place: Place = COURSE) -> Run:
         place.notebooks.mkdir(exist_ok=True)
         monkeypatch.chdir(place.notebooks)
         monkeypatch.setenv("ARMPROOF_PROGRESS", "")

@@ -11,6 +11,8 @@ from armproof.course.authoring.errors import SourceError
 from armproof.course.authoring.lesson_source import read_lesson_source
 from armproof.course.authoring.places import COURSE
 from armproof.course.authoring.source import parse_cells
+from armproof.verification.document import parse_document
+from armproof.verification.document.cells import percent_cells
 
 jupytext = pytest.importorskip("jupytext")
 
@@ -42,10 +44,27 @@ def test_every_lesson_is_read_as_jupytext_reads_it(source: Path):
         '# %% [markdown] tags=["wide"]\n# text\n\n# %% tags=["hide-input"]\nx = "# %% no cell"\n',
         "# %%\n# a comment\nx = 1  # another\n",
         "# %% [md]\n# short\n",
+        "# %%\n# %%time\nx = 1\n",
+        "#%%\nx = 1\n\n#%% [markdown]\n# text\n",
+        "# %%\nx = 1\n\n# %%% [markdown]\n# text\n",
     ],
 )
 def test_spellings_of_cells_are_read_as_jupytext_reads_them(text: str):
     assert as_we_read(text) == as_jupytext_reads(text)
+
+
+@pytest.mark.parametrize("line", ["# %%time", "# %%", "#%%", "# %% a title", "# %%% x", "# %%%", "# %% [markdown]"])
+def test_a_line_opens_a_cell_for_verify_where_it_does_for_lessons_and_jupytext(line: str):
+    text = f"# %%\nx = 1\n{line}\n# a\n\n# %% [markdown]\n# $$ x = x $$\n"
+    number = len(as_jupytext_reads(text)) - 1
+    assert len(parsed := percent_cells(text)) - 1 == number
+    assert [display.cell for display in parse_document(Path("lesson.py"), text).displays] == [number]
+    assert all(cell.kind == kind for cell, (kind, _) in zip(parsed, as_jupytext_reads(text), strict=True))
+
+
+def test_a_magic_is_no_cell_and_a_marker_is_one():
+    assert len(percent_cells("# %%\n# %%time\n")) == 1
+    assert len(percent_cells("# %%\n# %% time\n")) == 2
 
 
 def test_lines_and_metadata_are_those_of_the_file():
