@@ -1,14 +1,22 @@
-"""Errors of the verification room; every one carries a message a teacher can act on."""
+"""Errors of the verification room; every one carries a message a teacher can act on.
+
+Each is raised with a finding, or with a text that is said under the kind of its class (`finding_of`).
+"""
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from armproof.models.errors import ArmproofError
+from armproof.verification.findings import Finding, Kind, say
 
 
 class ReadError(ArmproofError):
     """A formula cannot be read: says what was met, where in the LaTeX, and what was expected."""
 
-    def __init__(self, message: str, offset: int = 0) -> None:
+    kind: ClassVar[Kind] = Kind.NOT_READ
+
+    def __init__(self, message: str | Finding, offset: int = 0) -> None:
         super().__init__(message)
         self.offset = offset
 
@@ -16,7 +24,9 @@ class ReadError(ArmproofError):
 class DocumentError(ArmproofError):
     """A document as a whole cannot be checked (front matter, encoding, unknown arm); `key` is the front-matter key at fault."""
 
-    def __init__(self, message: str, key: str = "") -> None:
+    kind: ClassVar[Kind] = Kind.DOCUMENT_AT_FAULT
+
+    def __init__(self, message: str | Finding, key: str = "") -> None:
         super().__init__(message)
         self.key = key
 
@@ -24,22 +34,31 @@ class DocumentError(ArmproofError):
 class EvaluationError(ArmproofError):
     """A formula was read but has no value: shapes that do not fit, a singular matrix, too many terms."""
 
+    kind: ClassVar[Kind] = Kind.NOT_EVALUATED
+
 
 class UnboundName(EvaluationError):
     """A formula holds a name that nothing in the document or on the arm gives a meaning."""
 
     def __init__(self, name: str, reason: str = "") -> None:
-        super().__init__(f"'{name}' is not bound" + (f": {reason}" if reason else ""))
+        because = say(Kind.NOT_BOUND_BECAUSE, name=name, reason=reason)
+        super().__init__(because if reason else say(Kind.NOT_BOUND, name=name))
         self.name = name
 
 
 class NoValue(EvaluationError):
     """A formula that has no value at any configuration, such as 1/0: it is wrong as it stands."""
 
+    kind: ClassVar[Kind] = Kind.NO_VALUE
+
 
 class ShapeError(NoValue):
     """Sizes that can never fit."""
 
+    kind: ClassVar[Kind] = Kind.SIZES_DO_NOT_FIT
+
 
 class TooComplex(EvaluationError):
     """A formula exceeds the bounds on terms or time that keep every display under two seconds."""
+
+    kind: ClassVar[Kind] = Kind.MORE_THAN_IS_COMPUTED

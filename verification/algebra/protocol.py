@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind
 from armproof.verification.naming.quantities import COMPONENTS, Quantity
 
 Value = Any  # a scalar of the algebra, or a Matrix of them
@@ -19,6 +20,8 @@ Value = Any  # a scalar of the algebra, or a Matrix of them
 
 class OutsideAlgebra(EvaluationError):
     """The exact algebra has no such function; the equation can only be confirmed."""
+
+    kind = Kind.OUTSIDE_THE_ALGEBRA
 
 
 class Algebra(Protocol):

@@ -14,6 +14,7 @@ from armproof.verification.equations.alignment import align
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.findings import Kind
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare, has_branches
 from armproof.verification.singularities.elimination import BeyondReach
@@ -24,6 +25,8 @@ WHOLE_NUMBERS = ("k", "n", "m")
 
 class Undecided(EvaluationError):
     """Neither a proof nor a counterexample was found."""
+
+    kind = Kind.UNDECIDED
 
 
 @dataclass(frozen=True)

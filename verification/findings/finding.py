@@ -1,0 +1,173 @@
+"""A finding: its kind, its place, its terms; and `pieces`, which alone puts it in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from gettext import NullTranslations
+from string import Formatter
+from typing import Any
+
+from armproof.verification.findings.kinds import WORDS, Kind
+
+_ = NullTranslations().gettext  # the one look-up of a sentence: a catalogue is bound here
+_PARSED: dict[str, tuple[tuple[str, str | None, str], ...]] = {}
+
+
+class Audience(StrEnum):
+    """Who reads a finding: a student is not told the right term, nor what concerns our proof alone."""
+
+    REPORT = "report"
+    STUDENT = "student"
+
+
+class Piece(StrEnum):
+    """What a piece of a sentence is: words, a formula in LaTeX, or a name or formula as the models spell it (theta_1)."""
+
+    WORDS = "words"
+    LATEX = "latex"
+    NAME = "name"
+
+
+_MARKS = {"$": Piece.LATEX, "`": Piece.NAME}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One reason for a verdict.
+
+    Attributes:
+        kind: what it says; a name of the JSON report.
+        terms: what the sentence names: LaTeX, symbols, frames, numbers, lists of such, or a finding within this one.
+        equation, row, column: where, from 1, as far as it is about one equation or entry.
+    """
+
+    kind: Kind
+    terms: Mapping[str, Any] = field(default_factory=dict, hash=False)
+    equation: int | None = None
+    row: int | None = None
+    column: int | None = None
+
+    def __str__(self) -> str:
+        return write(self)
+
+    @property
+    def is_told(self) -> bool:
+        """Whether a student is told it."""
+        return self.kind.student != ""
+
+    def at(self, equation: int | None = None, row: int | None = None, column: int | None = None) -> Finding:
+        """Return the finding with its place; what is known of it already stays."""
+        return replace(
+            self, equation=self.equation or equation, row=self.row or row, column=self.column or column
+        )  # fmt: skip
+
+    def renamed(self, old: str, new: str) -> Finding:
+        """Return the finding with another text for one in its terms."""
+        return replace(self, terms={name: _renamed(term, old, new) for name, term in self.terms.items()})
+
+    def says(self, other: Finding) -> bool:
+        """Whether this finding says what another does, wherever it stands."""
+        return self.kind is other.kind and dict(self.terms) == dict(other.terms)
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the finding as the report's JSON writes it."""
+        places = {"equation": self.equation, "row": self.row, "column": self.column}
+        return {
+            "kind": self.kind.value,
+            **{name: place for name, place in places.items() if place is not None},
+            "terms": {name: _plain(term) for name, term in self.terms.items()},
+        }
+
+
+def say(kind: Kind, **terms: Any) -> Finding:
+    """Return a finding of a kind with its terms."""
+    return Finding(kind, terms)
+
+
+def finding_of(error: Exception) -> Finding:
+    """Return what an error says: the finding that it was raised with, else its text under the kind of its class."""
+    if error.args and isinstance(error.args[0], Finding):
+        return error.args[0]
+    return say(getattr(error, "kind", Kind.PROBLEM), reason=str(error))
+
+
+def write(finding: Finding, audience: Audience = Audience.REPORT) -> str:
+    """Return a finding in words, plain text."""
+    return "".join(text for text, _ in pieces(finding, audience))
+
+
+def write_all(findings: Iterable[Finding], audience: Audience = Audience.REPORT) -> str:
+    """Return findings in words, each sentence once."""
+    written = (write(finding, audience) for finding in findings)
+    return "; ".join(dict.fromkeys(text for text in written if text))
+
+
+def pieces(finding: Finding, audience: Audience = Audience.REPORT) -> Iterator[tuple[str, Piece]]:
+    """Yield a finding in words: the only place where a sentence is made, so that formulas are told from words."""
+    own = finding.kind.student if audience is Audience.STUDENT else None
+    template = _(finding.kind.template if own is None else own)
+    if not template:
+        return
+    parsed = _parsed(template)
+    if finding.row is not None and finding.column is not None and not any(name == "row" for _, name, _ in parsed):
+        yield _("entry ({row}, {column}): ").format(row=finding.row, column=finding.column), Piece.WORDS
+    terms = {"row": finding.row, "column": finding.column, **finding.terms}
+    inside = Piece.WORDS
+    for literal, name, form in parsed:
+        text = ""
+        for character in literal:  # `theta_1` and $\theta_1$: the marks tell formulas from words
+            if character not in _MARKS:
+                text += character
+                continue
+            if text:
+                yield text, inside
+            text, inside = "", _MARKS[character] if inside is Piece.WORDS else Piece.WORDS
+        if text:
+            yield text, inside
+        if name is not None:
+            yield from _term(terms[name], form, inside, audience)
+
+
+def _parsed(template: str) -> tuple[tuple[str, str | None, str], ...]:
+    if template not in _PARSED:
+        parts = Formatter().parse(template)
+        _PARSED[template] = tuple((literal, name, form or "") for literal, name, form, _ in parts)
+    return _PARSED[template]
+
+
+def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[tuple[str, Piece]]:
+    if isinstance(term, Finding):
+        yield from pieces(term, audience)
+    elif isinstance(term, list | tuple):
+        for index, item in enumerate(term):
+            if index:
+                yield ", ", Piece.WORDS
+            yield from _term(item, form, inside, audience)
+    elif form == "nth":
+        yield _nth(term), inside
+    else:
+        yield format(_(term) if isinstance(term, str) and term in WORDS else term, form), inside
+
+
+def _nth(number: int) -> str:
+    """Return 1 as "first": "factor 2" would be read as the number."""
+    names = ("first", "second", "third", "fourth", "fifth", "sixth")
+    return _(names[number - 1]) if number <= len(names) else f"{number}th"
+
+
+def _plain(term: Any) -> Any:
+    if isinstance(term, Finding):
+        return term.as_json()
+    if isinstance(term, list | tuple):
+        return [_plain(item) for item in term]
+    return term if isinstance(term, str | int | float | None) else str(term)
+
+
+def _renamed(term: Any, old: str, new: str) -> Any:
+    if isinstance(term, Finding):
+        return term.renamed(old, new)
+    if isinstance(term, list | tuple):
+        return [_renamed(item, old, new) for item in term]
+    return term.replace(old, new) if isinstance(term, str) else term

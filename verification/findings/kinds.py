@@ -1,0 +1,461 @@
+"""What a finding can say: each kind by its name in the JSON report, and its sentence, an English template.
+
+A template is the message id of a translation. Its fields are the finding's terms, and {row} and {column}; what stands in
+`backticks` is a name or formula as the models spell it (theta_1), what stands in $dollars$ is LaTeX. A student is told the
+same as a report tells, or the second template; an empty one tells nothing: it would give the right term away, or concerns our
+proof and not the answer.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum, unique
+
+# Terms that are words of the language, not names: they are translated as the templates are.
+WORDS = frozenset(
+    "classic modified left right linear angular revolute prismatic fixed low high degrees radians millimetres kilometres".split()
+)
+
+
+@unique
+class Kind(StrEnum):
+    """The kind of a finding."""
+
+    template: str
+    student: str | None
+
+    def __new__(cls, name: str, template: str, student: str | None = None) -> Kind:
+        """Return the member of a name, with its sentences."""
+        kind = str.__new__(cls, name)
+        kind._value_, kind.template, kind.student = name, template, student
+        return kind
+
+    # -- what became of a display ---------------------------------------------------------------------------------------
+    PROBLEM = "problem", "{reason}"
+    INTERNAL_ERROR = "internal_error", "internal error, please report it: {type}: {reason}"
+    NEVER_ENDS = "never_ends", "the display opened by {opening} never ends"
+    UNREADABLE = "unreadable", "line {line}, column {at} of the display: {problem}"
+    UNREADABLE_IN_CELL = "unreadable_in_cell", "cell {cell}, line {line}, column {at} of the display: {problem}"
+    TOO_LARGE = "too_large", "too large to decide: {problem}"
+    NESTED_TOO_DEEPLY = "nested_too_deeply", "too large to decide: nested too deeply"
+    TOO_LARGE_TO_TELL = "too_large_to_tell", "the two sides differ; what is wrong is too large to tell", ""
+    NO_EQUATION = "no_equation", "states no equation"
+    CONDITION = "condition", "a condition, not a claim"
+    CONFIGURATION = "configuration", "a configuration, not a claim"
+    PATTERN = "pattern", "an ellipsis stands for terms: a pattern, not a claim"
+    SIGN = "sign", "`{name}` is a sign, either one"
+    SLASH_OVER_ALL = "slash_over_all", "'{text}' read with all that follows the slash taken as the denominator"
+    SLASH_OVER_NEXT = "slash_over_next", "'{text}' read with the slash dividing by the next factor alone"
+    SLASH_UNCLEAR = "slash_unclear", "neither reading of '{text}' holds"
+
+    # -- names and values -----------------------------------------------------------------------------------------------
+    NOT_BOUND = "not_bound", "'{name}' is not bound"
+    NOT_BOUND_BECAUSE = "not_bound_because", "'{name}' is not bound: {reason}"
+    NOT_EVALUATED = "not_evaluated", "{reason}"
+    NO_VALUE = "no_value", "{reason}"
+    SIZES_DO_NOT_FIT = "sizes_do_not_fit", "{reason}"
+    MORE_THAN_IS_COMPUTED = "more_than_is_computed", "{reason}"
+    OUTSIDE_THE_ALGEBRA = "outside_the_algebra", "{reason}"
+    UNDECIDED = "undecided", "{reason}"
+    NOT_READ = "not_read", "{reason}"
+    DOCUMENT_AT_FAULT = "document_at_fault", "{reason}"
+    DEFINES = "defines", "gives `{name}` its meaning"
+    DEFINES_ENTRIES = "defines_entries", "gives {names} their meaning"
+    DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
+    NUMBER_HERE = "number_here", "`{name}` is a number here, not the arm's vector"
+    VECTOR_HERE = "vector_here", "`{name}` is a vector here, a component elsewhere"
+    NO_SUCH_LENGTH = "no_such_length", "the arm has no `{name}`; with `{length}` the equation holds"
+
+    # -- sizes and readings ---------------------------------------------------------------------------------------------
+    WRONG_SIZE = "wrong_size", "the printed matrix is {printed}, it should be {correct}"
+    WRONG_SIZE_OF_VALUE = "wrong_size_of_value", "the printed value is {printed}, it should be {correct}"
+    NOT_IN_SPACE = "not_in_space", "the matrix is {size}, not {space}"
+    IN_SPACE = "in_space", "the size"
+    IDENTITY_FOR_SCALAR = "identity_for_scalar", "an identity matrix stands where a scalar is expected"
+    LIST_OF_MATRICES = "list_of_matrices", "a list of matrices cannot be compared"
+    AS_ROW = "as_row", "the vector is printed as a row"
+    HOMOGENEOUS = "homogeneous", "homogeneous coordinates"
+    ROTATION_ALONE = "rotation_alone", "the rotation"
+    UPPER_ROWS = "upper_rows", "the rows above 0 0 0 1"
+    PLANAR_TRANSFORM = "planar_transform", "the planar transform, without its z row and column"
+    PLANAR_ROTATION = "planar_rotation", "the planar rotation, without its z row and column"
+    PLANAR_VECTOR = "planar_vector", "the plane's two components"
+    PLANAR_ROWS = "planar_rows", "the plane's two rows"
+    JACOBIAN_ROWS = "jacobian_rows", "rows {rows} of the geometric Jacobian"
+    READ_AS_ROWS = "read_as_rows", "J is read as its rows {rows}"
+    TABLE_ANGLES = "table_angles", "with the joint angles read as those of the DH table, offsets included"
+    LINK_MATRIX = "link_matrix", "the {convention} link matrix"
+
+    # -- samples, relations, conditions ---------------------------------------------------------------------------------
+    TO_DECIMALS = "to_decimals", "to the {decimals} decimals printed"
+    TO_DECIMALS_ON_A_BRANCH = (
+        "to_decimals_on_a_branch",
+        "to the {decimals} decimals printed, on one branch of its arc functions",
+    )
+    TO_DECIMALS_THERE = "to_decimals_there", "to the decimals printed, at the configuration given before"
+    WRONG_THERE = "wrong_there", "at the configuration given before", ""
+    NUMBERS_OF_NOWHERE = (
+        "numbers_of_nowhere",
+        "numbers at a configuration, or for lengths, that no display before states",
+    )
+    NOT_EXACT = "not_exact", "{what} is not exact", ""
+    FEW_VALUES = "few_values", "fewer than 10 configurations have a value"
+    ON_A_BRANCH = (
+        "on_a_branch",
+        "on one branch of its square roots and arc functions: at {holding} of {configurations} random configurations; "
+        "at the others another sign or half-turn is meant",
+    )
+    UP_TO_A_SIGN = (
+        "up_to_a_sign",
+        "holds up to the sign of a square root or the branch of an arc function only",
+        "",
+    )
+    FOR_THESE_LENGTHS = (
+        "for_these_lengths",
+        "the sign of a square root is right for the lengths of this arm only",
+        "",
+    )
+    ROOTS_POSITIVE = "roots_positive", "the two sides differ, square roots being taken as positive", ""
+    PROOFS_DISAGREE = "proofs_disagree", "the proof and the double plant disagree"
+    ALWAYS_EQUAL = "always_equal", "the two sides are equal for every configuration", ""
+    INEQUALITY_HOLDS = "inequality_holds", "an inequality holds at every sample"
+    INEQUALITY_FAILS = "inequality_fails", "the inequality fails at some configurations"
+    APPROXIMATION = "approximation", "an approximation, to about a hundredth"
+    DOES_NOT_FOLLOW = (
+        "does_not_follow",
+        "the {holds} side holds and the {fails} does not at the configuration given",
+    )
+
+    # -- wrong entries and what mends them ------------------------------------------------------------------------------
+    WRONG_ENTRY = "wrong_entry", "is ${printed}$, should be ${correct}$", ""
+    WRONG_ENTRIES = "wrong_entries", "{count} entries are wrong"
+    WRONG_ENTRIES_AT = "wrong_entries_at", "{count} entries are wrong: {places}"
+    WRONG_BLOCK = "wrong_block", "a block differs"
+    ONE_WRONG_ENTRY = "one_wrong_entry", "entry ({row}, {column}) is wrong"
+    ONLY_WRONG_ENTRY = "only_wrong_entry", "entry ({row}, {column}) is wrong, the others are right"
+    FEW_WRONG_ENTRIES = "few_wrong_entries", "the entries {places} are wrong"
+    WRONG_VALUE = "wrong_value", "the value is wrong"
+    UNEQUAL = "unequal", "the formula is not equal to what is asked"
+    IN_EACH = "in_each", "{change}, in each of the wrong entries, {places}"
+    ALL_IN_COLUMN = "all_in_column", "all in column {number}"
+    ALL_IN_ROW = "all_in_row", "all in row {number}"
+    PLACES = "places", "{places}"
+    MORE_PLACES = "more_places", "{places}, …"
+    PLACE = "place", "({row}, {column})"
+    SWAPPED_ENTRIES = "swapped_entries", "entries ({row}, {column}) and ({other_row}, {other_column}) are swapped"
+    OF_ANOTHER_ENTRY = "of_another_entry", "what is printed belongs in entry ({other_row}, {other_column})"
+    SAME_ERROR = "same_error", "the same error as in line {line}"
+    FOLLOWS = "follows", "follows from line {line}"
+    WRONG_SIGN = "wrong_sign", "wrong sign"
+    WRONG_SIGN_OF_TERM = "wrong_sign_of_term", "wrong sign of term {term}"
+    WRONG_SIGN_OF_ANGLE = "wrong_sign_of_angle", "wrong sign of angle {index}"
+    SINE_FOR_COSINE = "sine_for_cosine", "sine for cosine"
+    COSINE_FOR_SINE = "cosine_for_sine", "cosine for sine"
+    EXCHANGED_THROUGHOUT = "exchanged_throughout", "sine and cosine are exchanged throughout"
+    PRODUCT_OF_COSINES = (
+        "product_of_cosines",
+        "a product of cosines where the cosine of the sum of angles belongs",
+    )
+    PRODUCT_OF_SINES = "product_of_sines", "a product of sines where the sine of the sum of angles belongs"
+    WRONG_INDEX = "wrong_index", "index {printed} where {correct} belongs"
+    EXTRA_INDEX = "extra_index", "index {index} does not belong"
+    MISSING_INDEX = "missing_index", "index {index} is missing"
+    WRONG_ANGLE = "wrong_angle", "angle `{printed}` where `{correct}` belongs"
+    MISSING_ANGLE = "missing_angle", "angle `{angle}` is missing"
+    ABSOLUTE_ANGLE = (
+        "absolute_angle",
+        "{change}: an angle is taken as absolute where the sum of relative angles belongs",
+    )
+    WRONG_LENGTH = "wrong_length", "length `{printed}` where `{correct}` belongs"
+    SWAPPED_LENGTHS = "swapped_lengths", "lengths `{one}` and `{other}` are swapped"
+    THROUGHOUT = "throughout", "{change} throughout"
+    EXTRA_FACTOR = "extra_factor", "the {factor:nth} factor does not belong"
+    MISSING_FACTOR = "missing_factor", "a factor `{factor}` is missing"
+    EXTRA_TERM = "extra_term", "the {term:nth} term does not belong"
+    MISSING_TERM = "missing_term", "the term ${term}$ is missing"
+    WRONG_NUMBER = "wrong_number", "the number {number}"
+    WRONG_POWER = "wrong_power", "the power"
+    MISSING_SQUARE = "missing_square", "a square is missing"
+
+    # -- a matrix as a whole: what was printed or computed instead ------------------------------------------------------
+    ALONE = "alone", "{cause}, in {place} alone"
+    TRANSPOSED = "transposed", "the matrix is transposed"
+    SIGN_OF_WHOLE = "sign_of_whole", "the sign of the whole is wrong"
+    DOUBLED = "doubled", "the whole is doubled"
+    INVERTED = "inverted", "the inverse is printed"
+    INVERSE_PRINTED = (
+        "inverse_printed",
+        "the inverse is printed: the pose of frame {reference} in frame {frame}",
+    )
+    INVERSE_COMPUTED = (
+        "inverse_computed",
+        "the inverse is computed: the pose of frame {reference} in frame {frame}",
+    )
+    OTHER_DIRECTION = (
+        "other_direction",
+        "if the {index} index of `{name}` names the reference frame, say 'transforms: {index}' in the front matter",
+    )
+    ROTATION_TRANSPOSED = "rotation_transposed", "the rotation is transposed"
+    ROTATION_MISSING = "rotation_missing", "the rotation is missing: an identity stands in its place"
+    ORIGIN_MISSING = "origin_missing", "the origin is missing: zeros stand in its place"
+    ORIGIN_IN_OTHER_UNIT = "origin_in_other_unit", "the origin is in {unit}: lengths are in metres"
+    OTHER_AXIS = "other_axis", "this is the {axis} axis"
+    ROW_FOR_COLUMN = "row_for_column", "this is the third row of the rotation, not its column {number}"
+    ROWS_SWAPPED = "rows_swapped", "rows {one} and {other} are swapped: {axis} and {other_axis}, or sine and cosine"
+    COLUMNS_SWAPPED = "columns_swapped", "columns {one} and {other} are swapped"
+    SIGN_OF_ROW = "sign_of_row", "the sign of row {number} is wrong"
+    SIGN_OF_COLUMN = "sign_of_column", "the sign of column {number}, the {axis} axis, is wrong"
+    OF_OTHER_FRAME = "of_other_frame", "this is that of frame {other}, not {frame}"
+    IN_OTHER_FRAME = "in_other_frame", "it is expressed in frame {other}, not {reference}"
+    IN_OTHER_AXES = "in_other_axes", "it is expressed in the axes of frame {other}, not {reference}"
+    CONSTANT_OFFSET = (
+        "constant_offset",
+        "the origin is off by the constant ({values}): an offset of the base is missing or wrong",
+    )
+    OTHER_BASE = (
+        "other_base",
+        "the base frame is another: a constant transform before the first joint is missing or wrong",
+    )
+    OTHER_TOOL = (
+        "other_tool",
+        "the tool frame is another: a constant transform after the last joint is missing or wrong",
+    )
+    OTHER_ORDER_OF_ROWS = "other_order_of_rows", "the rows stand in the wrong order: {order}"
+    OTHER_ORDER_OF_COLUMNS = "other_order_of_columns", "the columns stand in the wrong order: {order}"
+
+    # -- another shape --------------------------------------------------------------------------------------------------
+    IN_ONE_ROW = "in_one_row", "its entries are in one row"
+    IS_TRANSPOSED = "is_transposed", "it is transposed"
+    AND_TRANSPOSED = "and_transposed", "{cause}, transposed"
+    LINEAR_PART_ALONE = "linear_part_alone", "it is the linear part alone, without the rows of ω"
+    ANGULAR_PART_ALONE = "angular_part_alone", "it is the angular part alone, without the rows of v"
+    PLANE_PART_OF_V = "plane_part_of_v", "it is the plane part of v alone"
+    PLANE_PART = "plane_part", "it is the plane part: `v_x`, `v_y`, `ω_z`"
+    WHOLE_TWIST = "whole_twist", "it is the whole of [v; ω]"
+    ZERO_ROWS_LEFT_OUT = "zero_rows_left_out", "its rows of zeros are left out"
+    IS_ROTATION = "is_rotation", "it is the rotation alone"
+    IS_ORIGIN = "is_origin", "it is the origin alone"
+    IS_HOMOGENEOUS_ORIGIN = "is_homogeneous_origin", "it is the origin alone, in homogeneous coordinates"
+    LAST_ROW_MISSING = "last_row_missing", "the last row 0 0 0 1 is missing"
+    IS_POSE = "is_pose", "it is the whole pose"
+    Z_MISSING = "z_missing", "the z coordinate is missing"
+    IS_PLANE_POSE = "is_plane_pose", "it is the pose in the plane"
+
+    # -- a Jacobian -----------------------------------------------------------------------------------------------------
+    BLOCKS_SWAPPED = "blocks_swapped", "the blocks are swapped: the rows are [ω; v], [v; ω] is meant"
+    SOME_BLOCKS_SWAPPED = (
+        "some_blocks_swapped",
+        "the blocks are swapped: the rows of ω stand before those of v",
+    )
+    JACOBIAN_TRANSPOSED = "jacobian_transposed", "the Jacobian is transposed: its rows stand as columns"
+    PART_TRANSPOSED = "part_transposed", "the Jacobian is transposed, and is its {part} part alone"
+    IN_TOOL_FRAME = "in_tool_frame", "it is expressed in frame {other}, the tool's own, not {reference}"
+    TURNED = "turned", "it is turned by the rotation of frame {other} where it should not be"
+    LINEAR_PART_OF_OTHER_FRAME = (
+        "linear_part_of_other_frame",
+        "its linear part is that of the origin of frame {other}, not {frame}",
+    )
+    JACOBIAN_OF_OTHER_FRAME = "jacobian_of_other_frame", "this is the Jacobian of frame {other}, not {frame}"
+    OTHER_POINT = (
+        "other_point",
+        "its linear part is that of the body's point at the origin of frame {other}, not {frame}: "
+        "z × `(p_n - p)` takes the wrong `p_n`",
+    )
+    COLUMN_THE_OTHER_WAY = (
+        "column_the_other_way",
+        "column {number}: joint `{joint}` is taken the other way, the sign of its column is wrong",
+    )
+    COLUMN_MISSING = "column_missing", "column {number} is missing: zeros stand in its place"
+    COLUMNS_REVERSED = "columns_reversed", "the columns stand in the wrong order, from tool to base"
+    COLUMNS_SHIFTED = "columns_shifted", "the columns stand in the wrong order: they are shifted"
+    ABSOLUTE_DERIVATIVES = (
+        "absolute_derivatives",
+        "the chain rule is missing: the columns are derivatives with respect to absolute angles, "
+        "`θ_1 + θ_2` depends on both `θ_1` and `θ_2`",
+    )
+    CHAIN_RULE_IN_COLUMN = (
+        "chain_rule_in_column",
+        "column {number}: the chain rule is missing, `{joint}` moves the links after joint `{other}` too",
+    )
+    COLUMNS_SUMMED_TWICE = (
+        "columns_summed_twice",
+        "the columns are summed up twice: those of relative angles are sums already",
+    )
+    PER_DEGREE = "per_degree", "it is per degree: the columns of revolute joints are per radian"
+    IN_DEGREES = (
+        "in_degrees",
+        "it is in degrees: the columns of revolute joints are multiplied by 180/π",
+    )
+    LENGTHS_IN_OTHER_UNIT = "lengths_in_other_unit", "the lengths are in {unit}: they are in metres"
+    LINEAR_PART_IN_OTHER_UNIT = "linear_part_in_other_unit", "the linear part is in {unit}: lengths are in metres"
+    PART_MISSING = "part_missing", "the {part} part is missing: zeros stand in its place"
+    SIGN_OF_PART = "sign_of_part", "the sign of the {part} part is wrong"
+    ROWS_OF_PART_SWAPPED = (
+        "rows_of_part_swapped",
+        "rows {one} and {other}, {axis} and {other_axis} of {part}, are swapped",
+    )
+    SIGN_OF_CROSS_PRODUCT = (
+        "sign_of_cross_product",
+        "the sign of the cross product is wrong: it is z × `(p_n - p_i)`, not z × `(p_i - p_n)` or `(p_n - p_i)` × z",
+    )
+    CROSS_OF_ORIGIN = "cross_of_origin", "z × `p_i` stands where z × `(p_n - p_i)` belongs"
+    CROSS_OF_END = (
+        "cross_of_end",
+        "z × `p_n` stands where z × `(p_n - p_i)` belongs: the origin on the axis is not subtracted",
+    )
+    NO_CROSS_PRODUCT = (
+        "no_cross_product",
+        "`p_n - p_i` stands without its cross product with z: v is z × `(p_n - p_i)`",
+    )
+    PRISMATIC_AS_REVOLUTE = (
+        "prismatic_as_revolute",
+        "prismatic joints are treated as revolute ones: their columns are [z; 0]",
+    )
+    PRISMATIC_TURNING = (
+        "prismatic_turning",
+        "prismatic joints have no angular velocity: zeros belong in place of z",
+    )
+    REVOLUTE_AS_PRISMATIC = (
+        "revolute_as_prismatic",
+        "revolute joints are treated as prismatic ones: their columns are [z × `(p_n - p_i)`; z]",
+    )
+    NEIGHBOURING_AXIS = "neighbouring_axis", "`{other}` stands where `{own}` is the joint's axis{where}"
+    NEIGHBOURING_ORIGIN = (
+        "neighbouring_origin",
+        "`{other}` stands where `{own}` is the origin on the joint's axis{where}",
+    )
+    OF_THE_NEIGHBOUR = "of_the_neighbour", ", of the neighbouring frame"
+    OF_THE_CONVENTION = "of_the_convention", " ({convention} DH)"
+    FIRST_AXIS_FOR_ALL = "first_axis_for_all", "`z_0` stands for the axis of every joint"
+    Z_FOR_ALL = (
+        "z_for_all",
+        "z of the frame is taken for the axis of every joint; on this arm some joints have another axis, or its opposite",
+    )
+    COLUMN_AS_PRISMATIC = (
+        "column_as_prismatic",
+        "column {number}: the revolute joint `{joint}` is treated as a prismatic one",
+    )
+    COLUMN_TURNING = (
+        "column_turning",
+        "column {number}: the prismatic joint `{joint}` has no angular velocity: zeros belong in place of z",
+    )
+    COLUMN_AS_REVOLUTE = (
+        "column_as_revolute",
+        "column {number}: the prismatic joint `{joint}` is treated as a revolute one: its column is [z; 0]",
+    )
+
+    # -- joint variables ------------------------------------------------------------------------------------------------
+    ANGLES_AS_DEGREES = "angles_as_degrees", "the angles are taken as degrees: q is in radians already"
+    ANGLES_TO_DEGREES = (
+        "angles_to_degrees",
+        "the angles are converted to degrees before sine and cosine, which take radians",
+    )
+    EVERY_JOINT_THE_OTHER_WAY = (
+        "every_joint_the_other_way",
+        "every joint is taken the other way: the sign of all angles is wrong",
+    )
+    ANGLES_ABSOLUTE = (
+        "angles_absolute",
+        "each angle is taken as absolute, from the base; it is relative to the link before: sums of angles are missing",
+    )
+    ANGLES_SUMMED_TWICE = (
+        "angles_summed_twice",
+        "the angles are summed up twice: each is relative to the link before already",
+    )
+    JOINT_THE_OTHER_WAY = (
+        "joint_the_other_way",
+        "joint `{joint}` is taken the other way: the sign of `{joint}` is wrong",
+    )
+    SINE_COSINE_OF_JOINT = "sine_cosine_of_joint", "sine and cosine of `{joint}` are exchanged"
+    JOINT_AS_DEGREES = "joint_as_degrees", "`{joint}` is taken as degrees: it is in radians already"
+    JOINT_MISSING = "joint_missing", "`{joint}` is missing: it stands nowhere in the result"
+    OTHER_ZERO = "other_zero", "`{joint}` is counted from another zero: off by {turn}"
+    OTHER_ZERO_OR_DERIVATIVE = (
+        "other_zero_or_derivative",
+        "`{joint}` is counted from another zero: off by {turn}, or the derivatives of its sine and cosine are not taken",
+    )
+    JOINT_TWICE = "joint_twice", "`{joint}` is counted twice"
+    JOINT_ABSOLUTE = (
+        "joint_absolute",
+        "`{joint}` is taken as an absolute angle, from the base; it is relative to the link before: "
+        "`{joint}` stands where `{before} + {joint}` belongs",
+    )
+    JOINT_SUMMED = (
+        "joint_summed",
+        "`{before} + {joint}` stands where `{joint}` belongs: the angle is relative to the link before already",
+    )
+    JOINTS_SWAPPED = "joints_swapped", "`{one}` and `{other}` are swapped"
+    JOINT_FOR_JOINT = "joint_for_joint", "`{printed}` stands where `{correct}` belongs"
+
+    # -- lengths --------------------------------------------------------------------------------------------------------
+    LENGTHS_SWAPPED = "lengths_swapped", "the lengths `{one}` and `{other}` are swapped"
+    LENGTHS_INTERCHANGED = "lengths_interchanged", "the lengths {lengths} are interchanged"
+    LENGTH_MISSING = "length_missing", "the length `{length}` is missing"
+    SIGN_OF_LENGTH = "sign_of_length", "the sign of the length `{length}` is wrong"
+    LENGTH_FOR_LENGTH = "length_for_length", "the length `{printed}` stands where `{correct}` belongs"
+    LENGTH_TWICE = "length_twice", "the length `{length}` is counted twice"
+    OTHER_NUMBER = "other_number", "the length `{length}` is taken as {printed:.6g}, the arm's is {correct:g}"
+    EITHER_LENGTH = "either_length", "{one}; or {other}"
+    SEVERAL_LENGTHS = "several_lengths", "{one}; {other}"
+
+    # -- link matrices --------------------------------------------------------------------------------------------------
+    OTHER_GENERAL_LINK = (
+        "other_general_link",
+        "this is the {other} link matrix, the {convention} one is meant",
+    )
+    OTHER_CONVENTION = (
+        "other_convention",
+        "this is the {other} link matrix, the arm's frames are those of the {convention} convention",
+    )
+    LINKS_OF_OTHER_CONVENTION = (
+        "links_of_other_convention",
+        "the link matrices are those of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}",
+    )
+    LINKS_REVERSED = (
+        "links_reversed",
+        "the link matrices are multiplied in the wrong order, from the last to the first",
+    )
+    LINKS_SWAPPED = (
+        "links_swapped",
+        "the link matrices `{one}` and `{other}` are multiplied in the wrong order",
+    )
+    LINK_LEFT_OUT = "link_left_out", "the link matrix `{link}` is missing from the product"
+    LINK_TWICE = "link_twice", "the link matrix `{link}` stands in the product twice"
+    WRONG_LINK = "wrong_link", "the link matrix `{link}` is wrong: {slip}"
+    FIRST_WRONG_LINK = (
+        "first_wrong_link",
+        "the link matrix `{link}` is wrong: {slip}; frame {frame} is the first that departs from the arm's",
+    )
+    LINK_SIGN_OF_ENTRY = "link_sign_of_entry", "the sign of its entry ({row}, {column})"
+    LINK_ENTRY = "link_entry", "its entry ({row}, {column})"
+    LINK_ENTRIES = "link_entries", "its entries {places}"
+    LINK_MOST_ENTRIES = "link_most_entries", "most of its entries"
+    LINK_INVERTED = "link_inverted", "it is inverted"
+    LINK_TRANSPOSED = "link_transposed", "its rotation is transposed, the sign of its sines is wrong"
+    LINK_CONVENTION = (
+        "link_convention",
+        "it is that of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}",
+    )
+    LINK_SIGN_OF_TWIST = "link_sign_of_twist", "the sign of its twist α"
+    LINK_TWIST = "link_twist", "its twist α is missing"
+    LINK_SIGN_OF_ANGLE = "link_sign_of_angle", "the sign of its angle θ"
+    LINK_SIGN_OF_LENGTH = "link_sign_of_length", "the sign of its length a"
+    LINK_LENGTH = "link_length", "its length a is missing"
+    LINK_SIGN_OF_OFFSET = "link_sign_of_offset", "the sign of its offset d"
+    LINK_OFFSET = "link_offset", "its offset d is missing"
+    LINK_A_AND_D = "link_a_and_d", "its a and d are swapped"
+    LINK_ALPHA_AND_THETA = "link_alpha_and_theta", "its angles α and θ are swapped"
+    LINK_ANGLE_OFF = "link_angle_off", "its angle θ is off by {turn}"
+    LINK_SINE_COSINE = "link_sine_cosine", "sine and cosine of its angle θ are exchanged"
+    LINK_NOT_TURNED = "link_not_turned", "its translation is not turned: Trans and Rot stand in the wrong order"
+
+    # -- the parts of a matrix ------------------------------------------------------------------------------------------
+    THE_MATRIX = "the_matrix", "the matrix"
+    THE_ROTATION = "the_rotation", "the rotation"
+    THE_ORIGIN = "the_origin", "the origin"
+    THE_LAST_ROW = "the_last_row", "the last row"
+    THE_PART = "the_part", "the {part} part"
+    THE_PART_OF_COLUMN = "the_part_of_column", "the {part} part of column {number}"
+    THE_PART_OF_COLUMNS = "the_part_of_columns", "the {part} part of columns {numbers}"
+    THE_COLUMN = "the_column", "column {number}"
+    THE_COLUMNS = "the_columns", "columns {numbers}"
+    BOTH = "both", "{one} and {other}"
