@@ -10,10 +10,9 @@ from typing import Any
 from armproof.course.authoring.python_text import NotPython, names_in, write_python
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.bounded_form import write_bounded
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.written import write_scalar
+from armproof.verification.algebra.written import write_bounded, write_scalar
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex.reader import Reader

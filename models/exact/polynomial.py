@@ -13,10 +13,14 @@ Two entries are then equal, for all values of the generators, exactly when the m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from math import prod, sqrt
 from typing import TypeVar
+
+from flint import fmpz
+
+from armproof.models.errors import ModelError
 
 Generator = tuple[str, str]
 Monomial = tuple[tuple[Generator, int], ...]
@@ -25,6 +29,8 @@ Rows = tuple[tuple[Entry, ...], ...]
 
 ZERO: Entry = {}
 ONE: Entry = {(): Fraction(1)}
+SMALL_PRIMES = 2000  # the first so many are tried on every number
+MOST_BITS = 112  # of a number without small factors that is factored none the less, which takes up to 0.2 s
 
 T = TypeVar("T")
 
@@ -40,25 +46,33 @@ def generator(kind: str, name: str) -> Entry:
 
 
 def root(value: int | Fraction) -> Entry:
-    """Return the square root of a rational number ≥ 0 as a rational times a product of roots of primes."""
+    """Return the square root of a rational number ≥ 0 as a rational times a product of roots of primes.
+
+    Raises:
+        ModelError: the number is so large that its factors are not sought.
+    """
     value = Fraction(value)
-    radicand, outside, powers = value.numerator * value.denominator, 1, []
-    factor = 2
-    while factor * factor <= radicand:
-        if radicand % (factor * factor) == 0:
-            radicand //= factor * factor
-            outside *= factor
-        elif radicand % factor == 0:
-            radicand //= factor
-            powers.append(factor)
-        else:
-            factor += 1
-    if radicand > 1:
-        powers.append(radicand)
     if not value:
         return ZERO
-    monomial = tuple(sorted((("sqrt", str(prime)), 1) for prime in powers))
+    outside, primes = 1, []
+    for prime, power in _factors(fmpz(value.numerator * value.denominator)):
+        outside *= prime ** (power // 2)
+        if power % 2:
+            primes.append(prime)
+    monomial = tuple(sorted((("sqrt", str(prime)), 1) for prime in primes))
     return {monomial: Fraction(outside, value.denominator)}
+
+
+def _factors(number: fmpz) -> Iterator[tuple[int, int]]:
+    """Yield the primes of a positive number with their powers."""
+    for factor, power in number.factor(trial_limit=SMALL_PRIMES):
+        half = factor.isqrt()
+        if factor.bit_length() <= MOST_BITS or factor.is_probable_prime():
+            yield from ((int(prime), power * times) for prime, times in factor.factor())
+        elif half * half == factor:
+            yield from ((prime, 2 * power * times) for prime, times in _factors(half))
+        else:
+            raise ModelError(f"the square root of a number of {len(str(number))} digits")
 
 
 def add(*entries: Entry) -> Entry:

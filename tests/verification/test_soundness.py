@@ -75,6 +75,25 @@ def test_the_correction_of_a_root_holds(judge: Judge, false: str) -> None:
     assert judge(rf"\sqrt{{({false})^2}} = {entry.correct}", arm="planar_2r").verdict.value in GOOD
 
 
+def test_roots_of_large_numbers_are_those_of_their_primes(check: Check) -> None:
+    pairs = [
+        (r"\sqrt{100160063} = \sqrt{10007}\sqrt{10009}", r"\sqrt{100160063} = \sqrt{10007}\sqrt{10037}"),
+        (r"\sqrt{2 \cdot 10007^2} = 10007\sqrt{2}", r"\sqrt{2 \cdot 10007^2} = 10009\sqrt{2}"),
+    ]
+    assert told(check(*(latex for pair in pairs for latex in pair))) == ["proved", "refuted"] * 2
+
+
+def test_a_number_too_large_to_factor_costs_no_time_and_refutes_nothing_true(check: Check) -> None:
+    p, q = 10**30 + 57, 10**33 + 61  # primes; the factors of their product are not sought
+    started = time.monotonic()
+    true, squared, next_display = told(
+        check(rf"\sqrt{{{p} \cdot {q}}} = \sqrt{{{p}}}\sqrt{{{q}}}", rf"\sqrt{{5 \cdot {q}^2}} = {q}\sqrt{{5}}",
+              r"2 = 3")
+    )  # fmt: skip
+    assert (true, squared, next_display) == ("unchecked", "proved", "refuted")
+    assert time.monotonic() - started < 3.0
+
+
 def test_constant_angles_that_depend_on_each_other_are_no_false_alarm(check: Check) -> None:
     pairs = [
         (r"\cos\frac{\pi}{5} = \frac{1 + \sqrt{5}}{4}", r"\cos\frac{\pi}{5} = \frac{1 - \sqrt{5}}{4}"),

@@ -105,9 +105,9 @@ class Ring(RootRing):
         no multiple of π/12 (cos 2π/5 is a generator of its own, though it is a polynomial in cos π/5).
         """
         parts = (difference.numerator, difference.denominator)
-        return any(
-            kind in ("radical", "arc") or (kind in ("cos", "sin") and (name[:1].isdigit() or name.startswith("pi/")))
-            for part in parts
-            for powers, _ in self.terms(part)
-            for kind, name in powers
-        )
+        return any(_is_open(generator) for part in parts for _, generator in self.generators_of(part))
+
+
+def _is_open(generator: Generator) -> bool:
+    kind, name = generator
+    return kind in ("radical", "arc") or (kind in ("cos", "sin") and (name[:1].isdigit() or name.startswith("pi/")))

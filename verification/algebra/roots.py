@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from fractions import Fraction
 
 from flint import fmpq_mpoly
 
+from armproof.models.errors import ModelError
+from armproof.models.exact.polynomial import root
 from armproof.verification.algebra.angles import AngleRing
 from armproof.verification.algebra.definite_sign import is_negative
 from armproof.verification.algebra.scalar import Scalar
-from armproof.verification.errors import EvaluationError, NoValue
+from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 
 
 class RootRing(AngleRing):
@@ -54,9 +55,9 @@ class RootRing(AngleRing):
         slot = self._add(("radical", str(len(self.radicands))))
         inside = self._lifted(inside)
         self.radicands[slot] = self.scalar(inside)
-        root = self._variable(slot)
-        self._relations[slot] = root * root - inside
-        return outside * self.scalar(root)
+        variable = self._variable(slot)
+        self._relations[slot] = variable * variable - inside
+        return outside * self.scalar(variable)
 
     def _is_symbol(self, factor: fmpq_mpoly) -> bool:
         """Whether a factor is a length, a letter or a root, and not something that changes its sign as an angle does."""
@@ -64,27 +65,10 @@ class RootRing(AngleRing):
         return len(terms) == 1 and all(kind in ("symbol", "sqrt", "radical") for kind, _ in terms[0][0])
 
     def _root_of_rational(self, value: Fraction) -> Scalar:
-        number = value.numerator * value.denominator
-        outside, inside = 1, []
-        factor = 2
-        while factor * factor <= number and factor < 10_000:
-            while number % (factor * factor) == 0:
-                number //= factor * factor
-                outside *= factor
-            if number % factor == 0:
-                inside.append(factor)
-                number //= factor
-            factor += 1
-        if number > 1:
-            root = math.isqrt(number)
-            if root * root == number:
-                outside *= root
-            else:
-                inside.append(number)
-        result = self.rational(Fraction(outside, value.denominator))
-        for prime in inside:
-            result = result * self.generator(("sqrt", str(prime)))
-        return result
+        try:
+            return self.from_entry(root(value))
+        except ModelError as problem:
+            raise TooComplex(str(problem)) from None
 
     def radicand(self, name: str) -> Scalar:
         """Return the square of the radical of that name."""

@@ -1,4 +1,7 @@
-"""Write an exact scalar compactly: products of sines and cosines folded into those of sums of angles."""
+"""Write an exact scalar compactly: products of sines and cosines folded into those of sums of angles.
+
+For a report it is written in full where a reader could use it, else with an ellipsis.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ import re
 from collections import defaultdict
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from armproof.models.exact.polynomial import Generator
 from armproof.verification.algebra.clock import now
@@ -18,6 +22,9 @@ Angle = tuple[tuple[str, Fraction | int], ...]  # sorted (symbol, coefficient); 
 Trig = tuple[tuple[str, Angle, int], ...]  # sorted (function, angle, power): a monomial of sines and cosines
 Rest = tuple[tuple[Generator, int], ...]
 MAX_TERMS = 60
+WRITTEN = 400  # terms: more are written as an ellipsis
+FOLDED = 120  # terms: of so many, products of sines and cosines are written as those of sums of angles where shorter
+LONGEST = 2000  # characters of a corrected term; what is longer is no correction that anybody could use
 
 
 @dataclass(frozen=True)
@@ -44,6 +51,38 @@ def write_scalar(value: Scalar, notation: Notation, *, folded: bool = True) -> s
     if len(above) == 1 and above[0].coefficient < 0:
         sign, above = "-", [replace(above[0], coefficient=-above[0].coefficient)]
     return f"{sign}\\frac{{{_write_sum(value, above, notation)}}}{{{_write_sum(value, below, notation)}}}"
+
+
+def write_bounded(value: Any, notation: Notation) -> str:
+    """Return a value in LaTeX, in the document's notation; at most LONGEST characters of it."""
+    if isinstance(value, Scalar):
+        terms = _terms_to_write(value)
+        if terms > WRITTEN:
+            return r"\ldots"
+        # folding into sums of angles takes its time, and makes no page of terms readable
+        small = terms <= FOLDED and now() < value.ring.deadline
+        text = write_scalar(value, notation, folded=small)
+    else:
+        text = str(value)
+    return text if len(text) <= LONGEST else text[:LONGEST].rsplit(" ", 1)[0] + r" \ldots"
+
+
+def _terms_to_write(value: Scalar) -> int:
+    """How many terms a value is written with, those under its roots and in its arc functions included each time."""
+    total = 0
+    for part in (value.numerator, value.denominator):
+        if len(part) > WRITTEN:
+            return len(part)
+        for powers, _ in value.ring.terms(part):
+            total += 1
+            for kind, name in powers:
+                inner = (
+                    [value.ring.radicand(name)] if kind == "radical" else value.ring.arcs[name] if kind == "arc" else ()
+                )
+                total += sum(_terms_to_write(below) for below in inner)
+            if total > WRITTEN:
+                return total
+    return total
 
 
 def _content(terms: list[_Term]) -> Fraction:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from armproof.verification.algebra.bounded_form import write_bounded
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import PrintedError, consequence_of, printed_error
 from armproof.verification.diagnosis.causes.case import Explanation
 from armproof.verification.diagnosis.causes.display import display_cause

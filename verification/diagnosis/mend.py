@@ -7,11 +7,11 @@ import re
 import numpy as np
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.bounded_form import write_bounded
 from armproof.verification.algebra.clock import now
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.algebra.values import Identity, as_scalar
+from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.counterexample import Probe
 from armproof.verification.diagnosis.learnt_notation import LearntNotation
 from armproof.verification.diagnosis.slips import Edit, single_edits

@@ -8,9 +8,9 @@ from functools import cached_property
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.bounded_form import write_bounded
 from armproof.verification.algebra.clock import now
 from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.counterexample import Probe
 from armproof.verification.diagnosis.learnt_notation import LearntNotation
 from armproof.verification.diagnosis.mend import Mender
