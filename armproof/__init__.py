@@ -1,1 +1,91 @@
-"""Robot-arm kinematics checked against Drake."""
+"""Robot-arm kinematics checked against Drake: documents, Python functions and students' answers, proved or refuted.
+
+    from armproof import verify
+
+    result = verify("sheet.md")  # a DocumentResult
+    result.passed, [record.verdict for record in result.equations]
+
+| name | gives |
+|---|---|
+| `verify(path)` | the verdict of every equation of a document, a `DocumentResult` |
+| `verify_text(text)` | the same of a document that is no file |
+| `check_function(arm, function, quantities)` | the verdict on a Python function of the joint values, a `FunctionCheck` |
+| `load_arm(spec)` | an `Arm` of the catalogue, of a model file or of a DH table |
+| `inverse_of(arm)` | the proved closed-form inverse of an arm, an `InverseKinematics` |
+| `open_lesson(name)` | a `Lesson`, whose tasks give `Feedback` on answers |
+
+The other names are those of the values that these return and of the errors that they raise. Each is loaded when it is
+first asked for: `import armproof` imports neither Drake nor NumPy.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from armproof.course.feedback import AnswerError, Feedback, Lesson, LessonError, Outcome, Row, open_lesson
+    from armproof.course.inverse import inverse_of
+    from armproof.models.arm import Arm
+    from armproof.models.catalogue import load_arm
+    from armproof.models.errors import ArmproofError, ModelError
+    from armproof.verification.check import verify, verify_text
+    from armproof.verification.errors import DocumentError
+    from armproof.verification.functions import FunctionCheck, FunctionVerdict, TableRow, check_function
+    from armproof.verification.inverse import InverseError, InverseKinematics, Mark, Solutions
+    from armproof.verification.verdict import Correction, DocumentResult, Record, Verdict, WrongEntry
+
+__all__ = [
+    "AnswerError",
+    "Arm",
+    "ArmproofError",
+    "Correction",
+    "DocumentError",
+    "DocumentResult",
+    "Feedback",
+    "FunctionCheck",
+    "FunctionVerdict",
+    "InverseError",
+    "InverseKinematics",
+    "Lesson",
+    "LessonError",
+    "Mark",
+    "ModelError",
+    "Outcome",
+    "Record",
+    "Row",
+    "Solutions",
+    "TableRow",
+    "Verdict",
+    "WrongEntry",
+    "check_function",
+    "inverse_of",
+    "load_arm",
+    "open_lesson",
+    "verify",
+    "verify_text",
+]
+
+# Where each name stands: what the imports above tell a reader and a type checker. A test holds the three lists together.
+_HOMES = {
+    "armproof.course.feedback": ("AnswerError", "Feedback", "Lesson", "LessonError", "Outcome", "Row", "open_lesson"),
+    "armproof.course.inverse": ("inverse_of",),
+    "armproof.models.arm": ("Arm",),
+    "armproof.models.catalogue": ("load_arm",),
+    "armproof.models.errors": ("ArmproofError", "ModelError"),
+    "armproof.verification.check": ("verify", "verify_text"),
+    "armproof.verification.errors": ("DocumentError",),
+    "armproof.verification.functions": ("FunctionCheck", "FunctionVerdict", "TableRow", "check_function"),
+    "armproof.verification.inverse": ("InverseError", "InverseKinematics", "Mark", "Solutions"),
+    "armproof.verification.verdict": ("Correction", "DocumentResult", "Record", "Verdict", "WrongEntry"),
+}
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        """Return a name of the face, loaded from where it stands (PEP 562)."""
+        home = next((home for home, names in _HOMES.items() if name in names), None)
+        if home is None:
+            raise AttributeError(f"module 'armproof' has no attribute '{name}'")
+        return globals().setdefault(name, getattr(import_module(home), name))
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})

@@ -21,7 +21,7 @@ from armproof.verification.correction.corrector import Corrector
 from armproof.verification.correction.tables import correct_array, correct_table
 from armproof.verification.diagnosis.diagnosis import Diagnostician
 from armproof.verification.display import Statements
-from armproof.verification.document import Display, Document, Table, read_document
+from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import DocumentError, ReadError, TooComplex
@@ -40,9 +40,29 @@ SAMPLES = 1000
 SEED = 2019
 
 
-def verify(path: Path, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
+def verify(path: Path | str, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
     """Return the verdicts of a document file; raises DocumentError where the document as a whole cannot be checked."""
-    return check_document(read_document(path), confirm=confirm, correct=correct)
+    return check_document(read_document(Path(path)), confirm=confirm, correct=correct)
+
+
+def verify_text(
+    text: str, format: str = "", *, path: Path | str = "document.md", confirm: bool = True, correct: bool = False
+) -> DocumentResult:
+    """Return the verdicts of a document's text, as `verify` does of a file that holds it.
+
+    Args:
+        text: the document, front matter and all.
+        format: how it is read: md, qmd, ipynb, py, tex or rst; by default as the name of `path` says.
+        path: the file that it belongs to, which need not exist: it names the document in the result and in messages, and
+            arms that are given by a relative path are sought from its folder.
+        confirm, correct: as for `check_document`.
+
+    Raises:
+        DocumentError: the document as a whole cannot be checked.
+    """
+    return check_document(
+        parse_document(Path(path), text.removeprefix("\ufeff"), format), confirm=confirm, correct=correct
+    )
 
 
 def check_document(document: Document, *, confirm: bool = True, correct: bool = False) -> DocumentResult:

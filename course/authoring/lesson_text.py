@@ -56,19 +56,19 @@ def _opening(heading: Heading, first: str) -> str:
 
 def _opened(heading: Heading, folder: str) -> str:
     where = f', folder="{folder}"' if folder else ""
-    return f'# %%\nimport numpy as np\n\nfrom armproof.course.feedback import open_lesson\n\nlesson = open_lesson("{heading.name}"{where})\nlesson'
+    return f'# %%\nimport numpy as np\n\nfrom armproof import open_lesson\n\nlesson = open_lesson("{heading.name}"{where})\nlesson'
 
 
 def _figure(heading: Heading, drafts: Sequence[Draft]) -> Iterator[str]:
     """Yield the cell that draws the arm with its frames, where a name or a task leads to the arm."""
     if isinstance(heading.spec, str):
-        arm, imports = f'load_arm("{heading.spec}")', "from armproof.models.catalogue import load_arm\n"
+        arm, imports = f'load_arm("{heading.spec}")', "from armproof import load_arm\n"
     elif asked := [draft.name for draft in drafts if draft.exact is not None]:
         arm, imports = f"lesson.{asked[0]}.asks.loaded", ""
     else:
         return
     yield _text("## The arm\n\nThe frames are those of the tasks below.")
-    yield f"# %%\nfrom armproof.course.figures.kinds.sketch import sketch\n{imports}\nsketch({arm}, table=False)"
+    yield f"# %%\n{imports}from armproof.course.figures.kinds.sketch import sketch\n\nsketch({arm}, table=False)"
 
 
 def _task(heading: Heading, draft: Draft) -> Iterator[str]:

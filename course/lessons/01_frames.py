@@ -28,14 +28,14 @@
 # The matrices are those of MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Matrice de passage homogène Denavit-Hartenberg".
 #
 # An answer may be numbers, a Python function, a SymPy expression or LaTeX. `lesson.predict.hint()` gives a hint on the task `predict`, one
-# more at each call; the same goes for every task.
+# more at each call;
+# the same goes for every task.
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.kinds.sketch import sketch
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("frames")
 lesson

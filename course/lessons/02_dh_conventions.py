@@ -19,15 +19,15 @@
 # # 2 · The two Denavit–Hartenberg conventions
 #
 # Two conventions are in use, and their tables look alike. The modified one (Khalil–Kleinfinger, DH-KK, 1986) has the axis of joint $i$ on
-# $z_i$, the classic one (1955) on $z_{i-1}$. Here you use both on one arm. Source: MECA 953, *Robotique*, MMT5, 2022 (document 001).
+# $z_i$, the classic one (1955) on $z_{i-1}$. Here you use both on one arm.
+# Source: MECA 953, *Robotique*, MMT5, 2022 (document 001).
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.kinds.sketch import sketch
 from armproof.course.tasks.dh_conventions import CLASSIC, MODIFIED
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("dh_conventions")
 lesson

@@ -43,15 +43,15 @@
 # # 3 · SCARA: forward kinematics by the modified convention
 #
 # Two arms in a horizontal plane, a quill that goes down and turns: four joints, four degrees of freedom (*degrés de liberté*, DDL). You
-# write its forward kinematics (*modèle géométrique direct*, MGD), first by hand, then as a program. Source: MECA 953, *Robotique*, MMT5, 2022
+# write its forward kinematics (*modèle géométrique direct*, MGD), first by hand, then as a program.
+# Source: MECA 953, *Robotique*, MMT5, 2022
 # (document 001), slides "Exemple Robot SCARA".
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.kinds.sketch import sketch
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("scara_forward")
 lesson

@@ -25,14 +25,14 @@
 # # 4 · Stäubli RX-90 and the spherical wrist
 #
 # Six joints: three carry the wrist to a point, three turn the tool about that point. You follow the products of the slides from the tool to the
-# base, and correct them on the way. Source: MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Stäubli RX-90" and "Poignet sphérique".
+# base, and correct them on the way.
+# Source: MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Stäubli RX-90" and "Poignet sphérique".
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.kinds.sketch import sketch
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("rx90_and_wrist")
 lesson

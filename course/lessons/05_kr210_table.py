@@ -28,7 +28,7 @@
 # 3. tie both descriptions together with a constant transform, and prove that they are one arm.
 
 # %%
-from armproof.course.feedback import open_lesson
+from armproof import open_lesson
 
 lesson = open_lesson("kr210_table")
 lesson
@@ -58,8 +58,8 @@ lesson
 # Our letters for the offsets are in the figure; all angles are zero there.
 
 # %%
+from armproof import load_arm
 from armproof.course.figures.kinds.sketch import sketch
-from armproof.models.catalogue import load_arm
 
 sketch(load_arm("kr210"))
 

@@ -39,7 +39,7 @@
 # velocities.
 
 # %%
-from armproof.course.feedback import open_lesson
+from armproof import open_lesson
 
 lesson = open_lesson("planar_3r_jacobian")
 lesson
@@ -50,8 +50,8 @@ lesson
 # Three revolute joints with parallel axes; the gripper $G$ sits at the origin of frame 3. Every $z$ points at you.
 
 # %%
+from armproof import load_arm
 from armproof.course.figures.registry import draw_kind, find_kind
-from armproof.models.catalogue import load_arm
 
 draw_kind(find_kind("sketch"), load_arm("planar_3r"))
 

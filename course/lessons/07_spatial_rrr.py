@@ -36,7 +36,7 @@
 # `lesson.prediction.hint()` gives a hint, one more at each call.
 
 # %%
-from armproof.course.feedback import open_lesson
+from armproof import open_lesson
 
 lesson = open_lesson("spatial_rrr")
 lesson
@@ -61,8 +61,8 @@ lesson
 # beyond it; which of the two is meant is the question.
 
 # %%
+from armproof import load_arm
 from armproof.course.figures.kinds.sketch import sketch
-from armproof.models.catalogue import load_arm
 
 sketch(load_arm("spatial_rrr"), table=False)
 

@@ -33,7 +33,7 @@
 # more at each call.
 
 # %%
-from armproof.course.feedback import open_lesson
+from armproof import open_lesson
 
 lesson = open_lesson("scara_jacobian")
 lesson
@@ -46,8 +46,8 @@ lesson
 # convention: joint $i$ moves about or along $z_{i-1}$. Note where $z_2$ points.
 
 # %%
+from armproof import load_arm
 from armproof.course.figures.registry import draw_kind, find_kind
-from armproof.models.catalogue import load_arm
 
 draw_kind(find_kind("sketch"), load_arm("scara"))
 

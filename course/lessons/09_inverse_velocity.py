@@ -29,16 +29,16 @@
 # 3. say what the joints do at and near a singular configuration (*configuration singulière*), and what damping
 #    changes.
 #
-# An answer may be a Python function, a SymPy expression or LaTeX. `lesson.predict` shows the task in full,
+# An answer may be a Python function, a SymPy expression or LaTeX.
+# `lesson.predict` shows the task in full,
 # `lesson.predict.hint()` gives a hint, one more at each call.
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.course.tasks.inverse_velocity import show_rates
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("inverse_velocity")
 lesson

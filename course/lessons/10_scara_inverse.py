@@ -33,16 +33,16 @@
 # 2. count the solutions of a target from one sign,
 # 3. say what happens at the limits of the workspace, and above the first axis.
 #
-# An answer may be a Python function, a SymPy expression or LaTeX. `lesson.predict` shows the task in full,
+# An answer may be a Python function, a SymPy expression or LaTeX.
+# `lesson.predict` shows the task in full,
 # `lesson.predict.hint()` gives a hint, one more at each call.
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.course.tasks.scara_inverse import show_inverse
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("scara_inverse")
 lesson

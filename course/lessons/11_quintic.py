@@ -24,16 +24,16 @@
 #
 # $q$ is one joint variable, $t$ the time, $t_f$ the duration.
 #
-# An answer may be a Python function, a SymPy expression or LaTeX. `lesson.predict` shows the task in full,
+# An answer may be a Python function, a SymPy expression or LaTeX.
+# `lesson.predict` shows the task in full,
 # `lesson.predict.hint()` gives a hint, one more at each call.
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.course.tasks.quintic import show_motion, show_tracking
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("quintic")
 lesson

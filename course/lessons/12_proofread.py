@@ -24,15 +24,15 @@
 # 2. say which errors a check at one pose, or with equal links, cannot see,
 # 3. run `armproof` on the sheet, then on one of your own, and learn what it does not judge.
 #
-# `lesson.spot` shows a task in full, `lesson.spot.hint()` gives a hint, one more at each call.
+# `lesson.spot` shows a task in full,
+# `lesson.spot.hint()` gives a hint, one more at each call.
 
 # %%
 import numpy as np
 
-from armproof.course.feedback import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.course.tasks.proofread import proofread, show_sheet
-from armproof.models.catalogue import load_arm
 
 lesson = open_lesson("proofread")
 lesson
@@ -217,8 +217,8 @@ lesson.inverse.check(inverse)
 # ## Then the tool
 #
 # `proofread` writes the sheet to a temporary file and has it verified. In a terminal you would type
-# `armproof verify sheet.md`; in Python, `verify(Path("sheet.md"))` with `from armproof.verification.check import verify`. It
-# proves or refutes each display for all joint values and all lengths, so that neither a lucky pose nor equal links can
+# `armproof verify sheet.md`; in Python, `verify("sheet.md")` with `from armproof import verify`. It proves or refutes
+# each display for all joint values and all lengths, so that neither a lucky pose nor equal links can
 # hide an error. Are its corrections yours?
 
 # %%

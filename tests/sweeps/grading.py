@@ -32,7 +32,7 @@ from tests.course.grading.conftest import notebook
 from tests.course.grading.hostile import BROKEN, KINDS
 
 SECONDS, MEMORY = 15, 700
-OPEN = "from armproof.course.feedback import open_lesson\nlesson = open_lesson('scara_jacobian')"
+OPEN = "from armproof import open_lesson\nlesson = open_lesson('scara_jacobian')"
 RIGHT = "lesson.determinant.check(lesson.determinant.right[0])"
 GRADE = [sys.executable, "-c", "from armproof.verification.cli import main; main()", "grade"]
 Expected = dict[str, tuple[Status, ...]]

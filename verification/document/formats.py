@@ -11,6 +11,7 @@ from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.text import read_text
+from armproof.verification.errors import DocumentError
 
 _READERS: dict[str, Callable[[Path, str], Document]] = {
     ".md": read_markdown_file,
@@ -33,9 +34,12 @@ def read_document(path: Path) -> Document:
     return parse_document(path, read_text(path))
 
 
-def parse_document(path: Path, text: str) -> Document:
-    """Return the document of a text, read as the name of `path` says; raises DocumentError with file and line."""
-    return _READERS.get(path.suffix, read_markdown_file)(path, text)
+def parse_document(path: Path, text: str, format: str = "") -> Document:
+    """Return the document of a text, read as its format or else the name of `path` says; raises DocumentError."""
+    if format and f".{format}" not in _READERS:
+        formats = ", ".join(suffix.removeprefix(".") for suffix in SUFFIXES)
+        raise DocumentError(f"{path}: no format '{format}'; the formats are {formats}")
+    return _READERS.get(f".{format}" if format else path.suffix, read_markdown_file)(path, text)
 
 
 def has_displays(suffix: str, text: str) -> bool:

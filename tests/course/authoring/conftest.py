@@ -32,7 +32,7 @@ SOURCE = '''# ---
 # > $$ \\sin(-\\theta_1) = \\sin\\theta_1 $$
 
 # %%
-from armproof.course.feedback import open_lesson
+from armproof import open_lesson
 
 lesson = open_lesson("small", folder="..")
 lesson

@@ -22,7 +22,7 @@ from tests.course.grading.hostile import KINDS
 LIMITS = Limits(seconds=20, memory=512 * MEGABYTE)
 SHORT = Limits(seconds=0.7, memory=512 * MEGABYTE)
 QUICK = ("exits", "deletes-a-folder", "kills-everybody", "leaves-grandchildren", "10-gb", "forges-feedback")
-OPEN = "from armproof.course.feedback import open_lesson\nlesson = open_lesson('scara_jacobian')"
+OPEN = "from armproof import open_lesson\nlesson = open_lesson('scara_jacobian')"
 RIGHT = "lesson.determinant.check(lesson.determinant.right[0])"
 
 

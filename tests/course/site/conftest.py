@@ -49,7 +49,7 @@ LESSON = r'''# %% [raw]
 # A first paragraph with $\theta_1$ in it. {words}
 
 # %%
-from armproof.course.feedback import open_lesson
+from armproof import open_lesson
 
 lesson = open_lesson("{name}", "..")
 lesson
