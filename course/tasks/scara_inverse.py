@@ -55,11 +55,11 @@ def show_inverse(inverse: Any, X: float, Y: float, Z: float, psi: float) -> Any:
 def _draw(arm, q, target):
     """Draw the answer in full over the two postures of the closed form, pale, seen from above."""
     from armproof.course.figures.drawing.fitting import fit_arm
-    from armproof.course.figures.drawing.projection import plane_projection
     from armproof.course.figures.drawing.scene import finish
-    from armproof.course.figures.drawing.stick import stick_points
     from armproof.course.figures.drawing.style import GREY, STROKES, new_figure, styled
     from armproof.course.inverse import inverse_of
+    from armproof.models.numeric.skeleton import stick_points
+    from armproof.models.showing.projection import plane_projection
 
     solved = inverse_of(ARM).solve(target[None])
     right = solved.q[0][solved.valid[0]]

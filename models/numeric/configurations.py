@@ -1,4 +1,4 @@
-"""Six families of configurations at which a formula that is wrong betrays itself."""
+"""Configurations: six families at which a formula that is wrong betrays itself, and one without any special angle."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ _NEAR = 1e-6
 _WIDE = 50.0  # rad
 _WIDE_SLIDE = 5.0  # m
 _CANDIDATES = 4
+_PARTS = (0.37, 0.61, 0.23, 0.53, 0.41, 0.31, 0.59)  # of the range of each joint
 
 
 def sample(arm: Arm, count: int = 1000, rng: np.random.Generator | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -89,3 +90,16 @@ def _conditioning(J: np.ndarray) -> np.ndarray:
 
 def _revolute(arm: Arm) -> np.ndarray:
     return np.array([joint.kind == "revolute" for joint in arm.joints])
+
+
+def generic_configuration(arm: Arm) -> np.ndarray:
+    """Return a configuration without any special angle, within the limits of the joints, (n,)."""
+    ranges = [joint_range(joint.lower, joint.upper, joint.kind) for joint in arm.joints]
+    parts = [_PARTS[k % len(_PARTS)] for k in range(len(ranges))]
+    return np.array([low + part * (high - low) for part, (low, high) in zip(parts, ranges, strict=True)])
+
+
+def joint_range(lower: float, upper: float, kind: str) -> tuple[float, float]:
+    """Return the limits of a joint, with half a turn or half a metre to each side where there is none."""
+    most = np.pi if kind == "revolute" else 0.5
+    return (lower if np.isfinite(lower) else -most, upper if np.isfinite(upper) else most)

@@ -11,6 +11,8 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
 
+_SAME = 1e-9  # m
+
 
 @dataclass(frozen=True)
 class PlacedJoint:
@@ -35,6 +37,12 @@ class Skeleton:
 
     joints: tuple[PlacedJoint, ...]
     frames: Mapping[str, np.ndarray]
+
+    def line(self, frame: str, joints: int | None = None) -> np.ndarray:
+        """Return the origin of the arm, both ends of its first joints (by default all), and the origin of a frame, (K, 3)."""
+        ends = [end for joint in self.joints[:joints] for end in (joint.start, joint.end)]
+        base = next(iter(self.frames.values()))
+        return np.vstack([base[:3, 3], *ends, self.frames[frame][:3, 3]])
 
 
 def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
@@ -70,6 +78,28 @@ def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
         pose.flags.writeable = False
         frames[name] = pose
     return Skeleton(tuple(joints), MappingProxyType(frames))
+
+
+def stick_points(arm: Arm, q: Sequence[float] | np.ndarray, frame: str) -> np.ndarray:
+    """Return the corners of an arm at a configuration drawn as lines from its origin to that of a frame, (K, 3)."""
+    return simplify(place_skeleton(arm, q).line(frame, arm.trace.depth(frame)))
+
+
+def simplify(points: np.ndarray) -> np.ndarray:
+    """Return a polyline without points that repeat or lie on the line through their neighbours; at least two points."""
+    kept = [points[0]]
+    for point in points[1:]:
+        if np.linalg.norm(point - kept[-1]) > _SAME:
+            kept.append(point)
+    k = 1
+    while k < len(kept) - 1:
+        one, other = kept[k] - kept[k - 1], kept[k + 1] - kept[k]
+        if np.linalg.norm(np.cross(one, other)) <= _SAME * np.linalg.norm(one) * np.linalg.norm(other) + _SAME**2:
+            del kept[k]
+            k = max(k - 1, 1)
+        else:
+            k += 1
+    return np.array(kept if len(kept) > 1 else [kept[0], kept[0]])
 
 
 def _floats(vector: np.ndarray) -> tuple[float, ...]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from armproof.course.figures.drawing.ink import Ink
+from armproof.course.figures.drawing.labels import form_tex
 from armproof.course.figures.drawing.scene import Scene
 from armproof.course.figures.drawing.style import GREY, INK
 from armproof.course.figures.facts.lengths import FrameLength
@@ -19,11 +20,12 @@ _SHORTEST = 5.0  # mm: a shorter dimension has its arrows outside
 _ARC = 48
 
 
-def draw_lengths(scene: Scene, lengths: Sequence[FrameLength]) -> None:
+def draw_lengths(scene: Scene, lengths: Sequence[FrameLength], lang: str) -> None:
     """Dimension lengths, each beside its way where the page is emptiest; gid "length 1 2"."""
     ink = Ink(scene.axes.figure)
     for each in lengths:
-        _draw_length(scene, ink, each.start, each.end, each.text, f"length {each.previous} {each.frame}")
+        text = f"${form_tex(each.form, lang)}$"
+        _draw_length(scene, ink, each.start, each.end, text, f"length {each.previous} {each.frame}")
 
 
 def _draw_length(scene: Scene, ink: Ink, start: np.ndarray, end: np.ndarray, text: str, gid: str) -> None:

@@ -6,10 +6,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.layout import lay_out
-from armproof.course.figures.drawing.projection import Projection, choose_projection
 from armproof.course.figures.drawing.scene import Scene, View, fit_view
-from armproof.course.figures.facts.poses import drawn_points
 from armproof.models.arm import Arm
+from armproof.models.showing.projection import Projection, choose_projection
 
 SPACING = 8.0  # mm between symbols of joints that would fall upon each other
 _ROUNDS = 8  # symbols moved apart need room, which changes the scale
@@ -61,6 +60,16 @@ def arm_view(
             break
         before, spacing = view.metre, view.metre * SPACING * size
     return view
+
+
+def drawn_points(arm: Arm, configurations: np.ndarray, spacing: float = 0.0) -> np.ndarray:
+    """Return the points of an arm at configurations (N, n), for `Scene.fit`: base, links, gripper, tool, (M, 3).
+
+    Args:
+        spacing: as for `lay_out`.
+    """
+    layouts = [lay_out(arm, q, spacing) for q in np.atleast_2d(configurations)]
+    return np.vstack([np.vstack([layout.base, layout.tool, layout.gripper, *layout.links]) for layout in layouts])
 
 
 def arm_height(

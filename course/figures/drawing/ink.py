@@ -1,10 +1,12 @@
-"""What is on a page already: the ink of each pixel, with what symbols enclose, so that labels and dimensions keep off."""
+"""What is on a page already: its texts, and the ink of each pixel, with what symbols enclose, so that labels keep off."""
 
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 _ENCLOSED = 0.25  # ink of a pixel inside a symbol, which may be white
 _EDGE = 12  # pixels of the page that a line keeps clear of
@@ -65,3 +67,25 @@ def _pixels(ends: np.ndarray) -> np.ndarray:
     """Return the pixels of a line between two points (2, 2), (N, 2)."""
     steps = np.linspace(0, 1, 2 + int(np.linalg.norm(ends[1] - ends[0])))
     return np.asarray(np.round(ends[0] + steps[:, None] * (ends[1] - ends[0])).astype(int))
+
+
+def shown_texts(figure: Figure) -> list[Text]:
+    """Return the texts of a figure that can be seen."""
+    hidden = {id(text) for axes in figure.axes for text in _hidden(axes)}
+    texts = (text for text in figure.findobj(Text) if isinstance(text, Text) and id(text) not in hidden)
+    return [text for text in texts if text.get_visible() and text.get_text().strip()]
+
+
+def _hidden(axes: Axes) -> list[Text]:
+    """Return the texts of the axes that are not drawn: all of axes that are off, labels of ticks outside the limits."""
+    if not axes.get_visible():
+        return [text for text in axes.findobj(Text) if isinstance(text, Text)]
+    hidden: list[Text] = []
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        margin = 1e-9 * (high - low)
+        ticks = zip(axis.get_major_ticks(), axis.get_majorticklocs(), strict=False)
+        outside = [tick for tick, place in ticks if not low - margin <= place <= high + margin]
+        parts = outside if axes.axison and axis.get_visible() else [axis]
+        hidden += [text for part in parts for text in part.findobj(Text) if isinstance(text, Text)]
+    return hidden

@@ -1,4 +1,4 @@
-"""The words of the figures in English and French, and how numbers, lengths and angles are written in each.
+"""The words of the figures in English and French, and how numbers, joint values and sums of symbols are written in each.
 
 `say("tool_path", "fr")` gives the words of a key. Words that only one kind of figure uses stand in the same catalogue:
 a translator finds all of them here.
@@ -6,6 +6,7 @@ a translator finds all of them here.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import degrees
 
 import numpy as np
@@ -13,9 +14,11 @@ import numpy as np
 from armproof.course.figures.drawing.words import WORDS
 from armproof.course.figures.errors import FigureError
 from armproof.models.arm import Arm
+from armproof.models.dh.entry import LinearForm
 from armproof.verification.latex.writer import symbol_as_latex
 
 LANGUAGES = ("en", "fr")
+_DOTS = ("", r"\dot", r"\ddot")
 _LONG = 6  # figures of a number that is written with a power of ten
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -101,3 +104,61 @@ def axis_label(words: str, unit: str, symbol: str = "") -> str:
 def math(symbol: str) -> str:
     r"""Return a symbol of an arm as mathematics within text: $\theta_{1}$."""
     return f"${symbol_as_latex(symbol)}$"
+
+
+def form_tex(form: LinearForm, lang: str) -> str:
+    r"""Return a sum as LaTeX, angles in degrees: \theta_2 - 90^{\circ}, 2l_1 + 0.3."""
+    terms = [(factor, symbol_as_latex(symbol)) for symbol, factor in form.symbols]
+    if form.pi:
+        terms.append((form.pi * 180, r"^{\circ}"))
+    if form.number or not terms:
+        terms.append((form.number, ""))
+    text = ""
+    for factor, symbol in terms:
+        sign = "-" if factor < 0 else "+"
+        size = _size(abs(factor), symbol, lang)
+        text += (f" {sign} " if text else "-" if factor < 0 else "") + size + symbol
+    return text
+
+
+def _size(factor: Fraction, symbol: str, lang: str) -> str:
+    is_degrees = symbol.startswith("^")
+    if factor == 1 and symbol and not is_degrees:
+        return ""
+    if symbol and not is_degrees and factor.denominator != 1:
+        return rf"\frac{{{factor.numerator}}}{{{factor.denominator}}}"
+    return number(float(factor), lang, 4, in_math=True)
+
+
+def joint_scales(arm: Arm) -> np.ndarray:
+    """Return what the values of the joints are multiplied by for a reader: 180/π for angles, 1 for lengths, (n,)."""
+    return np.array([180 / np.pi if joint.kind == "revolute" else 1.0 for joint in arm.joints])
+
+
+def same_unit(arm: Arm) -> list[tuple[str, list[int]]]:
+    """Return the places of the joints, from 0, that share a unit: the revolute ones, then the prismatic ones."""
+    kinds = [joint.kind for joint in arm.joints]
+    places = {kind: [k for k, found in enumerate(kinds) if found == kind] for kind in ("revolute", "prismatic")}
+    return [(kind, found) for kind, found in places.items() if found]
+
+
+def joint_unit(kind: str, order: int = 0) -> str:
+    """Return the unit of joint values for a reader, or of a derivative of them: °, °/s, °/s², m, m/s, m/s²."""
+    return ("°" if kind == "revolute" else "m") + ("", "/s", "/s²")[order]
+
+
+def dotted(symbol: str, order: int) -> str:
+    r"""Return a joint variable or a derivative of it as LaTeX: \dot{\theta}_1."""
+    letter, underscore, index = symbol_as_latex(symbol).partition("_")
+    return f"{_DOTS[order]}{{{letter}}}{underscore}{index}" if order else letter + underscore + index
+
+
+def values_text(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> str:
+    """Return joint values (n,), or velocities or accelerations, as a list with symbols and units."""
+    parts = []
+    for joint, value in zip(arm.joints, joint_scales(arm) * values, strict=True):
+        name = f"${dotted(joint.symbol, order)}$" if order else math(joint.symbol)
+        unit = joint_unit(joint.kind, order)
+        space = "" if unit == "°" else " "
+        parts.append(f"{name} = {number(round(value, 9), lang)}{space}{unit}")
+    return ", ".join(parts)

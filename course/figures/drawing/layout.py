@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
-from armproof.course.figures.drawing.projection import choose_projection
-from armproof.course.figures.drawing.routes import route, route_to_point, simplify
-from armproof.course.figures.facts.tool import tool_frame
+from armproof.course.figures.facts.task import tool_frame
 from armproof.models.arm import Arm
-from armproof.models.numeric.skeleton import PlacedJoint, place_skeleton
+from armproof.models.numeric.skeleton import PlacedJoint, place_skeleton, simplify
+from armproof.models.showing.projection import choose_projection
 
 _COINCIDE = 0.6  # of the spacing: joints nearer than that are drawn apart
+_DETOUR = 2.0  # a link longer than so many times the direct way runs straight
+_PARALLEL = 1e-6
 _SAME = 1e-9  # m
 
 
@@ -177,3 +179,24 @@ def _upwards(axis: np.ndarray) -> float:
     """Return 1 if an axis points up, towards z_0, or where it is level towards x_0, then y_0; else −1."""
     parts = (axis[2], axis[0], axis[1])
     return float(next((np.sign(part) for part in parts if abs(part) > 0.1), 1.0))
+
+
+def route(start: np.ndarray, axis: np.ndarray, end: np.ndarray, next_axis: np.ndarray) -> np.ndarray:
+    """Return the way of a link from a point on one joint's axis to a point on the next one's, (k, 3).
+
+    It follows d and a of Denavit and Hartenberg; of parallel axes the common normal through the end is taken.
+    """
+    across = np.cross(axis, next_axis)
+    if np.linalg.norm(across) < _PARALLEL:
+        way = [start, start + ((end - start) @ axis) * axis, end]
+    else:
+        s, t, _ = np.linalg.solve(np.column_stack([axis, -next_axis, across]), end - start)
+        way = [start, start + s * axis, end + t * next_axis, end]
+    length = sum(float(np.linalg.norm(one - other)) for one, other in pairwise(way))
+    detour = length > _DETOUR * np.linalg.norm(end - start) + _SAME
+    return simplify(np.array([start, end] if detour else way))
+
+
+def route_to_point(start: np.ndarray, axis: np.ndarray, point: np.ndarray) -> np.ndarray:
+    """Return the way of the last link: along the joint's axis, then across it to a point, (k, 3)."""
+    return simplify(np.array([start, start + ((point - start) @ axis) * axis, point]))

@@ -18,8 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
-from armproof.course.figures.drawing.ink import Ink
-from armproof.course.figures.drawing.legibility import shown_texts
+from armproof.course.figures.drawing.ink import Ink, shown_texts
 from armproof.course.figures.drawing.style import GREY, INK, PAPER, TEXT
 
 _DISTANCES = (0.0, 1.5, 3.0, 5.0, 8.0, 12.0, 17.0, 24.0, 32.0, 42.0, 55.0, 70.0)  # pt beyond the gap

@@ -13,8 +13,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon
 
 from armproof.course.figures.drawing.placement import Label, place_labels
-from armproof.course.figures.drawing.projection import Projection
 from armproof.course.figures.drawing.style import INK, PAPER, POINT, TEXT, mm_axes
+from armproof.models.showing.projection import Projection
 
 _HEAD = (1.9, 0.62)  # mm: length and half width of an arrow's head
 _SHORT = 0.9  # mm: an arrow that is shorter on the paper points at the viewer or away

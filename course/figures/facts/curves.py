@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.figures.drawing.projection import joint_range
 from armproof.course.figures.facts.positioning import Positioning
 from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import joint_range
 from armproof.verification.singularities import Family
 
 _DRAWN, _ROUNDS, _ENOUGH = 400, 4, 350

@@ -47,6 +47,7 @@ class LinkRows:
     rows: tuple[LinkRow, ...]
 
 
+@lru_cache(maxsize=64)
 def chain_frames(arm: Arm) -> tuple[str, ...]:
     """Return the frame of the base and the first frame that each joint carries, n + 1 names."""
     depths = {frame: max(arm.trace.depth(frame), 0) for frame in arm.frames}

@@ -7,10 +7,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from armproof.course.figures.drawing.projection import joint_range
 from armproof.course.figures.facts.families import families_of
 from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import joint_range
 from armproof.verification.singularities import Family
 
 SIDE = 1000  # a million configurations

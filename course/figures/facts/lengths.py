@@ -8,7 +8,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from armproof.course.figures.drawing.forms import form_tex
 from armproof.course.figures.facts.dh_rows import LinkRow, linear_form, link_rows
 from armproof.models.arm import Arm
 from armproof.models.dh.entry import LinearForm
@@ -23,17 +22,17 @@ class FrameLength:
     Attributes:
         previous, frame: their names.
         start, end: points (3,) in frame 0 (m).
-        text: its name as mathematics between dollars.
+        form: how long it is.
     """
 
     previous: str
     frame: str
     start: np.ndarray
     end: np.ndarray
-    text: str
+    form: LinearForm
 
 
-def frame_lengths(arm: Arm, names: Sequence[str], poses: Mapping[str, np.ndarray], lang: str) -> list[FrameLength]:
+def frame_lengths(arm: Arm, names: Sequence[str], poses: Mapping[str, np.ndarray]) -> list[FrameLength]:
     """Return the lengths between successive frames, those that are zero left out.
 
     Args:
@@ -54,7 +53,7 @@ def frame_lengths(arm: Arm, names: Sequence[str], poses: Mapping[str, np.ndarray
         for axis, form in way:
             beyond = at + ((after[:3, 3] - at) @ axis) * axis
             if form != LinearForm() and np.linalg.norm(beyond - at) > _SHORTEST:
-                found.append(FrameLength(previous, frame, at, beyond, f"${form_tex(form, lang)}$"))
+                found.append(FrameLength(previous, frame, at, beyond, form))
             at = beyond
     return found
 

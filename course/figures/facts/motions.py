@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.figures.drawing.projection import choose_projection, joint_range
 from armproof.course.figures.facts.lines import follow, line_poses, within_limits
 from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
@@ -19,6 +18,8 @@ from armproof.models.motion.limits import read_rate_limits
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.motion.quintic import shortest_duration
 from armproof.models.motion.straight_line import StraightLine, straight_line
+from armproof.models.numeric.configurations import joint_range
+from armproof.models.showing.projection import choose_projection
 
 _TRIED = 400
 _LINES = 240

@@ -7,7 +7,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from armproof.course.figures.drawing.projection import joint_range
 from armproof.course.figures.facts.curves import into_limits
 from armproof.course.figures.facts.families import families_of
 from armproof.course.figures.facts.lines import correct, follow, line_poses, within_limits
@@ -15,6 +14,7 @@ from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
 from armproof.models.motion.inverse_velocity import damped_inverse, joint_rates
 from armproof.models.motion.pose_error import pose_error
+from armproof.models.numeric.configurations import joint_range
 from armproof.verification.singularities import Family
 
 SAMPLES = 241

@@ -6,28 +6,17 @@ from functools import lru_cache
 
 import numpy as np
 
-from armproof.course.figures.drawing.layout import lay_out
-from armproof.course.figures.drawing.projection import Projection, choose_projection, generic_configuration, joint_range
-from armproof.course.figures.drawing.routes import simplify
-from armproof.course.figures.facts.tool import tool_frame
+from armproof.course.figures.facts.task import tool_frame
 from armproof.models.arm import Arm
-from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.numeric.configurations import generic_configuration, joint_range
+from armproof.models.numeric.skeleton import place_skeleton, simplify
+from armproof.models.showing.projection import Projection, choose_projection
 
 _TRIED = 160
 _SEED = 2019
 _STEP = np.radians(15)
 _QUARTER = 6  # steps of a right angle
 _MOST = 2.1  # rad
-
-
-def drawn_points(arm: Arm, configurations: np.ndarray, spacing: float = 0.0) -> np.ndarray:
-    """Return the points of an arm at configurations (N, n), for `Scene.fit`: base, links, gripper, tool, (M, 3).
-
-    Args:
-        spacing: as for `lay_out`.
-    """
-    layouts = [lay_out(arm, q, spacing) for q in np.atleast_2d(configurations)]
-    return np.vstack([np.vstack([layout.base, layout.tool, layout.gripper, *layout.links]) for layout in layouts])
 
 
 def zero_pose(arm: Arm) -> np.ndarray:
@@ -80,10 +69,7 @@ def _roundness(arm: Arm, q: np.ndarray) -> np.ndarray:
 
 def _clearness(arm: Arm, projection: Projection, q: np.ndarray) -> float:
     """Return how well an arm is seen: links in the paper, points apart on it, above the ground, to the right, little turned."""
-    skeleton = place_skeleton(arm, q)
-    ends = [end for joint in skeleton.joints for end in (joint.start, joint.end)]
-    origin, tool = (skeleton.frames[frame][:3, 3] for frame in (arm.frames[0], tool_frame(arm)))
-    points = simplify(np.vstack([origin, ends, tool]))
+    points = simplify(place_skeleton(arm, q).line(tool_frame(arm)))
     paper = projection.points(points)
     lengths, seen = (np.linalg.norm(np.diff(line, axis=0), axis=1) for line in (points, paper))
     total = max(float(lengths.sum()), 1e-12)

@@ -7,18 +7,18 @@ from functools import lru_cache
 
 import numpy as np
 
-from armproof.course.figures.drawing.projection import (
+from armproof.course.figures.facts.families import singularities_of
+from armproof.course.figures.facts.task import task_of
+from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import generic_configuration
+from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.showing.projection import (
     Projection,
     choose_projection,
-    generic_configuration,
     look_along,
     plane_projection,
     side_projection,
 )
-from armproof.course.figures.facts.families import singularities_of
-from armproof.course.figures.facts.task import task_of
-from armproof.models.arm import Arm
-from armproof.models.numeric.skeleton import place_skeleton
 from armproof.verification.errors import EvaluationError
 from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
 

@@ -7,9 +7,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from armproof.course.figures.drawing.projection import generic_configuration
-from armproof.course.figures.facts.tool import tool_frame
 from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import generic_configuration
 
 _ZERO = 1e-9  # of the largest entry of the Jacobian
 _SEED = 7
@@ -54,7 +53,7 @@ def task_of(arm: Arm) -> Task:
     The same rows as analyse_singularities takes where it is not told any.
     """
     frame = tool_frame(arm)
-    J = arm.numeric(_generic(arm)).jacobian(frame)
+    J = arm.numeric(_near_generic(arm)).jacobian(frame)
     used = [row for row in range(6) if np.abs(J[:, row]).max() > _ZERO * np.abs(J).max()]
     if len(used) > len(arm.joints):
         rank = _rank(J)
@@ -63,7 +62,7 @@ def task_of(arm: Arm) -> Task:
     return Task(arm, frame, tuple(row + 1 for row in used))
 
 
-def _generic(arm: Arm) -> np.ndarray:
+def _near_generic(arm: Arm) -> np.ndarray:
     rng = np.random.default_rng(_SEED)
     return generic_configuration(arm) + rng.uniform(-0.2, 0.2, (8, len(arm.joints)))
 
@@ -71,3 +70,18 @@ def _generic(arm: Arm) -> np.ndarray:
 def _rank(J: np.ndarray) -> int:
     singular_values = np.linalg.svd(J, compute_uv=False)
     return int(np.sum(singular_values > _ZERO * singular_values[:, :1], axis=1).max())
+
+
+@lru_cache(maxsize=64)
+def tool_frame(arm: Arm) -> str:
+    """Return the frame of the tool: of the frames that the last joint carries, the one at the end of the chain."""
+    moved = [frame for frame in arm.frames if arm.trace.depth(frame) == len(arm.joints)]
+    if not moved:
+        return arm.frames[-1]
+    end = arm.frame(moved[-1]).index()
+    return next(name for name in moved if arm.frame(name).index() == end)
+
+
+def tool_points(arm: Arm, q: np.ndarray) -> np.ndarray:
+    """Return the origin of the tool's frame in frame 0 at configurations (N, n), on the double plant, (N, 3), metres."""
+    return np.asarray(arm.numeric(q).pose(tool_frame(arm))[:, :3, 3])

@@ -8,16 +8,15 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import fit_arm
-from armproof.course.figures.drawing.labels import arm_title, axis_label, math, number, say
+from armproof.course.figures.drawing.labels import arm_title, axis_label, joint_unit, math, number, say
 from armproof.course.figures.drawing.maps import plain_condition
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import GREY, INK, SMALL, STROKES, new_figure, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
-from armproof.course.figures.facts.joints import joint_unit
 from armproof.course.figures.facts.near_singular import DURATION, NearSingular, near_singular
-from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.facts.task import tool_points
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.motion.limits import read_rate_limits

@@ -6,7 +6,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.labels import arm_title, axis_label, joint_value, number, say
+from armproof.course.figures.drawing.labels import (
+    arm_title,
+    axis_label,
+    joint_scales,
+    joint_unit,
+    joint_value,
+    number,
+    say,
+    values_text,
+)
 from armproof.course.figures.drawing.maps import (
     draw_levels,
     draw_scale,
@@ -28,7 +37,6 @@ from armproof.course.figures.facts.joint_map import (
     joint_map,
     shown_families,
 )
-from armproof.course.figures.facts.joints import joint_scales, joint_unit, values_text
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.verification.latex.writer import symbol_as_latex

@@ -8,16 +8,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import arm_view
-from armproof.course.figures.drawing.labels import arm_title, axis_label, length, math, number, say
+from armproof.course.figures.drawing.labels import arm_title, axis_label, length, math, number, say, values_text
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import GREY, INK, PAPER, SMALL, STROKES, new_figure, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
-from armproof.course.figures.facts.joints import values_text
 from armproof.course.figures.facts.motions import Motion, motion_of
-from armproof.course.figures.facts.task import task_of
-from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.facts.task import task_of, tool_points
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.motion.joint_space import follow_path

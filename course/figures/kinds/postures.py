@@ -20,7 +20,6 @@ from armproof.course.figures.drawing.labels import (
 )
 from armproof.course.figures.drawing.layout import lay_out
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
-from armproof.course.figures.drawing.projection import choose_projection, plane_projection
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import GREY, PALE, STROKES, TEXT, WIDTHS, new_figure, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
@@ -29,6 +28,7 @@ from armproof.course.figures.facts.solutions import STARTS, Postures, is_square,
 from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
+from armproof.models.showing.projection import choose_projection, plane_projection
 
 _FEW = 2  # postures that are drawn in one picture, with a table
 _MOST = 8  # that have a panel each

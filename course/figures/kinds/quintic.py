@@ -8,11 +8,20 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.labels import arm_title, axis_label, math, number, say
+from armproof.course.figures.drawing.labels import (
+    arm_title,
+    axis_label,
+    joint_scales,
+    joint_unit,
+    math,
+    number,
+    same_unit,
+    say,
+    values_text,
+)
 from armproof.course.figures.drawing.placement import Label, place_labels
 from armproof.course.figures.drawing.plots import plot_axes
 from armproof.course.figures.drawing.style import GREY, SMALL, STROKES, WIDTHS, Size, new_figure, styled
-from armproof.course.figures.facts.joints import joint_scales, joint_unit, same_unit, values_text
 from armproof.course.figures.facts.motions import Motion, motion_of
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm

@@ -8,17 +8,17 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.labels import arm_title, say
+from armproof.course.figures.drawing.fitting import drawn_points
+from armproof.course.figures.drawing.labels import arm_title, say, values_text
 from armproof.course.figures.drawing.placement import Label, place_labels
-from armproof.course.figures.drawing.projection import axonometric
 from armproof.course.figures.drawing.style import PAPER, WIDTHS, mm_axes, new_figure, styled
 from armproof.course.figures.drawing.symbols import AXIS_COLOURS
-from armproof.course.figures.facts.joints import values_text
-from armproof.course.figures.facts.poses import drawn_points, showing_pose
+from armproof.course.figures.facts.poses import showing_pose
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
 from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.showing.projection import axonometric
 from armproof.models.showing.rendering import ArmRenderer, Camera, look_at, require_renderer
 
 _PIXELS = 1000

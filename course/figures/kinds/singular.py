@@ -13,7 +13,6 @@ from armproof.course.figures.drawing.ellipsoid import draw_ellipsoid
 from armproof.course.figures.drawing.fitting import arm_height, arm_view
 from armproof.course.figures.drawing.labels import arm_title, check_language, pose_text, say
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
-from armproof.course.figures.drawing.projection import Projection, choose_projection, plane_projection
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import STROKES, WIDTHS, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
@@ -23,6 +22,7 @@ from armproof.course.figures.facts.poses import showing_pose
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import outside_limits
+from armproof.models.showing.projection import Projection, choose_projection, plane_projection
 from armproof.verification.singularities import Family, SingularityAnalysis
 
 _ELLIPSE = 10.0  # mm: the longest half axis

@@ -7,11 +7,9 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.dimensions import draw_angle, draw_lengths, draw_turn
 from armproof.course.figures.drawing.fitting import arm_height, fit_arm
-from armproof.course.figures.drawing.forms import form_tex
 from armproof.course.figures.drawing.frames import draw_frames
-from armproof.course.figures.drawing.labels import arm_title, check_language, length, math, pose_text, say
+from armproof.course.figures.drawing.labels import arm_title, check_language, form_tex, length, math, pose_text, say
 from armproof.course.figures.drawing.layout import Layout
-from armproof.course.figures.drawing.projection import choose_projection
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import WIDTHS, new_figure, styled
 from armproof.course.figures.drawing.symbols import draw_arm
@@ -19,10 +17,11 @@ from armproof.course.figures.drawing.table import draw_table, table_height
 from armproof.course.figures.facts.dh_rows import LinkRows, chain_frames, link_rows
 from armproof.course.figures.facts.lengths import frame_lengths
 from armproof.course.figures.facts.poses import showing_pose, zero_pose
-from armproof.course.figures.facts.tool import tool_frame
+from armproof.course.figures.facts.task import tool_frame
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.dh.entry import LinearForm
+from armproof.models.showing.projection import choose_projection
 
 _TABLE = 56.0  # mm, beside the drawing of a page
 _HEIGHTS = (50.0, 125.0)  # mm, of the drawing
@@ -57,7 +56,7 @@ def _draw(arm: Arm, lang: str, with_table: bool) -> Figure:
     _draw_joint_variables(scene, arm, layout)
     if rows is not None:
         _draw_twists(scene, rows, layout)
-    draw_lengths(scene, frame_lengths(arm, shown_frames(arm), layout.frames, lang))
+    draw_lengths(scene, frame_lengths(arm, shown_frames(arm), layout.frames), lang)
     return finish(figure, scene)
 
 

@@ -22,14 +22,14 @@ from armproof.course.figures.drawing.maps import (
 )
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import plot_axes
-from armproof.course.figures.drawing.projection import joint_range
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.stick import draw_stick
-from armproof.course.figures.drawing.style import STROKES, new_figure, styled
+from armproof.course.figures.drawing.style import INK, PAPER, STROKES, new_figure, styled
 from armproof.course.figures.facts.curves import family_curve
 from armproof.course.figures.facts.positioning import Positioning, position_singularities, positioning_of
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import joint_range
+from armproof.models.numeric.skeleton import stick_points
 
 CONFIGURATIONS = 1_000_000
 _CELLS = 230  # along the longer side of the map
@@ -110,7 +110,7 @@ def workspace_figure(arm: Arm, lang: str = "en") -> Figure:
     _draw_map(figure, axes, box, found, extent, lang)
     labels = _draw_curves(axes, found)
     scene = Scene(axes, found.positioning.projection, metre)
-    draw_stick(scene, arm, shown_configuration(found), found.positioning.frame)
+    _draw_stick(scene, stick_points(arm, shown_configuration(found), found.positioning.frame))
     return finish(figure, scene, extra=labels)
 
 
@@ -187,6 +187,12 @@ def caption(arm: Arm, lang: str = "en") -> str:
 def applies(arm: Arm, lang: str) -> str | None:
     """Return why an arm has no map of its workspace, or None."""
     return None if positioning_of(arm) is not None else say("no_plane", lang)
+
+
+def _draw_stick(scene: Scene, points: np.ndarray) -> None:
+    """Draw an arm as lines between its joints, a dot at each; gid "stick"."""
+    scene.line(points, gid="stick", zorder=8, color=INK, linewidth=1.6, marker="o", markersize=3, markerfacecolor=PAPER, markeredgewidth=0.8)  # fmt: skip
+    scene.line(points[-1:], zorder=8.1, color=INK, marker="o", markersize=3, linestyle="none")
 
 
 KIND = Kind("workspace", applies, workspace_figure, caption)

@@ -16,7 +16,7 @@ from armproof.course.figures.drawing.style import GREY, INK, SMALL, STROKES, WID
 from armproof.course.figures.drawing.symbols import Look, draw_arm
 from armproof.course.figures.errors import FigureError
 from armproof.course.figures.facts.motions import Motion, motion_of
-from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.facts.task import tool_points
 from armproof.course.figures.output.save import save_bytes
 from armproof.models.arm import Arm
 from armproof.models.motion.samples import sample_motion

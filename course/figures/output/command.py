@@ -64,10 +64,11 @@ def figures(
         raise typer.Exit(INTERRUPTED) from None
     except ArmproofError as error:
         give_up(error)
-    complain(problem for delivery in done for problem in delivery.problems)
+    if problems := [problem for delivery in done for problem in delivery.problems]:
+        complain(problems)
     if any(delivery.fatal for delivery in done):
         raise typer.Exit(CANNOT_RUN)
-    raise typer.Exit(FAILS if any(delivery.problems for delivery in done) else PASSES)
+    raise typer.Exit(FAILS if problems else PASSES)
 
 
 def _formats(text: str) -> tuple[str, ...]:

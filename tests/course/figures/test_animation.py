@@ -11,7 +11,7 @@ from PIL import Image
 from armproof.course.figures.drawing.fitting import arm_view
 from armproof.course.figures.errors import FigureError
 from armproof.course.figures.facts.motions import make_motion, motion_of
-from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.facts.task import tool_points
 from armproof.course.figures.output.animation import RATE, frame_figure, frames, write_animation
 from armproof.course.figures.output.films import FILMS, film_reason, write_film
 from armproof.course.figures.output.production import Order, produce

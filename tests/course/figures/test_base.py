@@ -10,21 +10,15 @@ from matplotlib import rcParams
 from armproof.course.figures.drawing.fitting import SPACING, arm_view, fit_arm
 from armproof.course.figures.drawing.labels import LANGUAGES, arm_title, number, say
 from armproof.course.figures.drawing.layout import lay_out
-from armproof.course.figures.drawing.legibility import illegible
 from armproof.course.figures.drawing.placement import LEADER, Label, place_labels
-from armproof.course.figures.drawing.projection import (
-    axonometric,
-    choose_projection,
-    is_planar,
-    look_along,
-    plane_projection,
-)
 from armproof.course.figures.drawing.style import HIGHEST, MM, WIDTHS, mm_axes, new_figure, styled
 from armproof.course.figures.drawing.words import WORDS
 from armproof.course.figures.errors import FigureError
 from armproof.course.figures.facts.poses import showing_pose, zero_pose
 from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import outside_limits
+from armproof.models.showing.projection import axonometric, choose_projection, is_planar, look_along, plane_projection
+from tests.course.figures.legibility import illegible
 
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from armproof.course.figures.drawing.projection import choose_projection
 from armproof.course.figures.facts.near_singular import near_singular
-from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.facts.task import tool_points
 from armproof.course.figures.kinds.crossing import applies, caption, crossing_figure, error_parts, rate_scales
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.showing.projection import choose_projection
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 

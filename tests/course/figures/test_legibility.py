@@ -3,9 +3,9 @@
 import pytest
 
 from armproof.course.figures.drawing.labels import LANGUAGES
-from armproof.course.figures.drawing.legibility import illegible
 from armproof.course.figures.registry import caption_kind, draw_kind, figures_for, kinds
 from armproof.models.arm import Arm
+from tests.course.figures.legibility import illegible
 
 
 @pytest.mark.parametrize("kind", kinds())

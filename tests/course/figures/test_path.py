@@ -3,15 +3,14 @@
 import numpy as np
 import pytest
 
-from armproof.course.figures.drawing.projection import choose_projection
 from armproof.course.figures.facts.motions import make_motion, motion_of
-from armproof.course.figures.facts.task import task_of
-from armproof.course.figures.facts.tool import tool_points
+from armproof.course.figures.facts.task import task_of, tool_points
 from armproof.course.figures.kinds.path import caption, path_figure, path_length, tool_motions
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.motion.limits import read_rate_limits
 from armproof.models.motion.samples import sample_motion
+from armproof.models.showing.projection import choose_projection
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from armproof.course.figures.drawing.projection import Projection
 from armproof.course.figures.facts.solutions import is_square, postures_of
 from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.kinds.postures import _fit, caption, postures, reason
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.showing.projection import Projection
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 COUNT = {"planar_2r": 2, "planar_3r": 2, "polar_rp": 2, "scara": 2, "scara_column": 2, "scara_modified": 2, "spatial_rrr": 4,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from armproof.course.figures.facts.joints import joint_scales
+from armproof.course.figures.drawing.labels import joint_scales
 from armproof.course.figures.facts.motions import make_motion, motion_of, round_duration
 from armproof.course.figures.kinds.quintic import caption, peak_times, peak_values, quintic_figure
 from armproof.models.arm import Arm

@@ -7,12 +7,12 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.projection import choose_projection
 from armproof.course.figures.errors import FigureError
 from armproof.course.figures.facts.dh_rows import link_matrices, link_rows
 from armproof.course.figures.facts.lengths import frame_lengths
 from armproof.course.figures.kinds.sketch import caption, shown_frames, sketch, sketch_pose
 from armproof.models.arm import Arm
+from armproof.models.showing.projection import choose_projection
 
 TOLERANCE = 1e-9  # m
 MODIFIED = ("rx90", "scara_modified")
@@ -94,7 +94,7 @@ def test_the_table_is_the_arms(arm: Arm) -> None:
 def test_lengths_lead_from_frame_to_frame(arm: Arm) -> None:
     q = sketch_pose(arm)
     poses = {frame: arm.numeric(q[None]).pose(frame)[0] for frame in shown_frames(arm)}
-    found = frame_lengths(arm, shown_frames(arm), poses, "en")
+    found = frame_lengths(arm, shown_frames(arm), poses)
     for frame in shown_frames(arm)[1:]:
         mine = [each for each in found if each.frame == frame]
         if mine:

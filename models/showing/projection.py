@@ -8,11 +8,11 @@ from functools import lru_cache
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import generic_configuration
 from armproof.models.numeric.skeleton import place_skeleton
 
 _AZIMUTH, _ELEVATION = np.radians(-62.0), np.radians(24.0)  # x_0 to the right and a little down, y_0 into the page
 _PARALLEL = 1e-9
-_GENERIC = (0.37, 0.61, 0.23, 0.53, 0.41, 0.31, 0.59)  # of the range of each joint
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,16 +124,3 @@ def _facing(normal: np.ndarray) -> np.ndarray:
     keys = (normal[2], -normal[1], normal[0])
     sign = next((np.sign(key) for key in keys if abs(key) > 1e-6), 1.0)
     return np.asarray(sign * normal)
-
-
-def generic_configuration(arm: Arm) -> np.ndarray:
-    """Return a configuration without any special angle, within the limits of the joints, (n,)."""
-    ranges = [joint_range(joint.lower, joint.upper, joint.kind) for joint in arm.joints]
-    parts = [_GENERIC[k % len(_GENERIC)] for k in range(len(ranges))]
-    return np.array([low + part * (high - low) for part, (low, high) in zip(parts, ranges, strict=True)])
-
-
-def joint_range(lower: float, upper: float, kind: str) -> tuple[float, float]:
-    """Return the limits of a joint, with half a turn or half a metre to each side where there is none."""
-    most = np.pi if kind == "revolute" else 0.5
-    return (lower if np.isfinite(lower) else -most, upper if np.isfinite(upper) else most)

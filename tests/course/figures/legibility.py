@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
+from armproof.course.figures.drawing.ink import shown_texts
 from armproof.course.figures.drawing.style import SMALL, styled
 
 _TOLERANCE = 0.3  # px: texts may touch
@@ -43,25 +43,3 @@ def _boxes(figure: Figure) -> list[tuple[Text, Bbox]]:
     figure.canvas.draw()
     renderer = figure.canvas.get_renderer()  # type: ignore[attr-defined]
     return [(text, text.get_window_extent(renderer)) for text in shown_texts(figure)]
-
-
-def shown_texts(figure: Figure) -> list[Text]:
-    """Return the texts of a figure that can be seen."""
-    hidden = {id(text) for axes in figure.axes for text in _hidden(axes)}
-    texts = (text for text in figure.findobj(Text) if isinstance(text, Text) and id(text) not in hidden)
-    return [text for text in texts if text.get_visible() and text.get_text().strip()]
-
-
-def _hidden(axes: Axes) -> list[Text]:
-    """Return the texts of the axes that are not drawn: all of axes that are off, labels of ticks outside the limits."""
-    if not axes.get_visible():
-        return [text for text in axes.findobj(Text) if isinstance(text, Text)]
-    hidden: list[Text] = []
-    for axis in (axes.xaxis, axes.yaxis):
-        low, high = sorted(axis.get_view_interval())
-        margin = 1e-9 * (high - low)
-        ticks = zip(axis.get_major_ticks(), axis.get_majorticklocs(), strict=False)
-        outside = [tick for tick, place in ticks if not low - margin <= place <= high + margin]
-        parts = outside if axes.axison and axis.get_visible() else [axis]
-        hidden += [text for part in parts for text in part.findobj(Text) if isinstance(text, Text)]
-    return hidden
