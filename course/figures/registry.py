@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from importlib import import_module
 from textwrap import fill
-from types import MappingProxyType
 
 from matplotlib.figure import Figure
 
@@ -16,7 +14,7 @@ from armproof.course.figures.drawing.style import GREY, TEXT, new_figure, styled
 from armproof.course.figures.errors import FigureError
 from armproof.models.arm import Arm
 
-MODULES = (  # of course/figures/kinds/, each with its KIND
+KINDS = (  # in the order in which a course meets them, each the KIND of the module of its name in course/figures/kinds/
     "sketch",
     "singular",
     "postures",
@@ -55,28 +53,22 @@ class Kind:
         return say(self.name, lang)
 
 
-@cache
-def kinds() -> Mapping[str, Kind]:
-    """Return all kinds by name, in the order in which a course meets them."""
-    found = [import_module(f"armproof.course.figures.kinds.{module}").KIND for module in MODULES]
-    return MappingProxyType({kind.name: kind for kind in found})
-
-
 def find_kind(name: str) -> Kind:
-    """Return a kind by its name.
+    """Return a kind by its name; the others are not loaded.
 
     Raises:
         FigureError: there is no such kind.
     """
-    try:
-        return kinds()[name]
-    except KeyError:
-        raise FigureError(f"no figure '{name}'; the figures are {', '.join(kinds())}") from None
+    if name not in KINDS:
+        raise FigureError(f"no figure '{name}'; the figures are {', '.join(KINDS)}")
+    kind: Kind = import_module(f"armproof.course.figures.kinds.{name}").KIND
+    return kind
 
 
 def figures_for(arm: Arm) -> tuple[Kind, ...]:
     """Return the kinds of which an arm has a figure, one that says that there is nothing to show included."""
-    return tuple(kind for kind in kinds().values() if kind.empty or kind.applies(arm, "en") is None)
+    kinds = (find_kind(name) for name in KINDS)
+    return tuple(kind for kind in kinds if kind.empty or kind.applies(arm, "en") is None)
 
 
 def draw_kind(kind: Kind, arm: Arm, lang: str = "en") -> Figure:

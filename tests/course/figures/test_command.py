@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from armproof.course.figures.registry import MODULES, figures_for, find_kind, kinds
+from armproof.course.figures.registry import KINDS, figures_for, find_kind
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names
 from armproof.verification.cli import app, plugins
@@ -103,8 +103,8 @@ def test_a_figure_that_fails_does_not_take_the_others_with_it(
     from armproof.course.figures import registry
 
     broken = replace(find_kind("sketch"), draw=lambda arm, lang: 1 / 0)  # type: ignore[arg-type,return-value]
-    two = {"sketch": broken, "postures": find_kind("postures")}
-    monkeypatch.setattr(registry, "kinds", lambda: two)
+    monkeypatch.setattr(registry, "KINDS", ("sketch", "postures"))
+    monkeypatch.setattr(registry, "find_kind", {"sketch": broken, "postures": find_kind("postures")}.__getitem__)
     code, out, error = armproof("figures", "--arm", "polar_rp", "--format", "svg", "--out", tmp_path)
     assert code == 1
     assert "polar_rp-sketch: cannot be drawn: ZeroDivisionError" in error
@@ -123,9 +123,25 @@ def test_help_loads_nothing_heavy() -> None:
     assert done.stdout.splitlines()[-1] == "[]"
 
 
+def loaded(code: str) -> set[str]:
+    """The modules of this project that are there once some code has run in a process of its own."""
+    code = f"import sys\n{code}\nprint(*(name for name in sys.modules if name.startswith('armproof.')))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    return set(done.stdout.split())
+
+
+def test_a_kind_is_found_without_the_others() -> None:
+    find = "from armproof.course.figures.registry import KINDS, find_kind; KINDS"
+    assert not {name for name in loaded(find) if ".kinds" in name}
+    sketch, singular = (loaded(f"{find}; find_kind('{name}')") for name in ("sketch", "singular"))
+    assert {name for name in sketch if ".kinds." in name} == {"armproof.course.figures.kinds.sketch"}
+    assert "armproof.verification.singularities" in singular - sketch
+
+
 def test_every_module_has_a_kind_with_a_title() -> None:
-    assert len(kinds()) == len(MODULES)
-    for name, kind in kinds().items():
+    assert sorted(KINDS) == sorted(path.stem for path in (ROOT / "course/figures/kinds").glob("[!_]*.py"))
+    for name in KINDS:
+        kind = find_kind(name)
         assert kind.name == name
         assert kind.title("en") != kind.title("fr") or name == "quintic"
 

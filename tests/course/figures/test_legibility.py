@@ -3,14 +3,14 @@
 import pytest
 
 from armproof.course.figures.drawing.labels import LANGUAGES
-from armproof.course.figures.registry import caption_kind, draw_kind, figures_for, kinds
+from armproof.course.figures.registry import KINDS, caption_kind, draw_kind, figures_for, find_kind
 from armproof.models.arm import Arm
 from tests.course.figures.legibility import illegible
 
 
-@pytest.mark.parametrize("kind", kinds())
+@pytest.mark.parametrize("kind", KINDS)
 def test_every_figure_can_be_read(arm: Arm, kind: str) -> None:
-    found = kinds()[kind]
+    found = find_kind(kind)
     if found not in figures_for(arm):
         pytest.skip(str(found.applies(arm, "en")))
     for lang in LANGUAGES:
