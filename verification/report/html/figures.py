@@ -9,12 +9,12 @@ from markupsafe import Markup
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.skeleton import Skeleton, place_skeleton
+from armproof.models.showing.projection import choose_projection
 from armproof.verification.diagnosis.discrepancy import Drawn
-from armproof.verification.report.html.projection import View, choose_view
 from armproof.verification.report.html.sketch import Sketch
 from armproof.verification.verdict import Record
 
-_SEED = 5  # of the configurations that tell a planar arm from a spatial one
+_SEED = 5  # of the configurations that tell how far an arm reaches
 _TOLD = {
     "pose": "the pose of frame {0}",
     "axis": "the axis at frame {0}",
@@ -33,7 +33,7 @@ class Figure:
 
 
 class ArmPainter:
-    """Draws one arm, always in the same view.
+    """Draws one arm, always from the side from which the figures of the course show it.
 
     `claimed` is what a side that is not the arm's is called: "printed" in a document, "yours" in a student's answer.
     """
@@ -45,8 +45,8 @@ class ArmPainter:
         rng = np.random.default_rng(_SEED)
         poses = [place_skeleton(arm, np.zeros(len(arm.joints)))]
         poses += [place_skeleton(arm, rng.uniform(0.2, 1.2, len(arm.joints))) for _ in range(3)]
-        points = np.concatenate([np.array(self._points(pose)) for pose in poses])
-        self.view: View = choose_view(points)
+        points = np.concatenate([pose.line(self.last) for pose in poses])
+        self.projection = choose_projection(arm)
         self.reach = max(float(np.linalg.norm(np.ptp(points, axis=0))), 1e-3)
 
     def at_zero(self) -> Figure:
@@ -99,10 +99,10 @@ class ArmPainter:
             sketch.arrow(origin, origin + size * side[:, 0], kind, word)
 
     def _sketch(self, pose: Skeleton, triad: float) -> Sketch:
-        sketch = Sketch(self.view, triad)
-        sketch.line(self._points(pose), "link")
+        sketch = Sketch(self.projection, triad)
+        sketch.line(pose.line(self.last), "link")
         for joint in pose.joints:
-            if not self.view.is_planar:
+            if not self.projection.planar:
                 reach = 0.4 * triad * np.array(joint.axis)
                 sketch.line([np.array(joint.start) - reach, np.array(joint.start) + reach], "joint-axis")
             if joint.kind == "prismatic":
@@ -110,13 +110,6 @@ class ArmPainter:
         for joint in pose.joints:
             sketch.dot(joint.start, joint.kind)
         return sketch
-
-    def _points(self, pose: Skeleton) -> list[np.ndarray]:
-        """The points that the links connect: the base, each joint where it sits and carries, the tool."""
-        points = [pose.frames[self.arm.frames[0]][:3, 3]]
-        for joint in pose.joints:
-            points += [np.array(joint.start), np.array(joint.end)]
-        return [*points, pose.frames[self.last][:3, 3]]
 
 
 def _by_place(pose: Skeleton, names: tuple[str, ...]) -> list[tuple[list[str], np.ndarray]]:

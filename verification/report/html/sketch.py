@@ -12,7 +12,7 @@ from html import escape
 
 import numpy as np
 
-from armproof.verification.report.html.projection import View
+from armproof.models.showing.projection import Projection
 
 WIDTH, HEIGHT = 330.0, 250.0
 BESIDE, ABOVE = 50.0, 26.0  # room for the labels
@@ -25,25 +25,25 @@ Point = Sequence[float] | np.ndarray
 class Sketch:
     """Collects shapes in metres of frame 0, then fits them to the picture and writes it."""
 
-    view: View
+    projection: Projection
     triad: float  # length of a frame's axes (m)
     shapes: list[tuple[str, list[tuple[float, float]], str, str]] = field(default_factory=list)
 
-    def line(self, points: Sequence[Point], kind: str) -> None:
+    def line(self, points: Sequence[Point] | np.ndarray, kind: str) -> None:
         """Draw a polyline."""
-        self.shapes.append(("line", [self.view.project(point) for point in points], kind, ""))
+        self.shapes.append(("line", [self._project(point) for point in points], kind, ""))
 
     def dot(self, point: Point, kind: str) -> None:
         """Draw a joint or a point: "revolute" round, "prismatic" square."""
-        self.shapes.append(("square" if kind == "prismatic" else "dot", [self.view.project(point)], kind, ""))
+        self.shapes.append(("square" if kind == "prismatic" else "dot", [self._project(point)], kind, ""))
 
     def text(self, point: Point, words: str, kind: str) -> None:
         """Write a short label below a point, on its left."""
-        self.shapes.append(("text", [self.view.project(point)], kind, words))
+        self.shapes.append(("text", [self._project(point)], kind, words))
 
     def arrow(self, start: Point, end: Point, kind: str, words: str = "") -> None:
         """Draw an arrow with a label at its tip; one that points at the viewer is a dot."""
-        a, b = self.view.project(start), self.view.project(end)
+        a, b = self._project(start), self._project(end)
         self.shapes.append(("arrow", [a, b], kind, words))
 
     def frame(self, pose: np.ndarray, kind: str, index: str = "", axes: str = "xyz") -> None:
@@ -54,6 +54,11 @@ class Sketch:
             label = f"{letter}{index.translate(_SUBSCRIPTS)}" if index else ""
             tip = pose[:3, 3] + self.triad * pose[:3, k]
             self.arrow(pose[:3, 3], tip, f"{kind} axis-{letter}", label)
+
+    def _project(self, point: Point) -> tuple[float, float]:
+        """Return a point's place on the page (m), up counted upwards."""
+        right, up = self.projection.points(np.asarray(point, dtype=float))
+        return float(right), float(up)
 
     # -- writing -----------------------------------------------------------------------------------------------------
 
