@@ -169,7 +169,7 @@ class DocumentChecker:
         if not display.closed:
             return replace(record, message=f"the display opened by {display.opening} never ends")
         self.ring.deadline = now() + SECONDS_TO_DECIDE
-        self.names.section = display.section
+        self.names.state.section = display.section
         try:
             if (table := check_array_table(self.checker, display)) is not None:
                 return self._with_array_corrected(table, display)
@@ -229,9 +229,9 @@ class DocumentChecker:
         self, statements: list[n.Statement], display: Display
     ) -> tuple[list[Outcome], dict[str, float]]:
         """Return the outcomes; a name may be defined after its use in the display ("…, where D = …")."""
-        known = len(self.names.definitions)
+        known = len(self.names.state.definitions)
         outcomes, extra = self.statements.check(statements, display.line, define=not display.erratum)
-        if len(self.names.definitions) > known and any(o.verdict is Verdict.UNCHECKED for o in outcomes):
+        if len(self.names.state.definitions) > known and any(o.verdict is Verdict.UNCHECKED for o in outcomes):
             again, extra = self.statements.check(statements, display.line, define=not display.erratum)
             if len(again) == len(outcomes):
                 outcomes = [

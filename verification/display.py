@@ -16,7 +16,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
-from armproof.verification.naming.sign_definitions import named_sign
+from armproof.verification.naming.signs import named_sign
 from armproof.verification.verdict import Verdict
 
 
@@ -29,7 +29,6 @@ class Statements:
         self.ring = checker.exact.ring
         self.general = GeneralStatements(checker)
         self.given = Given(checker)
-        self.subject: n.Node | None = None
 
     def check(
         self, statements: list[n.Statement], line: int, *, define: bool = True
@@ -67,7 +66,7 @@ class Statements:
             index = implication.after
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
-            self.subject = first_chain.members[0]
+            self.names.state.subject = first_chain.members[0]
         return outcomes, extra
 
     def _implication(
@@ -89,8 +88,9 @@ class Statements:
 
     def _resolve_subject(self, statement: n.Statement) -> n.Statement:
         """A display that begins with a relation goes on about the subject of the one before."""
-        if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and self.subject is not None:
-            return replace(statement, members=(self.subject, *statement.members[1:]))
+        subject = self.names.state.subject
+        if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and subject is not None:
+            return replace(statement, members=(subject, *statement.members[1:]))
         return statement
 
     def _chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
@@ -129,7 +129,7 @@ class Statements:
     def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         sign = named_sign(chain)
         if sign is not None and self.names.defines_sign(sign):
-            self.names.signs.values.update({sign: 1} if define else {})
+            self.names.state.signs.values.update({sign: 1} if define else {})
             return [Outcome(Verdict.DEFINED, f"{sign} is a sign, either one", equation)]
         if any(relation != "=" for relation in chain.relations):
             return [check_relation(self.checker, chain, equation)]

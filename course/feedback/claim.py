@@ -183,7 +183,11 @@ class Claim:
         calls = [call for call in n.walk(node) if isinstance(call, n.Call) and call.function in ("Rot", "Trans")]
         axes = [id(call.arguments[0]) for call in calls]  # the z of Rot_z is no letter
         for name in n.walk(node):
-            if not isinstance(name, n.Name) or id(name) in axes or name.key in (*self.letters, *names.definitions):
+            if (
+                not isinstance(name, n.Name)
+                or id(name) in axes
+                or name.key in (*self.letters, *names.state.definitions)
+            ):
                 continue
             if names.is_free(name) or name.key in self.front.get("symbols", {}):
                 shown = latex[name.span[0] : name.span[1]]

@@ -94,39 +94,14 @@ class Place:
     def altered(self) -> Iterator[None]:
         """Let displays be checked here; what they define is forgotten afterwards, and the roots that they adjoin."""
         checker, ring = self.checker, self.checker.ring
-        general = checker.statements.general._general
-        memories = [_Memory(part) for part in (checker.names, checker.statements, general.names, checker.diagnostician)]
+        before = checker.names.state.copy()
         roots = len(ring.radicands), len(ring.arcs)
         try:
             yield
         finally:
-            for memory in memories:
-                memory.restore()
+            checker.names.state.become(before)
             if (len(ring.radicands), len(ring.arcs)) != roots:  # generators cannot be taken back
                 self.checker = _replay(self.document, self.index, self.denominators)
-
-
-class _Memory:
-    """What an object holds of its own: plain values, and the contents of its dictionaries, sets and lists."""
-
-    def __init__(self, part: object) -> None:
-        self.part = part
-        self.plain = {
-            name: value
-            for name, value in vars(part).items()
-            if isinstance(value, str | int | float | tuple | n.Node | None)
-        }
-        self.contents = [(value, value.copy()) for value in vars(part).values() if isinstance(value, dict | set | list)]
-
-    def restore(self) -> None:
-        """Put everything back, in the same containers."""
-        vars(self.part).update(self.plain)
-        for container, before in self.contents:
-            container.clear()
-            if isinstance(container, list):
-                container.extend(before)
-            else:
-                container.update(before)
 
 
 class _Silent(Diagnostician):

@@ -109,7 +109,7 @@ def _letters_of_display(place: Place) -> Letters:
         if (
             isinstance(node, n.Name)
             and names.is_free(node)
-            and node.key not in names.definitions
+            and node.key not in names.state.definitions
             and not node.dots
             and node.text
         ):

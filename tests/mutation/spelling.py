@@ -34,7 +34,7 @@ def allowed_styles(place: Place) -> dict[str, Notation]:
     """Return the spellings of cosines whose letters mean nothing else in the document."""
     names = place.checker.names
     taken = {
-        *names.definitions,
+        *names.state.definitions,
         *names.used,
         *names.quantities,
         *names.symbols,
@@ -147,7 +147,7 @@ def other_fractions(latex: str, chance: random.Random) -> str | None:
 
 def other_transforms(place: Place, latex: str, chance: random.Random) -> str | None:
     """{}^0T_1 as {}^0_1T, {}_1^0T, ^0T_1 at the head of a product, or with a bold letter."""
-    bound = {*place.checker.names.quantities, *place.checker.names.definitions}
+    bound = {*place.checker.names.quantities, *place.checker.names.state.definitions}
 
     def other(found: re.Match[str]) -> str:
         upper, letter, lower = (found.group(k).strip("{}") if k != 2 else found.group(k) for k in (1, 2, 3))

@@ -87,9 +87,9 @@ def test_equality_at_random_lengths_is_not_fooled_by_a_length_of_one() -> None:
 
 def test_checking_elsewhere_leaves_no_trace() -> None:
     place = first_place("scara-004.md", r"\arccos")
-    before = dict(place.checker.names.definitions)
+    before = dict(place.checker.names.state.definitions)
     place.check(r"N_e = \sqrt{X + \frac{\theta_1^*}{2} - \arctan(Y)}")
-    assert place.checker.names.definitions == before
+    assert place.checker.names.state.definitions == before
     assert place.check(place.display.latex).verdict is Verdict.PROVED
 
 

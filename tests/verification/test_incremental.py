@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
@@ -13,8 +13,11 @@ import armproof.course
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document, find_documents, parse_document
 from armproof.verification.errors import DocumentError
+from armproof.verification.latex.nodes import Name
+from armproof.verification.latex.writer import Notation
+from armproof.verification.naming.quantities import Quantity
+from armproof.verification.naming.state import Definition, DocumentState, PrintedError
 from armproof.verification.running.incremental import IncrementalChecker
-from armproof.verification.running.snapshot import Snapshot
 from armproof.verification.verdict import DocumentResult, Verdict
 
 HANDOUTS = find_documents([Path(armproof.course.__path__[0]) / "handouts"])
@@ -28,6 +31,24 @@ PARTS = [
     "$$ C_{12} = C_1 C_2 - S_1 S_2 $$",
     "> **Erratum**\n> $$ D = l_1 l_2 \\cos\\theta_2 $$",
 ]
+
+
+CHANGES: dict[str, Callable[[DocumentState], object]] = {
+    "section": lambda state: setattr(state, "section", "A title"),
+    "subject": lambda state: setattr(state, "subject", Name("a")),
+    "definitions": lambda state: state.definitions.update(a=Definition(float)),
+    "inferred": lambda state: state.inferred.update(J=Quantity("jacobian", "2")),
+    "used": lambda state: state.used.add("a"),
+    "used_in_general": lambda state: state.used_in_general.add("a"),
+    "adopted": lambda state: state.adopted.add("L_3"),
+    "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
+    "configuration": lambda state: state.configuration.update(theta_1=0.5),
+    "rounded": lambda state: state.rounded.update(a=2),
+    "shown": lambda state: state.shown.update(J=(1, 2)),
+    "signs": lambda state: state.signs.values.update(sigma=1),
+    "errors": lambda state: state.errors.append(PrintedError(1, "a", Name("a"), {(1, 1): "b"})),
+    "notation": lambda state: setattr(state, "notation", Notation(cosine="C")),
+}
 
 
 def text_of(*parts: str) -> str:
@@ -134,11 +155,25 @@ def test_a_handout_changed_at_random_has_the_verdicts_of_a_check_from_scratch(pa
 def test_a_state_that_differs_is_noticed() -> None:
     document = page(*PARTS)
     checker = DocumentChecker(document, load_arm_of(document), {})
-    before = Snapshot(checker)
-    assert before.is_same(Snapshot(checker))
+    state = checker.names.state
+    before = state.copy()
+    assert before == state
     checker.check_display(document.displays[0])
-    after = Snapshot(checker)
-    assert not before.is_same(after)
-    before.restore()
-    assert before.is_same(Snapshot(checker))
-    assert not after.is_same(Snapshot(checker))
+    after = state.copy()
+    assert before != after
+    state.become(before)
+    assert before == state != after
+
+
+def test_every_part_of_a_state_is_copied_compared_and_put_back() -> None:
+    assert {field.name for field in fields(DocumentState)} == CHANGES.keys()
+    for name, change in CHANGES.items():
+        state = DocumentState()
+        before = state.copy()
+        change(state)
+        changed = state.copy()
+        assert state == changed != before, name
+        state.become(before)
+        assert state == before, name
+        change(state)
+        assert state == changed and before == DocumentState(), name

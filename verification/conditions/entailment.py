@@ -264,6 +264,6 @@ def _lengths(checker: ChainChecker, half: HalfAngles) -> frozenset[str]:
     """The symbols taken as positive: the arm's lengths, or without an arm what reads as one: l, l_1, a_2, d_i."""
     arm = checker.names.arm
     if arm is not None:
-        return frozenset(arm.lengths) | frozenset(checker.names.adopted)
+        return frozenset(arm.lengths) | frozenset(checker.names.state.adopted)
     names = {name for kind, name in half.others if kind == "symbol"}
     return frozenset(name for name in names if name[:1] in ("l", "L") or name[:2] in ("a_", "d_"))

@@ -110,7 +110,7 @@ def _sized(latex: str, start: int, end: int, value: Matrix) -> Corrections:
 def _other_name(statements: list[n.Statement], checker: ChainChecker) -> Iterator[Corrections]:
     """Another name of the document with the same letter, throughout: J_L for J."""
     names = [below for s in statements for below in n.walk(s) if isinstance(below, n.Name)]
-    known = dict.fromkeys((*checker.names.quantities, *checker.names.definitions))
+    known = dict.fromkeys((*checker.names.quantities, *checker.names.state.definitions))
     for key in dict.fromkeys(name.key for name in names if name.key in known):
         places = [name for name in names if name.key == key]
         others = [other for other in known if other != key and _letter(other) == _letter(key)]

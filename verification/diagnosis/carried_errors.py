@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
@@ -13,24 +12,13 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import Quantity
+from armproof.verification.naming.state import PrintedError
 from armproof.verification.verdict import WrongEntry
 
 
-@dataclass
-class PrintedError:
-    """A refuted equation, kept to recognise its consequences."""
-
-    line: int
-    key: str
-    node: n.Node
-    cells: dict[tuple[int, int], str] = field(default_factory=dict)
-
-
-def consequence_of(
-    checker: ChainChecker, errors: Sequence[PrintedError], outcome: Outcome, entries: list[WrongEntry]
-) -> str:
+def consequence_of(checker: ChainChecker, outcome: Outcome, entries: list[WrongEntry]) -> str:
     """Say if an error repeats one printed before, or follows from it; empty where it stands for itself."""
-    key = _subject(checker, outcome)
+    key, errors = _subject(checker, outcome), checker.names.state.errors
     for error in errors:
         same = error.key == key and all(error.cells.get((e.row or 0, e.column or 0)) == e.printed for e in entries)
         if key and same and entries:

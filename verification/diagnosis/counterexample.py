@@ -93,7 +93,7 @@ class Probe:
         return sorted(name for name in names if name != "pi" and not name[:1].isdigit())
 
     def _is_free_symbol(self, name: n.Name) -> bool:
-        return self.names.is_free(name) and name.key in self.names.used and name.key not in self.names.definitions
+        return self.names.is_free(name) and name.key in self.names.used and name.key not in self.names.state.definitions
 
     def _sampled_difference(self, outcome: Outcome, probe: SampledAlgebra) -> np.ndarray:
         assert outcome.true is not None and outcome.printed is not None

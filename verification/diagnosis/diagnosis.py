@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.written import write_bounded
-from armproof.verification.diagnosis.carried_errors import PrintedError, consequence_of, printed_error
+from armproof.verification.diagnosis.carried_errors import consequence_of, printed_error
 from armproof.verification.diagnosis.causes.case import Explanation
 from armproof.verification.diagnosis.causes.display import display_cause
 from armproof.verification.diagnosis.counterexample import Probe
@@ -32,7 +32,6 @@ class Diagnostician:
 
     def __init__(self, checker: ChainChecker) -> None:
         self.checker = checker
-        self.errors: list[PrintedError] = []
         self._probe = Probe(checker)
         self.learnt = LearntNotation(checker.names)
         self._mender = Mender(checker, self._probe, self.learnt)
@@ -60,7 +59,7 @@ class Diagnostician:
                 words.append(outcome.message)
             else:
                 words.extend(self._summary(found))
-            consequence = consequence_of(self.checker, self.errors, outcome, found)
+            consequence = consequence_of(self.checker, outcome, found)
             if consequence:
                 words.append(consequence)
             entries.extend(found)
@@ -70,7 +69,7 @@ class Diagnostician:
                 discrepancy = discrepancy_of(self.checker, self._probe, outcome, sample)
             error = printed_error(self.checker, record.line, outcome, found)
             if error is not None:
-                self.errors.append(error)
+                self.checker.names.state.errors.append(error)
         message = "; ".join(dict.fromkeys(word for word in words if word)) or record.message
         return replace(
             record,

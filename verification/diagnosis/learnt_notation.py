@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from armproof.verification.diagnosis.slips import Letters
 from armproof.verification.equations.outcome import Outcome
@@ -14,13 +15,13 @@ from armproof.verification.naming.names import Names
 class LearntNotation:
     """The notation of the displays met so far; what a display does not show is as in those before it."""
 
-    def __init__(self, names: Names, notation: Notation | None = None) -> None:
+    def __init__(self, names: Names) -> None:
         self.names = names
-        self._notation = notation or Notation()
 
     def learn(self, latex: str, outcome: Outcome) -> Notation:
         """Return the notation of the display, falling back on what earlier displays of the document used."""
-        notation = Notation(symbols=dict(self._notation.symbols))
+        before = self.names.state.notation
+        notation = Notation(symbols=dict(before.symbols))
         assert outcome.printed is not None and outcome.true is not None
         for node in (outcome.printed.node, outcome.true.node):
             for below in n.walk(node):
@@ -33,22 +34,21 @@ class LearntNotation:
                     elif self.names.is_free(below):
                         notation.symbols.setdefault(below.key, below.text)
         if not notation.learnt:
-            notation.style, notation.cosine = self._notation.style, self._notation.cosine
-            notation.underscore, notation.braces = self._notation.underscore, self._notation.braces
+            notation.style, notation.cosine = before.style, before.cosine
+            notation.underscore, notation.braces = before.underscore, before.braces
         for letter, symbol in self.names.symbols.items():
             notation.symbols.setdefault(symbol, symbol_as_latex(letter))
-        self._notation = notation
-        self._notation = self.current()
+        self.names.state.notation = replace(notation, symbols=dict(notation.symbols), learnt=False)
         return notation
 
     def current(self) -> Notation:
         """Return the notation of the displays met so far."""
-        learnt = self._notation
-        return Notation(dict(learnt.symbols), learnt.style, learnt.cosine, learnt.underscore, learnt.braces)
+        notation = self.names.state.notation
+        return replace(notation, symbols=dict(notation.symbols))
 
     def letters(self, cell: n.Node) -> Letters:
         """The joints and lengths that a slip may have confused, in the document's letters."""
-        symbols, arm = self._notation.symbols, self.names.arm
+        symbols, arm = self.names.state.notation.symbols, self.names.arm
         if arm is None:
             free = [symbol for symbol in symbols if not symbol.startswith("dot ")]
             names = {key: n.Name(*_base_and_index(key), text=symbols[key]) for key in free}

@@ -56,7 +56,7 @@ class ChainChecker:
 
     def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
         """Return one outcome an equation, numbered from `first_equation`."""
-        self.names.signs.read.clear()
+        self.names.state.signs.read.clear()
         if define:
             renew_letter(self.equality, chain)
         self.readings.choose_square_rows(chain)
@@ -68,7 +68,7 @@ class ChainChecker:
             else self.members.evaluate(node)
             for node in chain.members
         ]
-        branches = has_branches(chain) or bool(self.names.signs.read)
+        branches = has_branches(chain) or bool(self.names.state.signs.read)
         if fresh and len(members) > 1 and all(member.known for member in members):
             members = [
                 Member(m.node, None, UnboundName(min(fresh))) if fresh & keys_alone(m.node) else m for m in members

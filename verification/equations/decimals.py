@@ -22,7 +22,7 @@ from armproof.verification.verdict import Verdict
 def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:
     """Confirm an equation whose numbers are rounded (1.501 for √(1.5² + 0.054²)) to the decimals they are printed with."""
     assert outcome.true is not None and outcome.printed is not None
-    decimals = coarsest_decimals((outcome.true.node, outcome.printed.node), route.names.rounded)
+    decimals = coarsest_decimals((outcome.true.node, outcome.printed.node), route.names.state.rounded)
     if decimals is None or not _leaves_rounding(outcome, decimals):
         return False
     errors = route.sampled_errors(outcome, branches)
@@ -69,7 +69,9 @@ def at_a_configuration(members: Members, true: Member, printed: Member, outcome:
         return None
     if not depends_on_joints(true.value, {joint.symbol for joint in arm.joints}):
         return None
-    found = compare_numbers(true.value, printed.value, printed.node, members.sampled(), members.names.configuration)
+    found = compare_numbers(
+        true.value, printed.value, printed.node, members.sampled(), members.names.state.configuration
+    )
     outcome.pair = Pair(true.value, printed.value)
     if found.wrong and len(found.wrong) <= FEW:
         outcome.wrong, outcome.message, outcome.sampled_only = found.wrong, "at the configuration given before", True

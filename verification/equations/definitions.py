@@ -58,8 +58,8 @@ class Definitions:
             if key is not None:
                 if self.defines:
                     self.names.define(key, self.members.meaning(true.node), self.line)
-                    if (decimals := coarsest_decimals((true.node,), self.names.rounded)) is not None:
-                        self.names.rounded[key] = decimals
+                    if (decimals := coarsest_decimals((true.node,), self.names.state.rounded)) is not None:
+                        self.names.state.rounded[key] = decimals
                     if isinstance(member.node, n.Name):
                         self.names.add_frame(member.node)
                 return Outcome(Verdict.DEFINED, f"gives {key} its meaning", equation, true, member, defines=(key,))

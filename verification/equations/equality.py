@@ -72,7 +72,7 @@ class Equality:
             if not wrong:
                 outcome.verdict, outcome.pair, outcome.message = Verdict.PROVED, pair, pair.note
                 if pair.true_rows is not None and (name := jacobian_name(true.node, self.names)) is not None:
-                    self.names.shown[name.key] = tuple(row + 1 for row in pair.true_rows)
+                    self.names.state.shown[name.key] = tuple(row + 1 for row in pair.true_rows)
                 return self.route.confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
                 best = (pair, wrong)
@@ -148,7 +148,7 @@ class Equality:
     def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
         """With ±, an entry is right when the product of its differences over the branches vanishes."""
         differences = []
-        for branch in self.names.signs.branches():
+        for branch in self.names.state.signs.branches():
             one = Evaluator(self.names, self.exact, branch)
             differences.append(next(align(one.evaluate(true), one.evaluate(printed), self.exact)))
         wrong = []

@@ -11,7 +11,6 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Verdict
@@ -21,6 +20,7 @@ MIXED = 9  # as many where indices of both conventions are mixed, which is nobod
 NEARLY = 6  # a matrix with at most so many wrong entries is meant to be that link matrix
 
 
+LINKS = {convention: n.Name("link", sub=convention) for convention in ("classic", "modified")}
 ELEMENTARY = ("Rot", "Rot3", "Trans")
 ANGLES = frozenset(["theta", "alpha", "beta", "gamma", "phi", "psi", "q", "pi"])
 LENGTHS = frozenset(["a", "d", "l", "b", "r"])
@@ -44,7 +44,8 @@ class GeneralStatements:
     def __init__(self, checker: ChainChecker) -> None:
         self.checker = checker
         names = checker.names
-        general = Names(None, names.symbols, names.quantities, names.transforms, names.definitions, names.reader)
+        links = {link.key: Quantity("link", convention) for convention, link in LINKS.items()}
+        general = replace(names, arm=None, quantities={**names.quantities, **links}, general=True)
         self._general = ChainChecker(general, replace_arm(checker), checker.sampled)
 
     def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
@@ -72,8 +73,7 @@ class GeneralStatements:
         self, chain: n.Chain, heads: list[tuple[bool, bool] | None], convention: str
     ) -> tuple[n.Node, tuple[n.Node, ...]]:
         """Return the link matrix of a convention, and the chain with it (or its inverse) in the place of its name."""
-        link: n.Node = n.Name("link", sub=convention, span=chain.members[0].span)
-        self._general.names.quantities = {**self._general.names.quantities, link.key: Quantity("link", convention)}  # type: ignore[attr-defined]
+        link = replace(LINKS[convention], span=chain.members[0].span)
         members = tuple(
             member if head is None else n.Postfix(link, "-1") if head[1] else link
             for head, member in zip(heads, chain.members, strict=True)
@@ -82,7 +82,7 @@ class GeneralStatements:
 
     def _is_defined(self, chain: n.Chain) -> bool:
         """Whether the document has given the link matrix a meaning of its own: then only what is exactly one is judged here."""
-        return any(isinstance(below, n.Name) and below.key in self.checker.names.definitions
+        return any(isinstance(below, n.Name) and below.key in self.checker.names.state.definitions
                    for member in chain.members if self._link_pair(member) for below in n.walk(member))  # fmt: skip
 
     def identity(self, chain: n.Chain, equation: int, line: int) -> list[Outcome] | None:

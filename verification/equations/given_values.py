@@ -61,7 +61,7 @@ class Given:
         """Keep the value that a display gives a joint or a length, for the numeric matrices that follow."""
         member = self.checker.member(value)
         if member.known:
-            self.names.configuration[symbol] = float(self.checker.sampled().from_exact(member.value)[0])
+            self.names.state.configuration[symbol] = float(self.checker.sampled().from_exact(member.value)[0])
 
     def _vanishes(self, node: n.Node) -> bool:
         member = self.checker.member(node)

@@ -45,11 +45,11 @@ def renew_letter(equality: Equality, chain: n.Chain) -> None:
     """A scalar letter that an earlier section defined may be defined anew: K, A, β mean something else there."""
     names = equality.names
     key = bare_key(chain.members[0])
-    definition = names.definitions.get(key) if key is not None and names.arm is not None else None
+    definition = names.state.definitions.get(key) if key is not None and names.arm is not None else None
     name = chain.members[0]
     if not isinstance(name, n.Name) or not re.fullmatch(AUXILIARY, name.base):
         return
-    if definition is None or len(chain.members) < 2 or definition.by_place or definition.section == names.section:
+    if definition is None or len(chain.members) < 2 or definition.by_place or definition.section == names.state.section:
         return
     if any(isinstance(below, n.Name) and below.key == key for below in n.walk(chain.members[1])):
         return
@@ -57,7 +57,7 @@ def renew_letter(equality: Equality, chain: n.Chain) -> None:
     if not (before.known and now.known and isinstance(before.value, Scalar) and isinstance(now.value, Scalar)):
         return
     if equality.compare(before, now, 0, has_branches(chain)).verdict is Verdict.REFUTED:
-        del names.definitions[str(key)]
+        del names.state.definitions[str(key)]
 
 
 def adopts_letters(sides: Members, members: list[Member]) -> bool:
@@ -76,8 +76,8 @@ def adopts_letters(sides: Members, members: list[Member]) -> bool:
                     and not below.dots
                 ):
                     new.add(below.key)
-    new -= names.adopted
-    names.adopted |= new
+    new -= names.state.adopted
+    names.state.adopted |= new
     return bool(new)
 
 

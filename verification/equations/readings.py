@@ -36,14 +36,14 @@ class Readings:
             if name is None:
                 continue
             value = self.members.evaluate(name).value
-            if isinstance(value, Matrix) and len(self.names.shown.get(name.key, ())) == value.shape[1]:
+            if isinstance(value, Matrix) and len(self.names.state.shown.get(name.key, ())) == value.shape[1]:
                 continue
             if (
                 isinstance(value, Matrix)
                 and value.shape[0] != value.shape[1]
                 and (rows := square_rows(value)) is not None
             ):
-                self.names.shown[name.key] = tuple(row + 1 for row in rows)
+                self.names.state.shown[name.key] = tuple(row + 1 for row in rows)
 
     def part(self, member: Member, known: list[Member]) -> Member:
         """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
@@ -52,14 +52,14 @@ class Readings:
         quantity = part_of_jacobian(member.node, known[0].value, self.names)
         if quantity is None:
             return member
-        self.names.inferred[member.node.key] = quantity
+        self.names.state.inferred[member.node.key] = quantity
         return self.members.evaluate(member.node)
 
     def own_angle(self, member: Member, members: list[Member]) -> Member:
         """θ_{12} is θ_1 + θ_2, unless the display gives it another value: then it is the document's own name."""
         if not isinstance(member.node, n.Name) or not member.known or len(member.node.sub) > 2:
             return member
-        if member.node.key in self.names.definitions or self.names.known_symbol(member.node.key) is not None:
+        if member.node.key in self.names.state.definitions or self.names.known_symbol(member.node.key) is not None:
             return member
         if self.names.angle_sum(member.node) is None or member.node.key in self.names.quantities:
             return member
@@ -84,7 +84,7 @@ class Readings:
             and vector
             and number
             and isinstance(implied.value, Matrix)
-            and (key := bare_key(implied.node)) not in (*self.names.quantities, *self.names.definitions)
+            and (key := bare_key(implied.node)) not in (*self.names.quantities, *self.names.state.definitions)
         ):
             self.names.define(str(key), self.members.meaning(other.node), line)
             return replace(outcome, verdict=Verdict.DEFINED, message=f"{key} is a number here, not the arm's vector")
@@ -105,13 +105,13 @@ class Readings:
         if not whole or any(member is name for member in chain.members for name, _ in whole):
             return None
         fitting: list[Outcome] | None = None
-        for rows in jacobian_rows(self.members.evaluate(whole[0][0]).value, self.names.shown.get("J")):
+        for rows in jacobian_rows(self.members.evaluate(whole[0][0]).value, self.names.state.shown.get("J")):
             read = chain
             for below, name in whole:
                 quantity = self.names.quantity(replace(name, dots=0))
                 assert quantity is not None
                 part = replace(name, sub=f"rows {rows}")
-                self.names.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
+                self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
                 read = n.substitute(read, below, part)  # type: ignore[assignment]
             outcomes = check(read)
             if not any(outcome.is_mismatch for outcome in outcomes):

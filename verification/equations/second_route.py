@@ -132,7 +132,7 @@ class SecondRoute:
         """Whether a square root stands in a tree, or may stand behind one of its names."""
         return any(
             (isinstance(b, n.Call) and b.function == "sqrt") or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
-            or (isinstance(b, n.Name) and b.key in self.names.definitions)
+            or (isinstance(b, n.Name) and b.key in self.names.state.definitions)
             for b in n.walk(node)
         )  # fmt: skip
 
@@ -167,7 +167,7 @@ class SecondRoute:
         sizes: np.ndarray | None = None
         with np.errstate(all="ignore"):
             sampled.regular[:] = True
-            for branch in self.names.signs.branches(branches):
+            for branch in self.names.state.signs.branches(branches):
                 try:
                     one = Evaluator(self.names, sampled, branch)
                     true, printed = one.evaluate(outcome.true.node), one.evaluate(outcome.printed.node)

@@ -15,8 +15,9 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.names import Names, call_key
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import Quantity
+from armproof.verification.naming.trees import call_key
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,7 @@ class Members:
             return 2 if any(self.quantity_of(below) is not None for below in names) else 1
         if any(self.quantity_of(below) is not None for below in names):
             return 3
-        if any(isinstance(below, n.Name) and below.key in self.names.definitions for below in names):
+        if any(isinstance(below, n.Name) and below.key in self.names.state.definitions for below in names):
             return 3 if isinstance(node, n.Name) else 2
         return 1
 

@@ -12,7 +12,7 @@ from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.evaluation.arithmetic import multiply
 from armproof.verification.evaluation.inverses import printed_rows
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.names import call_key
+from armproof.verification.naming.trees import call_key
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.evaluator import Evaluator
@@ -77,8 +77,8 @@ def _applied_name(evaluator: Evaluator, node: n.Call) -> Value:
     names = evaluator.names
     if (quantity := names.quantities.get(key)) is not None:
         return evaluator.algebra.quantity(quantity)
-    if key in names.definitions:
-        return names.definitions[key].evaluate(evaluator.algebra)
+    if key in names.state.definitions:
+        return names.state.definitions[key].evaluate(evaluator.algebra)
     name, *arguments = node.arguments
     assert isinstance(name, n.Name)
     joints = names.arm.joints if names.arm is not None else ()

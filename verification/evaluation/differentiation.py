@@ -47,11 +47,11 @@ def time_derivative(evaluator: Evaluator, node: n.Name) -> Value:
     symbol = evaluator.names.known_symbol(plain.key)
     if symbol is not None and _is_variable(evaluator, symbol):
         return evaluator.algebra.symbol(rate_symbol(symbol, node.dots))
-    if evaluator.names.is_free(plain) and plain.key not in evaluator.names.definitions:
+    if evaluator.names.is_free(plain) and plain.key not in evaluator.names.state.definitions:
         evaluator.names.used.add(node.key)
         return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))
-    if node.key in evaluator.names.definitions:
-        return evaluator.names.definitions[node.key].evaluate(evaluator.algebra)
+    if node.key in evaluator.names.state.definitions:
+        return evaluator.names.state.definitions[node.key].evaluate(evaluator.algebra)
     if isinstance(evaluator.algebra, SampledAlgebra):
         return evaluator.algebra.from_exact(evaluator.within(evaluator.algebra.exact).evaluate(node))
     value = evaluator.evaluate(plain)

@@ -73,7 +73,7 @@ def printed_rows(evaluator: Evaluator, node: n.Node, value: Value) -> Value:
     if isinstance(node, n.Call) and node.function == "name":
         node = node.arguments[0]
     rows = (
-        evaluator.names.shown.get(node.key)
+        evaluator.names.state.shown.get(node.key)
         if isinstance(node, n.Name) and node.key not in evaluator.names.quantities
         else None
     )

@@ -32,13 +32,13 @@ def name_value(evaluator: Evaluator, node: n.Name) -> Value:
         return algebra.quantity(quantity)
     if node.dots:
         return time_derivative(evaluator, node)
-    if (sign := names.signs.value(node.key)) is not None:
+    if (sign := names.state.signs.value(node.key)) is not None:
         return algebra.rational(Fraction(sign))
     symbol = names.known_symbol(node.key)
     if symbol is not None:
         return algebra.symbol(symbol)
-    if node.key in names.definitions:
-        return names.definitions[node.key].evaluate(algebra)
+    if node.key in names.state.definitions:
+        return names.state.definitions[node.key].evaluate(algebra)
     if (quantity := names.quantity(node)) is not None:
         return algebra.quantity(quantity)
     if node.key == "pi":
@@ -75,7 +75,7 @@ def joint_angle_sum(evaluator: Evaluator, node: n.JointAngles) -> Any:
 
 def _to_added_frame(evaluator: Evaluator, node: n.Name, reference: str, frame: str, key: str) -> Matrix:
     """The transform to a frame that the document fixed on one of the arm's, such as a tool."""
-    fixed = evaluator.names.definitions[key].evaluate(evaluator.algebra)
+    fixed = evaluator.names.state.definitions[key].evaluate(evaluator.algebra)
     if not isinstance(fixed, Matrix) or fixed.shape != (4, 4):
         raise UnboundName(node.key)
     whole = evaluator.algebra.quantity(Quantity("pose", frame, reference)) @ fixed

@@ -62,7 +62,7 @@ class EntryWriter:
 
     @cached_property
     def _mender(self) -> Mender:
-        learnt = LearntNotation(self.bench.names, self.notation)
+        learnt = LearntNotation(self.bench.names)
         return Mender(self.bench.checker, Probe(self.bench.checker), learnt)
 
     def describe(self, value: Scalar, true: Scalar, mend: bool) -> tuple[str, str, str]:

@@ -15,7 +15,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.tokens import normalise_unicode
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.sign_definitions import named_sign
+from armproof.verification.naming.signs import named_sign
 from armproof.verification.naming.trees import bare, bare_key, has_branches
 
 _CONDITIONAL = ("⇔", "⇐", "⇒", "if", "or")

@@ -14,8 +14,9 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.inverse.derivation import Derivation, Meaning, Signs, SolvingAlgebra, UnsolvedJoint
 from armproof.verification.inverse.formulas import Formula, joint_function_key
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.names import Definition, Names
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import Quantity
+from armproof.verification.naming.state import Definition
 
 _SIGN = "sign "
 
@@ -51,7 +52,8 @@ class Resolution:
         kept = {key: quantity for key, quantity in names.quantities.items() if key not in formulas}
         definitions = {key: Definition(partial(self._value_in, key)) for key in {*formulas, *given}}
         definitions |= {_SIGN + sign: Definition(partial(_sign_in, sign)) for sign in self.derivation.signs}
-        return replace(names, quantities=kept, definitions=definitions, used=set(), inferred={}, beyond={})
+        state = replace(names.state, definitions=definitions, used=set(), inferred={}, beyond={})
+        return replace(names, quantities=kept, state=state)
 
     def _value_in(self, key: str, _algebra: Any) -> Value:
         return self.value(key)

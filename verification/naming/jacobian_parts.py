@@ -39,7 +39,7 @@ def part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | Non
             return replace(whole, rows=(1, 2, 3) if part in LINEAR else (4, 5, 6), columns=columns)
         return replace(whole, columns=columns) if not part and value.shape[0] in (2, 3, 4, 6) else None  # 4: [z; 0]
     if len(digits) == 2 and not part and not isinstance(value, Matrix | list):
-        rows = whole.rows or names.shown.get("J") or (1, 2, 3, 4, 5, 6)
+        rows = whole.rows or names.state.shown.get("J") or (1, 2, 3, 4, 5, 6)
         row = int(digits[0])
         return replace(whole, rows=(rows[row - 1],), columns=columns, scalar=True) if 1 <= row <= len(rows) else None
     return None

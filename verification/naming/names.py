@@ -13,8 +13,9 @@ from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader, key_as_latex
-from armproof.verification.naming.named_signs import NamedSigns
 from armproof.verification.naming.quantities import Quantity, implied_quantity, read_quantity, transform_pair
+from armproof.verification.naming.state import Definition, DocumentState
+from armproof.verification.naming.trees import call_key
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|theta|alpha|beta|gamma|phi|psi|omega|sigma|lambda|mu|rho|tau|delta|epsilon|Delta")
 FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
@@ -22,42 +23,25 @@ COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
 
 
 @dataclass(frozen=True)
-class Definition:
-    """A name's meaning: how to get its value in an algebra, and the display that gave it."""
-
-    evaluate: Callable[[Any], Value]
-    line: int = 0
-    section: str = ""
-    by_place: bool = False  # the entry or block of a matrix, not an equation of its own
-
-
-@dataclass
 class Names:
-    """The bindings of one document, growing as its displays are read."""
+    """The bindings of one document: those of its front matter, and in `state` those that its displays add.
+
+    `general` marks the names of its general statements, which are about no arm; they share the state but have free letters
+    of their own.
+    """
 
     arm: Arm | None
     symbols: Mapping[str, str] = field(default_factory=dict)
     quantities: Mapping[str, Quantity] = field(default_factory=dict)
     transforms: str = "upper"
-    definitions: dict[str, Definition] = field(default_factory=dict)
     reader: Reader = field(default_factory=Reader)
-    used: set[str] = field(default_factory=set)  # free letters that displays have used so far
-    inferred: dict[str, Quantity] = field(
-        default_factory=dict
-    )  # names whose meaning the other side of an equation told
-    beyond: dict[str, tuple[str, str]] = field(
-        default_factory=dict
-    )  # a frame the document adds: (on which of the arm's, name)
-    configuration: dict[str, float] = field(
-        default_factory=dict
-    )  # joint variables and lengths that displays gave a value
-    adopted: set[str] = field(
-        default_factory=set
-    )  # letters that only a frame the document adds brings in: a tool's length
-    signs: NamedSigns = field(default_factory=NamedSigns)
-    section: str = ""  # the heading under which the display stands that is being checked
-    rounded: dict[str, int] = field(default_factory=dict)  # names made of rounded numbers: to how many decimals
-    shown: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows (from 1) in which a Jacobian was printed
+    state: DocumentState = field(default_factory=DocumentState)
+    general: bool = False
+
+    @property
+    def used(self) -> set[str]:
+        """The free letters that displays have used so far."""
+        return self.state.used_in_general if self.general else self.state.used
 
     def known_symbol(self, key: str) -> str | None:
         """Return the model's symbol for a scalar name of the document, or None."""
@@ -66,7 +50,7 @@ class Names:
         if self.arm is None:
             return None
         joints = {joint.symbol: joint for joint in self.arm.joints}
-        if key in joints or key in self.arm.lengths or key in self.arm.angles or key in self.adopted:
+        if key in joints or key in self.arm.lengths or key in self.arm.angles or key in self.state.adopted:
             return key
         found = re.fullmatch(r"(q|theta|d|r)_(\d+)", key)
         if found:
@@ -117,9 +101,9 @@ class Names:
         if self.arm is None or name.base not in ("T", "A", "H", "R") or name.primes or name.dots:
             return None
         pair = transform_pair(name, self.arm, self.transforms)
-        if pair is None or pair[1] not in self.beyond or pair[0] not in self.arm.frames:
+        if pair is None or pair[1] not in self.state.beyond or pair[0] not in self.arm.frames:
             return None
-        frame, key = self.beyond[pair[1]]
+        frame, key = self.state.beyond[pair[1]]
         return (pair[0], frame, key) if key != name.key else None
 
     def adds_frame(self, name: n.Name) -> bool:
@@ -137,16 +121,16 @@ class Names:
         """Remember that a defined transform leads from a frame of the arm to one that is not the arm's."""
         pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None else None
         if pair is not None and self.adds_frame(name):
-            self.beyond.setdefault(pair[1], (pair[0], name.key))
+            self.state.beyond.setdefault(pair[1], (pair[0], name.key))
 
     def quantity(self, name: n.Name) -> Quantity | None:
         """Return the arm's quantity that a name stands for, or None."""
         if name.key in self.quantities:
             return self.quantities[name.key]
-        if self.arm is None or name.key in self.definitions:
+        if self.arm is None or name.key in self.state.definitions:
             return None
-        if name.key in self.inferred:
-            return self.inferred[name.key]
+        if name.key in self.state.inferred:
+            return self.state.inferred[name.key]
         return implied_quantity(name, self.arm, self.transforms)
 
     def is_free(self, name: n.Name) -> bool:
@@ -158,15 +142,15 @@ class Names:
 
     def defines_sign(self, key: str) -> bool:
         """Whether a display that gives a name both signs defines it: nothing else gives it a meaning."""
-        return not (key in self.quantities or key in self.definitions or self.known_symbol(key) is not None)
+        return not (key in self.quantities or key in self.state.definitions or self.known_symbol(key) is not None)
 
     def is_new(self, name: n.Name) -> bool:
         """Whether a letter that could be free has not been used or defined: one side of an equation may define it."""
-        return self.is_free(name) and name.key not in self.used and name.key not in self.definitions
+        return self.is_free(name) and name.key not in self.used and name.key not in self.state.definitions
 
     def define(self, key: str, evaluate: Callable[[Algebra], Value], line: int = 0, *, by_place: bool = False) -> None:
         """Give a name its meaning, unless it has one."""
-        self.definitions.setdefault(key, Definition(evaluate, line, self.section, by_place))
+        self.state.definitions.setdefault(key, Definition(evaluate, line, self.state.section, by_place))
 
 
 def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
@@ -221,7 +205,7 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     bound = frozenset(symbols) | frozenset(quantities)
     # A trig letter bound with any index (s_x) or an applied name (J(q)) is bound as written.
     reader = Reader(lambda key: key in bound, words)
-    return Names(arm, symbols, quantities, transforms, {}, reader)
+    return Names(arm, symbols, quantities, transforms, reader)
 
 
 def _is_greek(word: str) -> bool:
@@ -247,10 +231,3 @@ def name_key(reader: Reader, key: str) -> str:
     if isinstance(node, n.Call) and node.function == "name":
         return call_key(node)
     raise DocumentError(f"'{key}' is not a name; write it as in the displays, such as P_x, J(q) or {{}}^0T_4")
-
-
-def call_key(node: n.Call) -> str:
-    """Return the key of a name with arguments: J(q)."""
-    name, *arguments = node.arguments
-    head = name.key if isinstance(name, n.Name) else "?"
-    return f"{head}({','.join(a.key for a in arguments if isinstance(a, n.Name))})"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.names import call_key
 
 
 def bare(node: n.Node) -> n.Node:
@@ -45,3 +44,10 @@ def is_arc(node: n.Node) -> bool:
 def has_branches(node: n.Node) -> bool:
     """Whether ± or ∓ stands in a tree."""
     return any(sign in "±∓" for below in n.walk(node) if isinstance(below, n.Sum) for sign, _ in below.terms)
+
+
+def call_key(node: n.Call) -> str:
+    """Return the key of a name with arguments: J(q)."""
+    name, *arguments = node.arguments
+    head = name.key if isinstance(name, n.Name) else "?"
+    return f"{head}({','.join(a.key for a in arguments if isinstance(a, n.Name))})"

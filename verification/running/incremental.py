@@ -1,6 +1,6 @@
 """Check a document again after it was changed: only the displays that its verdicts can have changed of.
 
-A display's verdict rests on the names that those before it define. The checker's state is kept after each display; from
+A display's verdict rests on the names that those before it define. The document's state is kept after each display; from
 the first one that differs the displays are checked anew, until what follows is as it was and so is the state.
 """
 
@@ -14,7 +14,7 @@ from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.check import DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
 from armproof.verification.errors import DocumentError
-from armproof.verification.running.snapshot import Snapshot
+from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import DocumentResult, Record
 
 MOST_DENOMINATORS = 8
@@ -22,11 +22,11 @@ MOST_DENOMINATORS = 8
 
 @dataclass(frozen=True)
 class _Checked:
-    """A display with its verdict and the checker's state behind it."""
+    """A display with its verdict and the document's state behind it."""
 
     display: Display
     record: Record
-    after: Snapshot
+    after: DocumentState
 
 
 class IncrementalChecker:
@@ -37,7 +37,7 @@ class IncrementalChecker:
         self.result: DocumentResult | None = None
         self._front: object = None
         self._checker: DocumentChecker | None = None
-        self._before: Snapshot | None = None
+        self._before: DocumentState | None = None
         self._checked: list[_Checked] = []
 
     def update(self, document: Document) -> Iterator[Record]:
@@ -64,7 +64,7 @@ class IncrementalChecker:
         self._checker, self._checked = None, []
         checker = DocumentChecker(document, load_arm_of(document), denominators)
         self._checker, self._front = checker, (document.front, document.lines)
-        self._before = Snapshot(checker)
+        self._before = checker.names.state.copy()
 
     def _continue(self, document: Document) -> Iterator[Record]:
         assert self._checker is not None and self._before is not None
@@ -74,17 +74,17 @@ class IncrementalChecker:
             min(len(document.displays), len(old)),
         )
         self._checked = checked = old[:kept]
-        (checked[-1].after if checked else self._before).restore()
+        checker.names.state.become(checked[-1].after if checked else self._before)
         checker.document = document
         known = {_key(each.display) for each in old}
         for index in range(kept, len(document.displays)):
             if index > kept and _goes_on_as_before(document.displays, index, old, checked[-1]):
                 checked.extend(old[index:])
-                checked[-1].after.restore()
+                checker.names.state.become(checked[-1].after)
                 break
             display = document.displays[index]
             record = checker.check_display(display)
-            checked.append(_Checked(display, record, Snapshot(checker)))
+            checked.append(_Checked(display, record, checker.names.state.copy()))
             if _key(display) not in known or index == kept:
                 yield record
         self.result = checker.result_of(tuple(each.record for each in checked))
@@ -104,5 +104,5 @@ def _goes_on_as_before(displays: tuple[Display, ...], index: int, old: list[_Che
     return (
         len(displays) == len(old)
         and all(_alike(a, b.display) for a, b in zip(displays[index:], old[index:], strict=True))
-        and last.after.is_same(old[index - 1].after)
+        and last.after == old[index - 1].after
     )
