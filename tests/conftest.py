@@ -26,10 +26,10 @@ SWEPT = {
     "verification/document/test_formats.py::test_a_handout_in_another_format": DOCUMENTS,
     "verification/functions/test_mistakes.py": ARMS,
     "verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course": (),
+    "verification/running/test_incremental.py::test_a_handout_changed_at_random": DOCUMENTS,
+    "verification/tables/test_origin_tables.py::test_every_change": ARMS,
+    "verification/tables/test_tables.py::test_every_change": ARMS,
     "verification/test_handouts.py::test_one_flipped_sign": (*DOCUMENTS, "rx90-001", "scara-004", "spatial-rrr-002"),
-    "verification/test_incremental.py::test_a_handout_changed_at_random": DOCUMENTS,
-    "verification/test_origin_tables.py::test_every_change": ARMS,
-    "verification/test_tables.py::test_every_change": ARMS,
 }
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from armproof.verification.document import Display, Document, find_documents, read_document
 from armproof.verification.errors import DocumentError
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from armproof.verification.errors import DocumentError
 from armproof.verification.inverse import read_inverse
 from armproof.verification.inverse.conditions import read_conditions
 from armproof.verification.report.text import text_report
-from tests.verification.test_inverse_proof import ELBOW, SHOULDER, TWO_LINKS, XY, D, K
+from tests.verification.inverse.test_proof import ELBOW, SHOULDER, TWO_LINKS, XY, D, K
 
 STEPS = (D, ELBOW, K, SHOULDER)
 
