@@ -13,11 +13,11 @@ from pathlib import Path
 from markupsafe import Markup
 
 from armproof.course.feedback.errors import LessonError
+from armproof.course.feedback.html import block
 from armproof.course.feedback.notebook import show_figures
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.progress import keep_progress, reached, read_progress
 from armproof.course.feedback.task import Task
-from armproof.course.feedback.text import MARKS
 
 PACKAGE = "armproof.course.tasks"
 
@@ -91,18 +91,16 @@ class Lesson:
         ]
         width = max((len(name) for name in states), default=0)
         titles = {task.name: task.title for task in self.tasks}
-        lines += [f"  {MARKS[state]} {name.ljust(width)}  {titles[name]}" for name, state in states.items()]
+        lines += [f"  {state.mark} {name.ljust(width)}  {titles[name]}" for name, state in states.items()]
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
-        from armproof.course.feedback.html import block
-
         states = self.progress()
         titles = {task.name: task.title for task in self.tasks}
         objectives = Markup("").join(Markup("<li>{}</li>").format(line) for line in self.objectives)
         tasks = Markup("").join(
             Markup('<li><span aria-hidden="true">{}</span> <code>{}</code> {} – {}</li>').format(
-                MARKS[state], name, titles[name], state.value
+                state.mark, name, titles[name], state.value
             )
             for name, state in states.items()
         )
@@ -112,7 +110,7 @@ class Lesson:
         return str(block("open", content))
 
     def _solved(self, states: dict[str, Outcome]) -> str:
-        solved = sum(state in (Outcome.PROVED, Outcome.CONFIRMED) for state in states.values())
+        solved = sum(state.is_right for state in states.values())
         return f"{solved} of {len(states)} tasks solved"
 
 

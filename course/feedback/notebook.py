@@ -1,18 +1,51 @@
-"""What a lesson changes in the notebook that opens it: figures are shown as SVG, the vectors that the handouts print."""
+"""What a lesson shows in a notebook: texts as Markdown, pictures of an arm, and figures as the vectors that the handouts print."""
 
 from __future__ import annotations
 
 import re
 import sys
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from armproof.course.feedback.html import block, captioned
+from armproof.verification.report.html.figures import Figure as Picture
 
 ENLARGED = 1.3  # on a screen, beside the size at which it is printed
 _SIZE = re.compile(r'\b(width|height)="([\d.]+)pt"')
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Shown:
+    """Markdown, with mathematics between dollars; on a terminal as it is."""
+
+    markdown: str
+
+    def __str__(self) -> str:
+        return self.markdown
+
+    __repr__ = __str__
+
+    def _repr_markdown_(self) -> str:
+        return self.markdown
+
+
+class Portrait:
+    """A picture of an arm with its caption."""
+
+    def __init__(self, figure: Picture) -> None:
+        self.figure = figure
+        self.caption = figure.caption
+
+    def __repr__(self) -> str:
+        return f"[{self.caption}]"
+
+    def _repr_html_(self) -> str:
+        return str(block("open", captioned(self.figure)))
 
 
 def show_figures() -> None:

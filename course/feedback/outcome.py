@@ -1,15 +1,26 @@
-"""What became of an answer: the outcome, one sentence, and the numbers where it is wrong."""
+"""What became of an answer: the outcome, one sentence, and the numbers where it is wrong; as text, HTML and JSON."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from markupsafe import Markup
+
+from armproof.course.feedback.html import block, captioned, small_print, table
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError
 from armproof.verification.report.html.figures import Figure
+
+MOST_ROWS = 8
+_NOTHING = 1e-12
+_COLUMNS = ("entry", "expected", "obtained", "unit")
+_GREEK = {"theta": "θ", "alpha": "α", "beta": "β", "gamma": "γ", "phi": "φ", "psi": "ψ", "omega": "ω"}
+_SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({'|'.join(_GREEK)}|[A-Za-z])_(?:(\d+)|\{{(\d+)\}})")
+_BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 class Outcome(StrEnum):
@@ -20,6 +31,21 @@ class Outcome(StrEnum):
     NOT_ATTEMPTED = "not attempted"
     WRONG = "wrong"
     ERROR = "error"
+
+    @property
+    def is_right(self) -> bool:
+        """Whether the answer is correct, proved or confirmed."""
+        return self in (Outcome.PROVED, Outcome.CONFIRMED)
+
+    @property
+    def mark(self) -> str:
+        """The sign before it: colour alone tells nothing to many."""
+        return {"not attempted": "○", "wrong": "✗", "error": "!"}.get(self.value, "✓")
+
+    @property
+    def kind(self) -> str:
+        """The kind of the block that shows it in HTML."""
+        return {"not attempted": "open", "wrong": "wrong", "error": "error"}.get(self.value, "right")
 
 
 OF_FUNCTION = {
@@ -39,6 +65,11 @@ class Row:
     expected: float | str
     obtained: float | str
     unit: str = "–"
+
+    @property
+    def cells(self) -> tuple[str, str, str, str]:
+        """The row as it is shown."""
+        return self.entry, _number(self.expected), _number(self.obtained), self.unit
 
 
 @dataclass(frozen=True)
@@ -73,7 +104,7 @@ class Feedback:
     @property
     def is_right(self) -> bool:
         """Whether the answer is correct, proved or confirmed."""
-        return self.outcome in (Outcome.PROVED, Outcome.CONFIRMED)
+        return self.outcome.is_right
 
     def as_json(self) -> dict[str, Any]:
         """Return the feedback as JSON writes it, without its picture."""
@@ -93,16 +124,74 @@ class Feedback:
         }
 
     def __str__(self) -> str:
-        from armproof.course.feedback.text import write_text
-
-        return write_text(self)
+        """Return the feedback as lines for a terminal: outcome and sentence, the configuration, the table."""
+        task = f"{self.task}: " if self.task else ""
+        words = f" – {pretty(self.message)}" if self.message else ""
+        lines = [f"{self.outcome.mark} {task}{self.outcome.value}{words}"]
+        if self.rows:
+            lines += ["", f"    at {self._configuration}" if self.at else "", *_aligned(self._shown)]
+            lines += [f"    {self._rest}"] if self._rest else []
+        lines += [f"    note: {note}" for note in self.notes]
+        if self.error is not None and self.error.source:
+            lines.append(f"    line {self.error.line}: {self.error.source}")
+        return "\n".join(lines)
 
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        from armproof.course.feedback.html import write_html
+        return str(block(self.outcome.kind, *self._parts()))
 
-        return write_html(self)
+    def _parts(self) -> Iterator[Markup]:
+        name = Markup("<code>{}</code>: ").format(self.task) if self.task else ""
+        yield Markup('<p class="ap-head"><span aria-hidden="true">{}</span> {}<strong>{}</strong></p>').format(
+            self.outcome.mark, name, self.outcome.value
+        )
+        if self.message:
+            yield Markup("<p>{}</p>").format(_sentence(self.message))
+        if self.rows:
+            yield small_print(f"At {self._configuration}") if self.at else Markup("")
+            yield table(_COLUMNS, self._shown)
+            yield small_print(self._rest) if self._rest else Markup("")
+        if self.picture is not None:
+            yield captioned(self.picture)
+        yield from (small_print(_sentence(note)) for note in self.notes)
+        if self.error is not None and self.error.source:
+            yield small_print(Markup("line {}: <code>{}</code>").format(self.error.line, self.error.source))
+
+    @property
+    def _shown(self) -> list[tuple[str, str, str, str]]:
+        return [row.cells for row in self.rows[:MOST_ROWS]]
+
+    @property
+    def _rest(self) -> str:
+        return f"and {len(self.rows) - MOST_ROWS} more" if len(self.rows) > MOST_ROWS else ""
+
+    @property
+    def _configuration(self) -> str:
+        return pretty(", ".join(f"{name} = {value:.4g}" for name, value in self.at.items()))
 
 
 NOTHING = Feedback(Outcome.NOT_ATTEMPTED, "no answer yet")
+
+
+def pretty(text: str) -> str:
+    """Return a text with its symbols as they are printed: theta_1 as θ₁, a_12 as a₁₂, S_{12} as S₁₂."""
+    return _SYMBOL.sub(lambda found: _GREEK.get(found[1], found[1]) + (found[2] or found[3]).translate(_BELOW), text)
+
+
+def _sentence(text: str) -> str:
+    begins_with_word = re.match(r"[a-z]+(?!\w)", text) is not None  # theta_1 and θ stay as they are
+    return pretty(text[:1].upper() + text[1:] if begins_with_word else text)
+
+
+def _number(value: float | str) -> str:
+    """Return a number as it is shown: four digits, what rounding left of a zero as 0, or the text as it is."""
+    return value if isinstance(value, str) else f"{value if abs(value) > _NOTHING else 0:.4g}"
+
+
+def _aligned(rows: list[tuple[str, str, str, str]]) -> list[str]:
+    """Return the lines of a table in columns of one width."""
+    cells = [_COLUMNS, *rows]
+    widths = [max(len(line[k]) for line in cells) for k in range(len(_COLUMNS))]
+    lines = ["    " + "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)) for line in cells]
+    return [line.rstrip() for line in lines]

@@ -34,8 +34,7 @@ def read_progress(lesson: str) -> dict[str, Outcome]:
 
 def reached(before: Outcome | None, now: Outcome) -> Outcome:
     """Return how far a task is solved: what was right once stays so, whatever is tried after it."""
-    right = (Outcome.PROVED, Outcome.CONFIRMED)
-    return before if before is not None and (before in right and now not in right) else now
+    return before if before is not None and before.is_right and not now.is_right else now
 
 
 def keep_progress(feedback: Feedback) -> None:

@@ -11,17 +11,23 @@ import numpy as np
 
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import Claim, judge_formula
+from armproof.course.feedback.errors import AnswerError
+from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import OF_FUNCTION, Feedback, Row
 from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.course.feedback.wording import ASKED, place, sentence
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.errors import ArmproofError
 from armproof.verification.functions import check_function
 from armproof.verification.functions.asked import read_asked
 from armproof.verification.functions.function_check import FunctionVerdict
+from armproof.verification.functions.returned import NotAttempted
 from armproof.verification.functions.telling import unit_of
 
 FEW = 8  # samples by which two answers are told apart
+NOTHING_YET = "`{}`: no answer yet, nothing to draw."
+_USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +79,32 @@ class Quantity:
         return np.array(
             [call_at(self.loaded, answer, dict(zip(self._symbols, row, strict=True))) for row in q.tolist()]
         )
+
+    def show(self, task: str, function: Callable[..., Any], at: Mapping[str, float]) -> Shown | Portrait:
+        """Return what a function gives drawn over the arm, or a polite sentence why it is not.
+
+        Args:
+            task: what the answer is called.
+            at: values of joints; every joint that is not named has one of its own, none of them zero.
+        """
+        joints = {joint.symbol: joint for joint in self.loaded.joints}
+        if unknown := sorted(set(at) - set(joints)):
+            raise AnswerError(f"no joint '{unknown[0]}'; the joints are {', '.join(joints)}")
+        usual = {
+            symbol: value if joint.kind == "revolute" else abs(value) / 3
+            for (symbol, joint), value in zip(joints.items(), _USUAL, strict=False)
+        }
+        at = {**usual, **at}
+        try:
+            call_at(self.loaded, function, at)
+        except NotAttempted:
+            return Shown(NOTHING_YET.format(task))
+        except ArmproofError as problem:
+            return Shown(f"`{task}`: the answer cannot be drawn: {problem}")
+        figure = draw_answer(self.loaded, self.quantity, function, at)
+        if figure is None:
+            return Shown(f"`{task}`: this answer cannot be drawn: it is no pose, point or Jacobian in the base frame.")
+        return Portrait(figure)
 
     @cached_property
     def _symbols(self) -> list[str]:

@@ -14,8 +14,9 @@ import numpy as np
 
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
 from armproof.course.feedback.errors import AnswerError
+from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome
-from armproof.course.feedback.shown import Shown
+from armproof.course.feedback.quantity import NOTHING_YET, Quantity
 from armproof.models.errors import ArmproofError
 
 
@@ -105,14 +106,16 @@ class Task:
             parts.append(f"`{self.right[0]!r}`")
         return Shown("\n\n".join(parts))
 
-    def show(self, answer: Any = ..., **at: float) -> Shown | Any:
+    def show(self, answer: Any = ..., **at: float) -> Shown | Portrait:
         """Return the answer drawn over the arm as Drake has it, at a configuration given by joint symbols; or why it is not.
 
         Every joint that is not named has a value of its own, none of them zero.
         """
-        from armproof.course.feedback.portrait import show_answer
-
-        return show_answer(self, answer, at)
+        if is_missing(answer):
+            return Shown(NOTHING_YET.format(self.name))
+        if not isinstance(self.asks, Quantity) or not is_function(answer):
+            return Shown(f"`{self.name}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
+        return self.asks.show(self.name, answer, at)
 
     def _judge(self, answer: Any) -> Feedback:
         if isinstance(answer, WithSympy):

@@ -12,7 +12,8 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from armproof.verification.report.html.templating import GENERATOR, sketch_style, versions
+from armproof.verification.report.html.sketch import sketch_style
+from armproof.verification.report.html.templating import GENERATOR, versions
 
 
 def render(template: str, styles: Iterable[str] = (), **values: Any) -> str:

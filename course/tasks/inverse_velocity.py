@@ -8,7 +8,7 @@ import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
-from armproof.course.feedback.shown import Shown
+from armproof.course.feedback.notebook import Shown
 
 ARM = "planar_2r"
 SPEED = 0.1  # m/s, what show_rates asks of the gripper

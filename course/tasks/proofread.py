@@ -12,7 +12,7 @@ from markupsafe import Markup
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_missing
 from armproof.course.feedback.html import block
-from armproof.course.feedback.shown import Shown
+from armproof.course.feedback.notebook import Shown
 
 ARM = "planar_2r"
 _JACOBIAN = {"jacobian": 2, "rows": [1, 2]}

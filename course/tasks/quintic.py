@@ -8,7 +8,7 @@ import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
-from armproof.course.feedback.shown import Shown
+from armproof.course.feedback.notebook import Shown
 
 ARM = "scara_column"
 Q_0, Q_F = (0.0, 0.3, 0.05, 0.0), (1.2, 1.3, 0.2, 0.5)  # rad, m: the motion that is simulated

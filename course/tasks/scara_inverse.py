@@ -8,7 +8,7 @@ import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
-from armproof.course.feedback.shown import Shown
+from armproof.course.feedback.notebook import Shown
 
 ARM = "scara_column"
 _REACHED = {"X": r"a_1 C_1 + a_2 C_{12}", "Y": r"a_1 S_1 + a_2 S_{12}"}

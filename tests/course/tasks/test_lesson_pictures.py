@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from armproof.course.feedback.shown import Shown
+from armproof.course.feedback.notebook import Shown
 from armproof.course.tasks import inverse_velocity, proofread, quintic, scara_inverse
 
 TARGET = {"X": 0.35, "Y": 0.4, "Z": 0.25, "psi": 0.3}

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from html import escape
+from importlib import resources
 
 import numpy as np
 
@@ -93,6 +95,12 @@ class Sketch:
         if shape == "text":
             return f'<text class="{kind}" text-anchor="end" x="{x - 6:.1f}" y="{y + 15:.1f}">{escape(words)}</text>'
         return _arrow(placed[0], placed[1], kind, words)
+
+
+@cache
+def sketch_style() -> str:
+    """Return the style of the drawings of an arm, in the colours --ink, --good, --x and so on of whoever shows them."""
+    return resources.files(__package__).joinpath("templates", "sketch.css").read_text(encoding="utf-8")
 
 
 def _arrow(start: tuple[float, float], end: tuple[float, float], kind: str, words: str) -> str:

@@ -13,6 +13,8 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from armproof.verification.report.html.sketch import sketch_style
+
 GENERATOR = "Armproof"
 
 
@@ -45,11 +47,6 @@ def every_page() -> dict[str, Any]:
     style, script = sketch_style() + _resource("style.css"), _resource("script.js")
     policy = f"default-src 'none'; style-src '{_digest(style)}'; script-src '{_digest(script)}'; base-uri 'none'; form-action 'none'"
     return {"style": Markup(style), "script": Markup(script), "policy": policy, "generator": GENERATOR}
-
-
-def sketch_style() -> str:
-    """Return the style of the drawings of an arm, in the colours --ink, --good, --x and so on of whoever shows them."""
-    return _resource("sketch.css")
 
 
 def _resource(name: str) -> str:
