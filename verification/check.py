@@ -16,7 +16,6 @@ from armproof.models.errors import ArmproofError
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.calculus import Ring
-from armproof.verification.algebra.clock import now
 from armproof.verification.correction.corrector import Corrector
 from armproof.verification.correction.tables import correct_array, correct_table
 from armproof.verification.diagnosis.diagnosis import Diagnostician
@@ -152,11 +151,11 @@ class DocumentChecker:
         )
 
     def _table(self, table: Table) -> Record | None:
-        self.ring.deadline = now() + SECONDS_TO_DECIDE
-        record = check_table(self.checker, table)
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            record = check_table(self.checker, table)
         if record is not None and record.verdict is Verdict.REFUTED and self.corrector is not None:
-            self.ring.deadline = now() + SECONDS_TO_DECIDE
-            return replace(record, corrections=correct_table(self.checker, table, record))
+            with self.ring.budget.of(SECONDS_TO_DECIDE):
+                return replace(record, corrections=correct_table(self.checker, table, record))
         return record
 
     # -- displays ---------------------------------------------------------------------------------------------------
@@ -168,12 +167,12 @@ class DocumentChecker:
         )
         if not display.closed:
             return replace(record, message=f"the display opened by {display.opening} never ends")
-        self.ring.deadline = now() + SECONDS_TO_DECIDE
         self.names.state.section = display.section
         try:
-            if (table := check_array_table(self.checker, display)) is not None:
-                return self._with_array_corrected(table, display)
-            return self._judge(record, display, self.names.reader.read(display.latex))
+            with self.ring.budget.of(SECONDS_TO_DECIDE):
+                if (table := check_array_table(self.checker, display)) is not None:
+                    return self._with_array_corrected(table, display)
+                return self._judge(record, display, self.names.reader.read(display.latex))
         except ReadError as error:
             return replace(record, message=f"{_place(display, original_offset(display.latex, error.offset))}: {error}")
         except TooComplex as error:
@@ -202,11 +201,10 @@ class DocumentChecker:
             counterexample=extra,
         )
         if verdict is Verdict.REFUTED:
-            self.ring.deadline = now() + SECONDS_TO_EXPLAIN
+            refuted = [outcome for outcome in outcomes if outcome.verdict is Verdict.REFUTED]
             try:
-                record = self.diagnostician.diagnose(
-                    record, normalise_unicode(display.latex), [o for o in outcomes if o.verdict is Verdict.REFUTED]
-                )
+                with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                    record = self.diagnostician.diagnose(record, normalise_unicode(display.latex), refuted)
             except TooComplex:
                 record = replace(
                     record, message=record.message or "the two sides differ; what is wrong is too large to tell"
@@ -218,8 +216,8 @@ class DocumentChecker:
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
         if record.verdict is not Verdict.REFUTED or self.corrector is None:
             return record
-        self.ring.deadline = now() + SECONDS_TO_DECIDE
-        return replace(record, corrections=correct_array(self.checker, display, record))
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            return replace(record, corrections=correct_array(self.checker, display, record))
 
     def _outcomes_of(self, latex: str) -> list[Outcome]:
         """Return the outcomes of a display that is tried: it defines nothing."""

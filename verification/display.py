@@ -43,7 +43,7 @@ class Statements:
         index = 0
         while index < len(statements):
             statement = statements[index]
-            self.ring.check_time()
+            self.ring.budget.check()
             if isinstance(statement, n.Connective):
                 index += 1
                 continue

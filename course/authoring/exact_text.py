@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 from armproof.course.authoring.python_text import NotPython, names_in, write_python
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.written import write_bounded, write_scalar
@@ -64,8 +64,7 @@ def write_quantity(arm: Arm, spec: Mapping[str, Any]) -> ExactText | None:
 
 
 def _write(arm: Arm, spec: Mapping[str, Any], denominators: Mapping[str, int]) -> ExactText | None:
-    ring = Ring(denominators)
-    ring.deadline = time.monotonic() + SECONDS
+    ring = Ring(denominators, Budget(SECONDS))
     value = ExactAlgebra(ring, arm).quantity(read_quantity("asked", spec, arm))
     rows = value.rows if isinstance(value, Matrix) else ((value,),)
     short = Notation(style="index", cosine="C")

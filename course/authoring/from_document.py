@@ -11,7 +11,6 @@ from armproof.course.authoring.code import written
 from armproof.course.authoring.drafts import Draft, completed, draft_of_quantity
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.clock import now
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
 from armproof.verification.latex import nodes as n
@@ -41,8 +40,8 @@ def _drafts(document: Document, arm: Arm, checker: DocumentChecker) -> Iterator[
         record = checker.check_display(display)
         if record.verdict is not Verdict.PROVED or display.erratum or len(names) >= MOST:
             continue
-        checker.ring.deadline = now() + SECONDS
-        draft = _draft(document, arm, checker, display)
+        with checker.ring.budget.of(SECONDS):
+            draft = _draft(document, arm, checker, display)
         if draft is None:
             continue
         name = draft.name if draft.name not in names else f"{draft.name}_of_line_{display.line}"

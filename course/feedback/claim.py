@@ -17,7 +17,7 @@ from armproof.course.feedback.outcome import Feedback, Outcome, Row
 from armproof.course.feedback.wording import ASKED, place, sentence, without_asked
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
@@ -108,8 +108,7 @@ class Claim:
     def values(self, latex: str) -> np.ndarray:
         """Return a formula at the samples, (N, rows, columns); raises ArmproofError where it cannot be evaluated."""
         node = self._checker.names.reader.read_expression(latex)
-        self._allow_time()
-        with np.errstate(all="ignore"):
+        with self._budget.of(SECONDS_TO_DECIDE), np.errstate(all="ignore"):
             value = Evaluator(self._checker.names, self.samples).evaluate(node)
         rows = value.rows if isinstance(value, Matrix) else ((value,),)
         cells = [[np.broadcast_to(cell, (SAMPLES,)) for cell in row] for row in rows]
@@ -120,8 +119,9 @@ class Claim:
         joints = self.arm.joints if self.arm is not None else ()
         q = np.array([[at.get(joint.symbol, 0.0) for joint in joints]])
         sampled = SampledAlgebra(self._checker.exact, q, SEED, {name: np.array([value]) for name, value in at.items()})
-        self._allow_time()
-        value = Evaluator(self._checker.names, sampled).evaluate(self._checker.names.reader.read_expression(latex))
+        node = self._checker.names.reader.read_expression(latex)
+        with self._budget.of(SECONDS_TO_DECIDE):
+            value = Evaluator(self._checker.names, sampled).evaluate(node)
         return float(np.ravel(value)[0])
 
     @cached_property
@@ -194,9 +194,9 @@ class Claim:
                 raise AnswerError(f"{shown} is no letter of this task; {self._letters()}")
 
     def _size_problem(self, node: n.Node) -> str:
-        self._allow_time()
         try:
-            sides = [self._checker.checker.member(side) for side in (self._asked, node)]
+            with self._budget.of(SECONDS_TO_DECIDE):
+                sides = [self._checker.checker.member(side) for side in (self._asked, node)]
         except (AngleFraction, TooComplex):  # the verdict meets it too: it begins again with half the angle, or says so
             return ""
         if not all(side.known and isinstance(side.value, Matrix | Scalar) for side in sides):
@@ -204,8 +204,9 @@ class Claim:
         asked, given = (side.value.size if isinstance(side.value, Matrix) else "a scalar" for side in sides)
         return "" if asked == given else f"the result is {given}, what is asked is {asked}"
 
-    def _allow_time(self) -> None:
-        self._checker.ring.deadline = now() + SECONDS_TO_DECIDE
+    @property
+    def _budget(self) -> Budget:
+        return self._checker.ring.budget
 
     @cached_property
     def _asked(self) -> n.Node:

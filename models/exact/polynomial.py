@@ -67,7 +67,9 @@ def _factors(number: fmpz) -> Iterator[tuple[int, int]]:
     """Yield the primes of a positive number with their powers."""
     for factor, power in number.factor(trial_limit=SMALL_PRIMES):
         half = factor.isqrt()
-        if factor.bit_length() <= MOST_BITS or factor.is_probable_prime():
+        if factor.is_probable_prime():
+            yield int(factor), power
+        elif factor.bit_length() <= MOST_BITS:
             yield from ((int(prime), power * times) for prime, times in factor.factor())
         elif half * half == factor:
             yield from ((prime, 2 * power * times) for prime, times in _factors(half))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -82,13 +81,13 @@ class Place:
 
     def member(self, node: n.Node) -> Member:
         """Return the exact value of a tree that stands here, or why it has none."""
-        self.checker.ring.deadline = time.monotonic() + SECONDS
-        return self.checker.checker.member(node)
+        with self.checker.ring.budget.of(SECONDS):
+            return self.checker.checker.member(node)
 
     def outcomes(self, statements: list[n.Statement]) -> list[Outcome]:
         """Return what becomes of each equation of a display that stands here; use it within `altered`."""
-        self.checker.ring.deadline = time.monotonic() + SECONDS
-        return self.checker.statements.check(statements, self.display.line)[0]
+        with self.checker.ring.budget.of(SECONDS):
+            return self.checker.statements.check(statements, self.display.line)[0]
 
     @contextmanager
     def altered(self) -> Iterator[None]:

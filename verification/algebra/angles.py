@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from armproof.models.exact.numbers import cos_sin_of_pi, cos_sin_of_radians
 from armproof.models.exact.polynomial import Entry, Generator
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.ring import QuotientRing
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import EvaluationError, TooComplex
@@ -26,8 +27,8 @@ class AngleFraction(Exception):
 class AngleRing(QuotientRing):
     """A ring in which linear forms in angles have a cosine and a sine, by the addition theorems."""
 
-    def __init__(self, denominators: Mapping[str, int] | None = None) -> None:
-        super().__init__()
+    def __init__(self, denominators: Mapping[str, int] | None = None, budget: Budget | None = None) -> None:
+        super().__init__(budget)
         self.arcs: dict[str, tuple[Scalar, Scalar]] = {}  # arc name → (cos, sin) of it
         self.denominators = dict(denominators or {})  # angle → d where cos(angle/d) is the generator
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, Protocol
 
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind
@@ -27,8 +28,9 @@ class OutsideAlgebra(EvaluationError):
 class Algebra(Protocol):
     """What the evaluator needs of scalars."""
 
-    def check_time(self) -> None:
-        """Raise TooComplex when the display at hand has had its time."""
+    @property
+    def budget(self) -> Budget:
+        """The time that the display at hand has."""
         ...
 
     def rational(self, value: Fraction) -> Any:

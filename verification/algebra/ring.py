@@ -9,7 +9,6 @@ crosswise. FLINT does the arithmetic.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING, cast
@@ -17,7 +16,7 @@ from typing import TYPE_CHECKING, cast
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from armproof.models.exact.polynomial import Entry, Generator
-from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import TooComplex
 
@@ -38,13 +37,13 @@ class QuotientRing:
     square root is always reduced into what it was made of.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, budget: Budget | None = None) -> None:
+        self.budget = Budget() if budget is None else budget
         self._slots = FIRST_SLOTS
         self._context = _context(FIRST_SLOTS)
         self._slot: dict[Generator, int] = {}
         self._generator_at: list[Generator] = []
         self._relations: dict[int, fmpq_mpoly] = {}  # slot of the leading generator → relation
-        self.deadline = math.inf
         self.zero = self.rational(0)
         self.one = self.rational(1)
 
@@ -147,16 +146,11 @@ class QuotientRing:
         """Return the product in normal form, within the bounds on size and time."""
         if len(a) * len(b) > MAX_TERM_PRODUCTS:
             raise TooComplex(f"a product of {len(a):,} by {len(b):,} terms")
-        self.check_time()
+        self.budget.check()
         product = self.reduce(a * b)
         if len(product) > MAX_TERMS:
             raise TooComplex(f"an expression of {len(product):,} terms")
         return product
-
-    def check_time(self) -> None:
-        """Raise TooComplex when the display at hand has had its time."""
-        if now() > self.deadline:
-            raise TooComplex("more time than a display may take")
 
     def terms(self, polynomial: fmpq_mpoly) -> Iterable[tuple[dict[Generator, int], Fraction]]:
         """Yield the terms as (powers of generators, coefficient)."""

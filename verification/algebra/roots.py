@@ -10,6 +10,7 @@ from flint import fmpq_mpoly
 from armproof.models.errors import ModelError
 from armproof.models.exact.polynomial import root
 from armproof.verification.algebra.angles import AngleRing
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.definite_sign import is_negative
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import EvaluationError, NoValue, TooComplex
@@ -18,8 +19,8 @@ from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 class RootRing(AngleRing):
     """A ring to which square roots of its own expressions, and the angles of its points, are adjoined."""
 
-    def __init__(self, denominators: Mapping[str, int] | None = None) -> None:
-        super().__init__(denominators)
+    def __init__(self, denominators: Mapping[str, int] | None = None, budget: Budget | None = None) -> None:
+        super().__init__(denominators, budget)
         self.radicands: dict[int, Scalar] = {}  # slot of a radical → its square
         self.signs_chosen = False  # whether √(k²) was taken as k for a k that may be negative
 

@@ -14,7 +14,7 @@ from fractions import Fraction
 from typing import Any
 
 from armproof.models.exact.polynomial import Generator
-from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.latex.writer import Notation, join_factors, number
 
@@ -60,7 +60,7 @@ def write_bounded(value: Any, notation: Notation) -> str:
         if terms > WRITTEN:
             return r"\ldots"
         # folding into sums of angles takes its time, and makes no page of terms readable
-        small = terms <= FOLDED and now() < value.ring.deadline
+        small = terms <= FOLDED and not value.ring.budget.is_spent
         text = write_scalar(value, notation, folded=small)
     else:
         text = str(value)
@@ -104,7 +104,7 @@ def _terms(value: Scalar, polynomial: object, folded: bool) -> list[_Term]:
         groups[rest][trig] = coefficient
     terms: list[_Term] = []
     for rest, trigs in groups.items():
-        shorter = fold(trigs, value.ring.deadline) if folded and len(trigs) <= MAX_TERMS else trigs
+        shorter = fold(trigs, value.ring.budget) if folded and len(trigs) <= MAX_TERMS else trigs
         for trig, coefficient in sorted(shorter.items(), key=lambda item: (len(item[0]), item[0])):
             terms.append(_Term(coefficient, rest, trig))
     return sorted(terms, key=lambda term: term.coefficient < 0)  # a positive term first reads better
@@ -155,11 +155,11 @@ def _power_of_trig(text: str, power: int) -> str:
     return text + _exponent(power) if is_one else f"({text}){_exponent(power)}"
 
 
-def fold(terms: dict[Trig, Fraction], deadline: float = math.inf) -> dict[Trig, Fraction]:
+def fold(terms: dict[Trig, Fraction], budget: Budget | None = None) -> dict[Trig, Fraction]:
     """Return an equal sum with fewer terms, by writing an angle as a sum of two wherever that shortens it.
 
     With φ = α ± β: c_α = c_φ c_β ± s_φ s_β and s_α = s_φ c_β ∓ c_φ s_β; c_β² + s_β² = 1 then collects the terms.
-    Past the deadline (of `clock.now`) the shortest sum found so far is returned.
+    When the budget is spent the shortest sum found so far is returned.
     """
     best = terms
     while len(best) > 1:
@@ -168,7 +168,7 @@ def fold(terms: dict[Trig, Fraction], deadline: float = math.inf) -> dict[Trig, 
         }
         candidates = []
         for a, b in sorted(together):
-            if now() > deadline:
+            if budget is not None and budget.is_spent:
                 return best
             for sign in (1, -1):
                 folded = _substitute(best, a, b, sign)

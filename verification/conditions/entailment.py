@@ -78,8 +78,7 @@ class Entailment:
         self.premise, self.conclusion = premise, conclusion
         self.half = HalfAngles(checker.exact.ring, (s for system in (*premise, *conclusion) for s in _scalars(system)))
         self.positive = _lengths(checker, self.half)
-        deadline = checker.exact.ring.deadline
-        self.decomposer = Decomposer(self.half, self.positive, lengths=Lengths.ALL, deadline=deadline)
+        self.decomposer = Decomposer(self.half, self.positive, lengths=Lengths.ALL, budget=checker.exact.budget)
 
     def counterexample(self) -> dict[str, float] | None:
         """Return a configuration at which the premise holds and the conclusion does not; None where there is none, proved.

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.clock import now
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.conditions.system import is_condition
 from armproof.verification.correction.alternatives import Corrections, alternatives, trimmed, true_value
@@ -39,17 +38,16 @@ class Corrector:
     def correct(self, record: Record, statements: list[n.Statement], outcomes: Sequence[Outcome]) -> Corrections:
         """Return the corrections that mend a refuted display, at places of its LaTeX as the author wrote it, or none."""
         latex = normalise_unicode(record.latex)
-        ring = self.checker.exact.ring
-        give_up = now() + SECONDS_TO_CORRECT
+        budget = self.checker.exact.budget
         confirm, self.checker.confirm = self.checker.confirm, False
         try:
-            ring.deadline = give_up
-            for count, corrections in enumerate(self._candidates(latex, record, statements, outcomes)):
-                if count > MOST_TRIALS or now() > give_up:
-                    break
-                corrections = spaced(latex, corrections)
-                if corrections and self._left(latex, corrections, outcomes) == set():
-                    return _in_original(record.latex, latex, corrections)
+            with budget.of(SECONDS_TO_CORRECT):
+                for count, corrections in enumerate(self._candidates(latex, record, statements, outcomes)):
+                    if count > MOST_TRIALS or budget.is_spent:
+                        break
+                    corrections = spaced(latex, corrections)
+                    if corrections and self._left(latex, corrections, outcomes) == set():
+                        return _in_original(record.latex, latex, corrections)
         except ArmproofError:  # no time left
             return ()
         finally:

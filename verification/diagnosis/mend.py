@@ -7,7 +7,6 @@ import re
 import numpy as np
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.clock import now
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.algebra.values import Identity, as_scalar
@@ -50,7 +49,7 @@ class Mender:
         letters = self.learnt.letters(cell)
         with np.errstate(all="ignore"):
             for count, edit in enumerate(single_edits(cell, letters)):
-                if count > MAX_EDITS or now() > self.exact.ring.deadline:
+                if count > MAX_EDITS or self.exact.budget.is_spent:
                     break
                 if not self._agrees(edit, target, scale, probe):
                     continue

@@ -45,7 +45,7 @@ class Evaluator:
         """Return the value; raises UnboundName, EvaluationError."""
         self.depth += 1
         try:
-            self.algebra.check_time()
+            self.algebra.budget.check()
             if self.depth > MAX_DEPTH:
                 raise EvaluationError("nested too deeply")
             method = _METHODS.get(type(node))

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from armproof.models.arm import Arm
 from armproof.models.exact.polynomial import Rows
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix, exact_rank
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
@@ -22,8 +23,9 @@ class ExactAlgebra(ArmAlgebra):
         super().__init__(arm)
         self.ring = ring
 
-    def check_time(self) -> None:
-        self.ring.check_time()
+    @property
+    def budget(self) -> Budget:
+        return self.ring.budget
 
     def rational(self, value: Fraction) -> Scalar:
         return self.ring.rational(value)

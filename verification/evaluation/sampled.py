@@ -13,6 +13,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
 from armproof.models.numeric.plant import NumericKinematics
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
@@ -49,8 +50,9 @@ class SampledAlgebra(ArmAlgebra):
         """The number of configurations."""
         return len(self.q)
 
-    def check_time(self) -> None:
-        self.exact.ring.check_time()
+    @property
+    def budget(self) -> Budget:
+        return self.exact.budget
 
     def rational(self, value: Fraction) -> np.ndarray:
         return _constant(float(value), self.samples)

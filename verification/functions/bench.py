@@ -46,10 +46,9 @@ class Bench:
     def true(self, quantity: Quantity) -> Matrix:
         """Return a quantity of the arm, a scalar as a 1×1 matrix."""
         if quantity not in self._true:
-            before, self.ring.deadline = self.ring.deadline, math.inf  # the arm's own, once for all checks
-            value = self.exact.quantity(quantity)
+            with self.ring.budget.of(math.inf):  # the arm's own, once for all checks
+                value = self.exact.quantity(quantity)
             self._true[quantity] = value if isinstance(value, Matrix) else Matrix(((value,),))
-            self.ring.deadline = before
         return self._true[quantity]
 
     def lengths_in(self, quantity: Quantity) -> list[str]:

@@ -8,7 +8,6 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.clock import now
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.equations.alignment import exactly_equal
@@ -67,9 +66,9 @@ def _prove(bench: Bench, parts: list[Part], traced: list[np.ndarray], symbolic: 
         return "the traced function returns another shape"
     for part in parts:
         bench.true(part.asked.quantity)
-    bench.ring.deadline = now() + SECONDS_TO_DECIDE
-    found = [_compare(bench, part, formulas.matrix(values)) if not part.wrong else (False, False)
-             for part, values in zip(parts, nodes, strict=True)]  # fmt: skip
+    with bench.ring.budget.of(SECONDS_TO_DECIDE):
+        found = [_compare(bench, part, formulas.matrix(values)) if not part.wrong else (False, False)
+                 for part, values in zip(parts, nodes, strict=True)]  # fmt: skip
     return Proof(bench, formulas, nodes, tuple(equal for equal, _ in found), tuple(symbols for _, symbols in found))
 
 

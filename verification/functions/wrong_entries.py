@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.clock import now
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.counterexample import Probe
@@ -36,21 +35,24 @@ def describe_entries(part: Part, proof: Proof, *, mend: bool) -> list[WrongEntry
     """
     bench = proof.bench
     true = bench.true(part.asked.quantity)
-    writer = EntryWriter(bench)
-    bench.ring.deadline = now() + SECONDS_TO_MEND
-    entries = []
+    with bench.ring.budget.of(SECONDS_TO_MEND):
+        return list(_entries(part, proof, true.rows, EntryWriter(bench), mend))
+
+
+def _entries(
+    part: Part, proof: Proof, true: Sequence[Sequence[Scalar]], writer: EntryWriter, mend: bool
+) -> Iterator[WrongEntry]:
     for index, (r, c) in enumerate(part.wrong):
         row, column = (None, None) if part.is_scalar else (r + 1, c + 1)
         printed = correct = change = ""
         if index < (WRITTEN if mend else WRITTEN_ANYWAY):
             try:
-                value, right = proof.entry(part.number, r, c), true.rows[r][c]
+                value, right = proof.entry(part.number, r, c), true[r][c]
                 if mend or max(len(value.numerator), len(right.numerator)) <= SHORT:
                     printed, correct, change = writer.describe(value, right, mend and len(part.wrong) <= MENDED)
             except (EvaluationError, AngleFraction):  # the formula is beyond the algebra; the table shows its values
                 pass
-        entries.append(WrongEntry(part.number, row, column, printed, correct, change))
-    return entries
+        yield WrongEntry(part.number, row, column, printed, correct, change)
 
 
 class EntryWriter:
@@ -76,7 +78,7 @@ class EntryWriter:
         kept = self.bench.written
         if true not in kept:
             text = write_bounded(true, self.notation)
-            if now() > self.bench.ring.deadline:
+            if self.bench.ring.budget.is_spent:
                 return text
             kept[true] = text
         return kept[true]

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from itertools import product
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.inverse.configuration_ring import ConfigurationRing, OpenSign
 from armproof.verification.inverse.derivation import Derivation, Signs
 from armproof.verification.inverse.forward import forward_values
@@ -18,24 +19,23 @@ from armproof.verification.inverse.resolution import Resolution
 from armproof.verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra
 
 
-def find_lost_step(derivation: Derivation, denominators: Mapping[str, int], deadline: float) -> str | None:
+def find_lost_step(derivation: Derivation, denominators: Mapping[str, int], budget: Budget) -> str | None:
     """Return the first joint that no branch gives back for some configurations, or None where completeness is proved.
 
     Raises:
         TooComplex: the polynomials grow beyond the bounds.
         EvaluationError: a step that has no exact value.
     """
-    return _Search(derivation, denominators, deadline).lost(0, {}, {})
+    return _Search(derivation, denominators, budget).lost(0, {}, {})
 
 
 class _Search:
-    def __init__(self, derivation: Derivation, denominators: Mapping[str, int], deadline: float) -> None:
+    def __init__(self, derivation: Derivation, denominators: Mapping[str, int], budget: Budget) -> None:
         arm = derivation.names.arm
         assert arm is not None
         self.derivation = derivation
         self.arm: Arm = arm
-        self.ring = ConfigurationRing(denominators, arm.lengths)
-        self.ring.deadline = deadline
+        self.ring = ConfigurationRing(denominators, arm.lengths, budget)
         given = forward_values(derivation, free_algebra(self.ring, arm))
         self.algebra = SymbolicAlgebra(self.ring, arm, derivation.target, given)
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.inverse.roots import SubstitutionRing
 from armproof.verification.singularities.half_angles import HalfAngles
@@ -27,8 +28,8 @@ class ConfigurationRing(SubstitutionRing):
     normal form does not show it. A factor that has both signs has one of `signs`, or OpenSign is raised.
     """
 
-    def __init__(self, denominators: Mapping[str, int], positive: Iterable[str]) -> None:
-        super().__init__(denominators, positive)
+    def __init__(self, denominators: Mapping[str, int], positive: Iterable[str], budget: Budget | None = None) -> None:
+        super().__init__(denominators, positive, budget)
         self.signs: Mapping[str, int] = {}
 
     def sqrt(self, value: Scalar) -> Scalar:

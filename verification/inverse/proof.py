@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.errors import EvaluationError
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.completeness import find_lost_step
@@ -85,9 +85,9 @@ def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, 
     """Return whether FK(IK(x)) = x is proved, whether for every target, and what stood in the way."""
     problem = ""
     every_sign = dict.fromkeys(derivation.signs, 0)
-    end = now() + SECONDS
+    budget = Budget(SECONDS)
     for values, eager, general in _attempts(derivation, compiled):
-        attempt = partial(_substitute, derivation, values, every_sign, eager, min(end, now() + SECONDS / 2))
+        attempt = partial(_substitute, derivation, values, every_sign, eager, budget.share(SECONDS / 2))
         try:
             missed = _with_fractions(attempt)
         except EvaluationError as error:
@@ -126,19 +126,18 @@ def _substitute(
     values: TargetValues,
     signs: Signs,
     eager: tuple[str, ...],
-    deadline: float,
+    budget: Budget,
     denominators: Mapping[str, int],
 ) -> list[int]:
     arm = derivation.names.arm
     assert arm is not None
-    ring = SubstitutionRing(denominators, arm.lengths)
-    ring.deadline = deadline
+    ring = SubstitutionRing(denominators, arm.lengths, budget)
     return returns_target(derivation, values, signs, ring, eager)
 
 
 def _prove_completeness(derivation: Derivation) -> tuple[bool, str]:
     try:
-        lost = _with_fractions(lambda known: find_lost_step(derivation, known, now() + SECONDS))
+        lost = _with_fractions(lambda known: find_lost_step(derivation, known, Budget(SECONDS)))
     except EvaluationError as error:
         return False, f"that there are no other solutions is not proved exactly: {error}"
     return lost is None, "" if lost is None else f"that there are no other solutions is not proved exactly: {lost}"

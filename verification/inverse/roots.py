@@ -9,6 +9,7 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from armproof.models.exact.polynomial import Generator
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import NoValue
@@ -24,8 +25,8 @@ class SubstitutionRing(Ring):
         positive: the symbols that are not negative, the lengths.
     """
 
-    def __init__(self, denominators: Mapping[str, int], positive: Iterable[str]) -> None:
-        super().__init__(denominators)
+    def __init__(self, denominators: Mapping[str, int], positive: Iterable[str], budget: Budget | None = None) -> None:
+        super().__init__(denominators, budget)
         self.positive = frozenset(positive)
         self._constants: dict[Fraction, tuple[Scalar, Scalar]] = {}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+import time
 from collections.abc import Sequence
 from dataclasses import replace
 from types import MappingProxyType
@@ -10,8 +10,8 @@ from types import MappingProxyType
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
-from armproof.verification.algebra.clock import now
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
@@ -67,7 +67,9 @@ def analyse_singularities(
     """
     generator = np.random.default_rng(SEED) if rng is None else rng
     names = (None if frame is None else str(frame), None if expressed_in is None else str(expressed_in))
-    return Analyst(arm, *names, rows, columns, seconds, generator).run()
+    algebra = ExactAlgebra(Ring(), arm)
+    with algebra.budget.of(seconds):
+        return Analyst(algebra, arm, *names, rows, columns, generator).run()
 
 
 class Analyst:
@@ -75,25 +77,23 @@ class Analyst:
 
     def __init__(
         self,
+        algebra: ExactAlgebra,
         arm: Arm,
         frame: str | None,
         expressed_in: str | None,
         rows: Sequence[int] | None,
         columns: Sequence[int] | None,
-        seconds: float,
         rng: np.random.Generator,
     ) -> None:
-        self.started = now()
-        self.arm, self.rng = arm, rng
-        self.algebra = ExactAlgebra(Ring(), arm)
-        self.deadline = self.algebra.ring.deadline = self.started + seconds
+        self.started = time.thread_time()
+        self.algebra, self.arm, self.rng = algebra, arm, rng
         self.chosen: ChosenJacobian = choose_jacobian(self.algebra, frame, rows, columns, expressed_in)
         self.positive = frozenset(arm.lengths)
         self.half = HalfAngles(self.algebra.ring, (cell for row in self.chosen.simple.rows for cell in row))
         self.rows: Rows = polynomial_rows(self.half, self.chosen.simple)
         constants = {**arm.trace.constants, **arm.lengths}
         self.sampler = Sampler(self.half, joint_unknowns(arm), constants, tuple(c - 1 for c in self.chosen.columns))
-        self.decomposer = Decomposer(self.half, self.positive, deadline=self.deadline)
+        self.decomposer = Decomposer(self.half, self.positive, budget=algebra.budget)
 
     def run(self) -> SingularityAnalysis:
         """Return the analysis; what cannot be done exactly is a message in it."""
@@ -111,8 +111,7 @@ class Analyst:
                 result = replace(result, message=f"{result.message}; {said}" if result.message else said)
                 if not result.complete:
                     break
-        self.algebra.ring.deadline = math.inf
-        return replace(result, seconds=now() - self.started)
+        return replace(result, seconds=time.thread_time() - self.started)
 
     def _with_determinant(self, result: SingularityAnalysis) -> SingularityAnalysis:
         simple = self.chosen.simple
@@ -164,8 +163,7 @@ class Analyst:
         return replace(result, descend=lambda: self._intersections(result))
 
     def _intersections(self, result: SingularityAnalysis) -> tuple[tuple[Family, ...], str]:
-        deadline = now() + SECONDS_BELOW
-        decomposer = Decomposer(self.half, self.positive, lengths=Lengths.LINEAR, deadline=deadline)
+        decomposer = Decomposer(self.half, self.positive, lengths=Lengths.LINEAR, budget=Budget(SECONDS_BELOW))
         families = [family.variety for family in result.families]
         square = result.determinant is not None
         descent = Descent(families, self.rows, self.chosen.simple, square, self.sampler, decomposer)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from enum import Enum
 
-from armproof.verification.algebra.clock import now
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.singularities.elimination import BeyondReach, arrange, resultant, variables
 from armproof.verification.singularities.factors import Factor, Kind
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
@@ -36,11 +36,11 @@ class Decomposer:
         positive: frozenset[str],
         *,
         lengths: Lengths = Lengths.GENERIC,
-        deadline: float = math.inf,
+        budget: Budget | None = None,
     ) -> None:
-        """Take the coordinates and the symbols that are positive; `deadline` is a value of `clock.now()`."""
-        self.half, self.positive = half, positive
-        self.lengths, self.deadline = lengths, deadline
+        """Take the coordinates, the symbols that are positive, and the time for all that is decomposed."""
+        self.half, self.positive, self.lengths = half, positive, lengths
+        self.budget = Budget() if budget is None else budget
         self.constant = frozenset(half.slot(g) for g in half.others if g[1] in positive or g[0] == "sqrt")
         self._factors: dict[str, list[Factor]] = {}
 
@@ -53,12 +53,12 @@ class Decomposer:
             BeyondReach: the system is too large, takes longer than `seconds`, or binds the same variables in a way that is
                 not split.
         """
-        deadline = min(self.deadline, now() + seconds)
+        budget = self.budget.share(seconds)
         found: list[Variety] = []
         start = Variety(self.half) if within is None else within
         pending: list[tuple[Variety, tuple[Polynomial, ...]]] = [(start, tuple(equations))]
         while pending:
-            if now() > deadline:
+            if budget.is_spent:
                 raise BeyondReach("more time than the analysis may take")
             if len(found) + len(pending) > MOST_VARIETIES:
                 raise BeyondReach(f"more than {MOST_VARIETIES} families")

@@ -181,3 +181,12 @@ def test_what_is_too_long_to_type_is_not_written(monkeypatch):
     monkeypatch.setattr(exact_text, "LONGEST", 100)
     assert write_quantity(arm, {"jacobian": 6}) is None
     assert as_matrix((("a",),)) == "a"
+
+
+def test_a_quantity_that_takes_too_long_is_not_written(monkeypatch):
+    from armproof.course.authoring import exact_text
+
+    arm = load_arm("rx90")
+    assert write_quantity(arm, {"jacobian": 6}) is not None
+    monkeypatch.setattr(exact_text, "SECONDS", -1.0)  # the budget is one of processor time, as everywhere
+    assert write_quantity(arm, {"jacobian": 6}) is None

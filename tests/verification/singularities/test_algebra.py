@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from armproof.models.catalogue import load_arm
+from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
@@ -169,7 +170,7 @@ def test_a_deadline_ends_a_decomposition(bench: Any) -> None:
     value = bench.value("a_3 C_2 - d_3 S_{23}")
     half = half_of(value)
     with pytest.raises(BeyondReach, match="more time"):
-        Decomposer(half, LENGTHS, deadline=0.0).decompose([half.polynomial(value)])
+        Decomposer(half, LENGTHS, budget=Budget(-1.0)).decompose([half.polynomial(value)])
 
 
 # -- rank and null vectors ---------------------------------------------------------------------------------------------------

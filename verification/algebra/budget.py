@@ -1,0 +1,46 @@
+"""The time that a proof may take: processor time of its thread, so that a busy machine changes no verdict."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from armproof.verification.errors import TooComplex
+
+
+class Budget:
+    """Seconds of this thread's processor time, counted from now; without a number, as many as it takes.
+
+    The owner of a budget gives it; each phase of the work (to decide, to explain) takes the place of the one before with
+    `of`. Who computes with it only asks.
+    """
+
+    def __init__(self, seconds: float = math.inf) -> None:
+        self._end = time.thread_time() + seconds
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether the time is over."""
+        return time.thread_time() > self._end
+
+    def check(self) -> None:
+        """Raise TooComplex when the time is over."""
+        if time.thread_time() > self._end:
+            raise TooComplex("more time than a display may take")
+
+    def share(self, seconds: float) -> Budget:
+        """Return a budget of so many seconds that ends no later than this one."""
+        part = Budget(seconds)
+        part._end = min(part._end, self._end)
+        return part
+
+    @contextmanager
+    def of(self, seconds: float) -> Iterator[None]:
+        """Give a phase of the work so many seconds of its own; behind it, what was left before holds again."""
+        before, self._end = self._end, time.thread_time() + seconds
+        try:
+            yield
+        finally:
+            self._end = before
