@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import signal
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +19,7 @@ from armproof.course.authoring.places import Place
 from armproof.course.authoring.report import Report
 from armproof.course.authoring.tasks import load_tasks
 from armproof.models.errors import ArmproofError
+from armproof.verification.running.processes import share_out
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 PROVED, NOT_ATTEMPTED = "correct (proved)", "not attempted"
@@ -31,35 +28,12 @@ REBUILD = "armproof lesson build"
 
 def check_lessons(place: Place, sources: Sequence[Path], processes: int) -> Iterator[Report]:
     """Yield the report of each lesson, in their order, several at once."""
-    check = partial(check_lesson, place)
-    if min(processes, len(sources)) <= 1:
-        yield from map(check, sources)
-        return
-    with _start_pool(min(processes, len(sources))) as pool:
-        futures = [pool.submit(check, source) for source in sources]
-        for source, future in zip(sources, futures, strict=True):
-            try:
-                yield future.result()
-            except BrokenProcessPool:  # by this lesson or another: Drake aborts on some models
-                yield _check_alone(check, source)
+    yield from share_out(partial(check_lesson, place), sources, processes, _ended, fresh=True)
 
 
-def _check_alone(check: Callable[[Path], Report], source: Path) -> Report:
-    with _start_pool(1) as pool:
-        try:
-            return pool.submit(check, source).result()
-        except BrokenProcessPool:
-            fault = f"{source}: the process that checked it ended; Drake may have aborted on its arm"
-            return Report(source, (fault,), cannot_run=True)
-
-
-def _start_pool(processes: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(processes, mp_context=get_context("spawn"), initializer=_ignore_interrupts)
-
-
-def _ignore_interrupts() -> None:
-    """Leave interrupts to the parent."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _ended(source: Path) -> Report:
+    fault = f"{source}: the process that checked it ended; Drake may have aborted on its arm"
+    return Report(source, (fault,), cannot_run=True)
 
 
 def check_lesson(place: Place, source: Path) -> Report:

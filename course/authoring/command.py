@@ -14,6 +14,7 @@ from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
 from armproof.verification.cli.loading import give_up
 from armproof.verification.cli.messages import complain
 from armproof.verification.cli.plugins import as_command
+from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
     from armproof.course.authoring.building import Files
@@ -110,7 +111,7 @@ def check_command(
         require_jupyter()
         place = _place(folder)
         sources = place.named(names or [])
-        code = _check(place, sources, jobs or _cores(), report_format)
+        code = _check(place, sources, jobs or min(cores(), MOST_WORKERS), report_format)
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
     except ArmproofError as error:
@@ -190,9 +191,3 @@ def _check(place: Place, sources: list[Path], processes: int, report_format: o.F
     if any(report.cannot_run for report in reports):
         return CANNOT_RUN
     return PASSES if all(report.passes for report in reports) else FAILS
-
-
-def _cores() -> int:
-    import os
-
-    return min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1, 4)

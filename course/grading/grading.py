@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -18,6 +17,7 @@ from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.sandbox.places import lies_in_readable
 from armproof.course.grading.submissions import Submission
 from armproof.course.grading.text import clean
+from armproof.verification.running.processes import cores
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ def grade(
                 f"{clean(str(submission.path))}: every submission may read {place}, where Python and the course are; "
                 "put the class's folder somewhere else"
             )
-    count = min(jobs or default_jobs(), max(len(submissions), 1))
+    count = min(jobs or cores(), max(len(submissions), 1))
     read = {each: _read(each) for each in submissions}
     used = {lesson for notebook in read.values() if isinstance(notebook, Notebook) for lesson in notebook.lessons}
     with Client(count, limits, used, own) as client:
@@ -81,11 +81,6 @@ def mark_repeated(graded: Sequence[Graded]) -> tuple[Graded, ...]:
         else each
         for each in graded
     )
-
-
-def default_jobs() -> int:
-    """Return the number of cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _read(submission: Submission) -> Notebook | str:

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-import signal
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
+from concurrent.futures import Executor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
-from multiprocessing import get_context
 from pathlib import Path
 
 from armproof.course.authoring.places import COURSE, Place
 from armproof.course.site.errors import SiteError
 from armproof.models.errors import ArmproofError
 from armproof.verification.report.html.folder import Kind, is_page, new_report
+from armproof.verification.running.processes import MOST_WORKERS, cores, start_pool
 
 FILES = "files.json"  # the digest of each file that is no page
-MOST_WORKERS = 4
 _PATIENCE = "the process that built it ended; Drake may have aborted on its arm"
 
 
@@ -58,7 +55,7 @@ def build_site(
     """
     with new_report(target, kind_of(target)) as part:
         problems = []
-        for built in _build_all(order, part, workers or min(_cores(), MOST_WORKERS)):
+        for built in _build_all(order, part, workers or min(cores(), MOST_WORKERS)):
             done(built)
             if built.problem:
                 problems.append((order.sources.index(built.source), built.problem))
@@ -90,7 +87,7 @@ def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
     """Yield what became of each lesson; the processes begin before Drake is imported."""
     from armproof.course.site import work
 
-    with ProcessPoolExecutor(workers, get_context("fork"), initializer=_begin) as pool:
+    with start_pool(workers) as pool:
         try:
             described = _result(pool, work.describe, order)
             futures = {pool.submit(work.build_lesson, order, described, k, part): k for k in range(len(order.sources))}
@@ -122,12 +119,3 @@ def _write_digests(part: Path) -> None:
 
 def _digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def _begin() -> None:
-    """Leave interrupts to the parent."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

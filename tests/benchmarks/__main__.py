@@ -7,6 +7,7 @@ import platform
 import statistics
 from importlib.metadata import version
 
+from armproof.verification.running.processes import cores
 from tests.benchmarks import bulk, documents, functions, rx90, with_sympy
 
 MEGABYTE = 1_000_000
@@ -20,7 +21,7 @@ def main() -> None:
     parser.add_argument("--sympy-seconds", type=float, default=120.0, help="how long each simplification may take")
     parser.add_argument("--no-sympy", action="store_true", help="leave SymPy out")
     options = parser.parse_args()
-    print(f"Python {platform.python_version()}, Drake {version('drake')}, {documents.cores()} cores\n")
+    print(f"Python {platform.python_version()}, Drake {version('drake')}, {cores()} cores\n")
     ours = time_rx90()
     print_rx90(ours)
     if not options.no_sympy:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
 import sys
@@ -127,8 +126,3 @@ def time_synthetic(displays: int) -> float:
     if bad or len(result.equations) != displays:
         raise SystemExit(f"the synthetic document is not true: {bad[:1]}")
     return seconds
-
-
-def cores() -> int:
-    """Return the number of cores that may be used."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -6,7 +6,6 @@ Exit code 1 if a mutant survives, a rewrite is not proved, or there are too few 
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import time
 from collections import Counter
@@ -15,6 +14,7 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 
+from armproof.verification.running.processes import cores
 from tests.mutation import diagnosis, rewrites, sweep
 from tests.mutation.place import handouts
 
@@ -44,11 +44,6 @@ def main() -> int:
     if not enough:
         print(f"too few: at least {FEWEST_MUTANTS} mutants and {FEWEST_REWRITES} rewrites are wanted")
     return 0 if all(passed) else 1
-
-
-def cores() -> int:
-    """Return the number of cores that may be used."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _examine(path: Path, seed: int) -> Results:

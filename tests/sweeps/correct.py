@@ -17,7 +17,7 @@ from pathlib import Path
 import armproof.course
 from armproof.verification.document import Display, Document, find_documents, parse_document
 from armproof.verification.document.rewriting import Change, change_of, rewrite
-from armproof.verification.running.copy import CorrectedCopy, correct_text
+from armproof.verification.running.corrected_copy import CorrectedCopy, correct_text
 from armproof.verification.verdict import Record, Verdict
 
 HANDOUTS = Path(armproof.course.__path__[0]) / "handouts"

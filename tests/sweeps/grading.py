@@ -23,11 +23,11 @@ import armproof.course
 from armproof.course.authoring.editions import instructor_notebook, student_notebook
 from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
 from armproof.course.grading.client import Client
-from armproof.course.grading.grading import default_jobs
 from armproof.course.grading.limits import Limits
 from armproof.course.grading.pages import render_student
 from armproof.course.grading.results import Status
 from armproof.models.errors import ArmproofError
+from armproof.verification.running.processes import cores
 from tests.course.grading.conftest import notebook
 from tests.course.grading.hostile import BROKEN, KINDS
 
@@ -217,4 +217,4 @@ def _lose_the_server() -> list[str]:
 
 if __name__ == "__main__":
     given = [int(argument) for argument in sys.argv[1:]]
-    sys.exit(main(*(given + [200, default_jobs()][len(given) :])))
+    sys.exit(main(*(given + [200, cores()][len(given) :])))

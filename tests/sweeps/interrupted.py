@@ -19,7 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import armproof.course
-from armproof.verification.running.copy import correct_text
+from armproof.verification.running.corrected_copy import correct_text
 from tests.sweeps.correct import copies
 
 HANDOUT = Path(armproof.course.__path__[0]) / "handouts" / "spherical-wrist-001.md"

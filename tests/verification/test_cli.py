@@ -22,8 +22,8 @@ from armproof.verification.report.github import github_report
 from armproof.verification.report.json_ import json_report
 from armproof.verification.report.lines import to_ascii
 from armproof.verification.report.text import text_report
-from armproof.verification.running import batch
-from armproof.verification.running.batch import Failure, check_all, check_each
+from armproof.verification.running import batch, processes
+from armproof.verification.running.batch import Failure, check_each
 from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
 
 ARMPROOF = Path(sys.executable).with_name("armproof")
@@ -317,7 +317,7 @@ def test_several_processes_give_the_results_of_one_in_the_same_order(write, tmp_
         write(*[part] * count, name=f"{k}.md") for k, (part, count) in enumerate([(RIGHT, 1), (WRONG, 2), (UNBOUND, 9)])
     ]
     paths.insert(1, tmp_path / "missing.md")
-    assert without_times(check_all(paths, workers=2)) == without_times(check_all(paths, workers=1))
+    assert without_times(list(check_each(paths, workers=2))) == without_times(list(check_each(paths, workers=1)))
 
 
 def test_a_document_that_ends_its_process_fails_alone(write, monkeypatch: pytest.MonkeyPatch):
@@ -331,7 +331,7 @@ def test_a_document_that_ends_its_process_fails_alone(write, monkeypatch: pytest
 
     check_one.__module__, check_one.__qualname__ = "armproof.verification.running.batch", "check_one"
     monkeypatch.setattr(batch, "check_one", check_one)
-    results = check_all(paths, workers=2)
+    results = list(check_each(paths, workers=2))
     assert [isinstance(result, Failure) for result in results] == [False, True, False, False]
     assert results[1].message == f"{paths[1]}: the process that checked it ended; Drake may have aborted on its arm"
 
@@ -381,8 +381,8 @@ def test_documents_that_end_processes_fail_alone_among_many(write, monkeypatch: 
 
     check_one.__module__, check_one.__qualname__ = "armproof.verification.running.batch", "check_one"
     monkeypatch.setattr(batch, "check_one", check_one)
-    monkeypatch.setattr(batch, "AHEAD", 2)
-    results = check_all(paths, workers=2)
+    monkeypatch.setattr(processes, "AHEAD", 2)
+    results = list(check_each(paths, workers=2))
     assert [result.path for result in results] == [str(path) for path in paths]
     assert [k for k, result in enumerate(results) if isinstance(result, Failure)] == [3, 37]
 

@@ -16,7 +16,7 @@ from armproof.verification.cli.loading import give_up
 from armproof.verification.cli.messages import complain
 
 if TYPE_CHECKING:
-    from armproof.verification.running.copy import CorrectedCopy
+    from armproof.verification.running.corrected_copy import CorrectedCopy
 
 Source = Annotated[Path, typer.Argument(metavar="FILE", help="A document or a notebook.", show_default=False)]
 Diff = Annotated[bool, typer.Option("--diff", help="Print what would change, as a unified diff.")]
@@ -30,7 +30,7 @@ def correct(path: Source, diff: Diff = False, output: Output = None, in_place: I
     Nothing else changes, errata stay. Exit code 0: the copy passes; 1: something in it does not, as standard error says;
     2: the document cannot be checked or the copy cannot be written.
     """
-    from armproof.verification.running.files import correct_file, save
+    from armproof.verification.running.corrected_copy import correct_file, save
 
     if (problem := _conflict(path, diff, output, in_place)) is not None:
         complain([problem])

@@ -1,7 +1,6 @@
 """Read documents: front matter, displays and DH tables of every format that is read."""
 
-from armproof.verification.document.finding import find_documents
-from armproof.verification.document.formats import SUFFIXES, parse_document, read_document
+from armproof.verification.document.formats import SUFFIXES, find_documents, parse_document, read_document
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, parse_front_matter
 from armproof.verification.document.model import Display, Document, Piece, Table
 

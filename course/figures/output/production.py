@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-import os
-import signal
-import sys
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
 from armproof.course.figures.errors import FigureError
 from armproof.models.errors import ArmproofError
+from armproof.verification.running.processes import share_out, usual_workers
 
-MOST_WORKERS = 4
 HEAVY = ("kr210", "rx90")  # that take longest, begun first
 
 
@@ -49,22 +44,20 @@ class Delivery:
 def produce(
     orders: Sequence[Order], formats: Sequence[str], lang: str, out: Path, workers: int | None = None
 ) -> Iterator[Delivery]:
-    """Draw figures and write them into a folder, with their captions; yields each delivery as it is done.
+    """Draw figures and write them into a folder, with their captions; yields the deliveries in the order of the orders.
 
     Args:
         formats: of `save.FORMATS`, and of `films.FILMS` for a film of each arm's motion.
         workers: the number of processes; by default one a core, at most 4, and this one only where Drake is imported already.
     """
-    if workers is None:
-        workers = 1 if "pydrake" in sys.modules else min(_cores(), MOST_WORKERS)
-    if min(workers, len(orders)) <= 1:
-        yield from (deliver(order, formats, lang, out) for order in orders)
-        return
-    heavy_first = sorted(orders, key=lambda order: order.name not in HEAVY)
-    with ProcessPoolExecutor(min(workers, len(orders)), get_context("fork"), initializer=_begin) as pool:
-        futures = _submit(pool, deliver, heavy_first, formats, lang, out)
-        for future in as_completed(futures):
-            yield _result(future, futures[future])
+    workers = usual_workers() if workers is None else workers
+    work = partial(deliver, formats=formats, lang=lang, out=out)
+    yield from share_out(work, orders, workers, _ended, weight=lambda order: order.name in HEAVY)
+
+
+def _ended(order: Order) -> Delivery:
+    problem = f"{order.name}: the process that drew it ended; Drake may have aborted on its model"
+    return Delivery(order, problems=(problem,))
 
 
 def deliver(order: Order, formats: Sequence[str], lang: str, out: Path) -> Delivery:
@@ -112,28 +105,3 @@ def write_films(arm: Any, lang: str, formats: Sequence[str], out: Path, name: st
     stem = f"{name}-motion" + ("" if lang == "en" else f"-{lang}")
     having = [suffix for suffix in formats if film_reason(arm, suffix, lang) is None]
     return [write_film(arm, out / f"{stem}.{suffix}", lang) for suffix in having]
-
-
-def _submit(
-    pool: Executor, work: Callable[..., Delivery], orders: Sequence[Order], *arguments: object
-) -> dict[Future[Delivery], Order]:
-    return {pool.submit(work, order, *arguments): order for order in orders}
-
-
-def _result(future: Future[Delivery], order: Order) -> Delivery:
-    from concurrent.futures.process import BrokenProcessPool
-
-    try:
-        return future.result()
-    except BrokenProcessPool:
-        problem = f"{order.name}: the process that drew it ended; Drake may have aborted on its model"
-        return Delivery(order, problems=(problem,))
-
-
-def _begin() -> None:
-    """Leave interrupts to the parent, and keep to one thread a process."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -17,8 +17,7 @@ from armproof.verification.document.notebook_text import rewrite_cells
 from armproof.verification.errors import DocumentError
 from armproof.verification.running import atomic
 from armproof.verification.running.atomic import write_atomically
-from armproof.verification.running.copy import correct_text
-from armproof.verification.running.files import correct_file, save
+from armproof.verification.running.corrected_copy import correct_file, correct_text, save
 from tests.sweeps.correct import HANDOUTS, copies
 
 FRONT = "---\narm: planar_2r\ntitle: Bras à deux axes\nquantities:\n  J_v: {jacobian: 2, rows: [1, 2]}\n---\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from codecs import BOM_UTF8
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import zip_longest
@@ -10,9 +11,11 @@ from pathlib import Path
 from armproof.verification.check import check_document
 from armproof.verification.correction.record import applied
 from armproof.verification.correction.tables import cell_spans
-from armproof.verification.document import Display, Document, Table, parse_document
+from armproof.verification.document import SUFFIXES, Display, Document, Table, parse_document
 from armproof.verification.document.rewriting import Change, change_of, change_of_cell, rewrite
+from armproof.verification.document.text import read_bytes, read_text
 from armproof.verification.errors import DocumentError
+from armproof.verification.running.atomic import write_atomically
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 MOST_ROUNDS = 8  # what a display defines, the next ones build on
@@ -41,6 +44,28 @@ class _Mending:
     index: int  # of the display or the table in its document
     changes: tuple[Change, ...]
     latex: str  # the display as it is to be read then; "" for a table
+
+
+def correct_file(path: Path) -> CorrectedCopy:
+    """Return the corrected copy of a document file; raises DocumentError where it is none."""
+    if not path.exists():
+        raise DocumentError(f"{path}: no such file")
+    if not path.is_file():
+        raise DocumentError(f"{path}: not a file; one document is corrected at a time")
+    if path.suffix not in SUFFIXES:
+        raise DocumentError(f"{path}: '{path.suffix}' files are not read; those that are: {', '.join(SUFFIXES)}")
+    return correct_text(path, read_text(path))
+
+
+def save(copy: CorrectedCopy, target: Path) -> None:
+    """Write a corrected copy; raises DocumentError where the document has changed since it was read, OSError as usual."""
+    original = read_bytes(copy.path)
+    mark = BOM_UTF8 if original.startswith(BOM_UTF8) else b""
+    if original != mark + copy.before.encode("utf-8"):
+        raise DocumentError(f"{copy.path}: it has changed since it was read; correct it again")
+    data = mark + copy.after.encode("utf-8")
+    if not (target.exists() and target.read_bytes() == data):
+        write_atomically(target, data)
 
 
 def correct_text(path: Path, text: str) -> CorrectedCopy:

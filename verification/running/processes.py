@@ -1,0 +1,131 @@
+"""Work shared out to several processes: a task that ends its process (Drake aborts on some models) fails alone."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from importlib import import_module
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future, ProcessPoolExecutor
+
+MOST_WORKERS = 4  # each holds Drake, some 120 MB
+AHEAD = 16  # tasks a process that are shared out before their results are taken
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+Work = Callable[[Task], Result]
+
+
+def cores() -> int:
+    """Return the number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def usual_workers() -> int:
+    """Return the number of processes where none is asked for: one a core, at most 4; 1 where Drake is imported already."""
+    return 1 if "pydrake" in sys.modules else min(cores(), MOST_WORKERS)
+
+
+def start_pool(workers: int, *, fresh: bool = False, preload: str = "") -> ProcessPoolExecutor:
+    """Return a pool whose processes leave interrupts to this one.
+
+    Args:
+        workers: the number of processes.
+        fresh: whether they begin as new interpreters rather than as copies of this process.
+        preload: a module that they import while the tasks arrive.
+    """
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    context = get_context("spawn" if fresh else "fork")
+    return ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(preload,))
+
+
+def _begin(preload: str) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    with suppress(ImportError):  # which the tasks report
+        if preload:
+            import_module(preload)
+
+
+def share_out(
+    work: Work[Task, Result],
+    tasks: Sequence[Task],
+    workers: int,
+    ended: Work[Task, Result],
+    *,
+    weight: Callable[[Task], float] = lambda task: 0.0,
+    fresh: bool = False,
+    preload: str = "",
+) -> Iterator[Result]:
+    """Yield the result of each task in the order given; none is kept.
+
+    Args:
+        work: what is done with a task; it must be picklable where there are several processes.
+        tasks: the tasks.
+        workers: the number of processes; 1 works in this one.
+        ended: the result of a task that ended its process.
+        weight: the heaviest tasks are begun first, so that no core waits for another at the end.
+        fresh, preload: of the processes, as for `start_pool`.
+    """
+    if min(workers, len(tasks)) <= 1:
+        yield from map(work, tasks)
+        return
+
+    def start(processes: int) -> ProcessPoolExecutor:
+        return start_pool(processes, fresh=fresh, preload=preload)
+
+    begin = 0
+    while begin < len(tasks):  # again where a process ended
+        for result in _share_out_once(work, tasks[begin:], min(workers, len(tasks) - begin), ended, weight, start):
+            begin += 1
+            yield result
+
+
+def _share_out_once(
+    work: Work[Task, Result],
+    tasks: Sequence[Task],
+    workers: int,
+    ended: Work[Task, Result],
+    weight: Callable[[Task], float],
+    start: Callable[[int], ProcessPoolExecutor],
+) -> Iterator[Result]:
+    """Yield the results of the tasks, up to the last that was shared out when a process ended."""
+    from concurrent.futures.process import BrokenProcessPool
+
+    ahead = AHEAD * workers
+    shared: dict[int, Future[Result]] = {}
+    given = 0
+    with start(workers) as pool:
+        try:
+            for k in sorted(range(len(tasks))[:ahead], key=lambda k: weight(tasks[k]), reverse=True):
+                shared[k] = pool.submit(work, tasks[k])
+            while given < len(tasks):
+                result = shared[given].result()
+                del shared[given]
+                given += 1
+                yield result
+                if given - 1 + ahead < len(tasks):
+                    shared[given - 1 + ahead] = pool.submit(work, tasks[given - 1 + ahead])
+            return
+        except BrokenProcessPool:
+            done = {k: future.result() for k, future in shared.items() if future.done() and not future.exception()}
+    for k in range(given, min(given + ahead, len(tasks))):
+        yield done[k] if k in done else _alone(work, tasks[k], ended, start)
+
+
+def _alone(
+    work: Work[Task, Result], task: Task, ended: Work[Task, Result], start: Callable[[int], ProcessPoolExecutor]
+) -> Result:
+    """Return the result of a task that may have ended a process, from a process of its own."""
+    from concurrent.futures.process import BrokenProcessPool
+
+    with start(1) as pool:
+        try:
+            return pool.submit(work, task).result()
+        except BrokenProcessPool:
+            return ended(task)
