@@ -1,0 +1,51 @@
+"""Our own verdicts on the labelled cases."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from armproof.verification.check import check_document
+from armproof.verification.document.formats import parse_document
+from armproof.verification.verdict import DocumentResult
+from tests.labelled.cases import Case
+
+PAGE = Path("page.md")
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A case, our verdict on its display, and what we say of it."""
+
+    case: Case
+    verdict: str
+    message: str
+
+    @property
+    def fault(self) -> str:
+        """What is wrong with the verdict, or "" where the label allows it."""
+        return self.case.fault(self.verdict)
+
+
+def verify_text(text: str) -> DocumentResult:
+    """Return the verdicts of a document given as text."""
+    return check_document(parse_document(PAGE, text))
+
+
+def judge(case: Case) -> Judged:
+    """Return our verdict on the last display of a case's document; an exception is the verdict "error"."""
+    try:
+        record = verify_text(case.text).equations[-1]
+    except Exception as error:
+        return Judged(case, "error", f"{type(error).__name__}: {error}")
+    return Judged(case, record.verdict.value, record.message)
+
+
+def judge_all(cases: Iterable[Case], jobs: int = 1) -> list[Judged]:
+    """Return our verdicts on many cases, in their order."""
+    if jobs <= 1:
+        return [judge(case) for case in cases]
+    with ProcessPoolExecutor(jobs) as pool:
+        return list(pool.map(judge, cases, chunksize=20))
