@@ -19,8 +19,9 @@ from typing import Any
 
 from armproof.course.grading.errors import GradingError
 from armproof.course.grading.keeper import Ended
-from armproof.course.grading.limits import Limits
+from armproof.course.grading.limits import LIBRARIES, Limits
 from armproof.course.grading.own_folder import remove
+from armproof.course.grading.sandbox.bubblewrap import find_bubblewrap
 
 _GRACE = 30.0  # s beyond a submission's own time, after which a keeper that does not answer is given up
 _STARTING = 300.0
@@ -45,8 +46,19 @@ class Client:
         held: which protections are in force, by the names of `protections.ATTEMPTS`.
     """
 
-    def __init__(self, jobs: int, limits: Limits, used: Iterable[str] = (), own: Path | None = None) -> None:
-        self._jobs, self._limits = jobs, limits
+    def __init__(
+        self, jobs: int, limits: Limits, used: Iterable[str] = (), own: Path | None = None, *, unprotected: bool = False
+    ) -> None:
+        """Take what the server is started with.
+
+        Args:
+            jobs: how many submissions at once.
+            limits: for each of them.
+            used: the lessons that will be asked for.
+            own: the folder of a teacher's own lessons.
+            unprotected: run them without a sandbox.
+        """
+        self._jobs, self._limits, self._unprotected = jobs, limits, unprotected
         self._own = "" if own is None else str(own.resolve())
         self._used = " ".join(sorted(set(used)))
         self._lock = threading.Lock()
@@ -56,6 +68,7 @@ class Client:
         self.held: dict[str, bool] = {}
 
     def __enter__(self) -> Client:
+        self._bubblewrap = "" if self._unprotected else find_bubblewrap()
         try:
             self._start()
         except BaseException:
@@ -110,6 +123,7 @@ class Client:
             "-m",
             "armproof.course.grading.server",
             self._base,
+            self._bubblewrap,
             self._used,
             self._own,
             *map(str, ends),
@@ -137,7 +151,7 @@ class Client:
         except (OSError, ValueError):
             raise GradingError("the grading server did not start; what it said stands above") from None
         if "error" in hello:
-            raise GradingError(f"the course cannot be loaded: {hello['error']}")
+            raise GradingError(hello["error"])
         return hello
 
     def _stop(self) -> None:
@@ -178,6 +192,4 @@ def _environment() -> dict[str, str]:
     if "PYTHONPATH" in kept:
         parts = (Path(part).resolve() for part in kept["PYTHONPATH"].split(os.pathsep) if part)
         kept["PYTHONPATH"] = os.pathsep.join(map(str, parts))
-    threads = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMEXPR")}
-    own = {"MPLBACKEND": "agg", "PYTHONUTF8": "1", "PYTHONDONTWRITEBYTECODE": "1", "ARMPROOF_PROGRESS": ""}
-    return kept | threads | own
+    return kept | LIBRARIES | {"PYTHONUTF8": "1", "PYTHONDONTWRITEBYTECODE": "1"}

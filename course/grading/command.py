@@ -31,6 +31,9 @@ Own = Annotated[
     Path | None,
     typer.Option("--folder", metavar="DIR", help="Lessons of your own, beside the course's.", show_default=False),
 ]
+Unprotected = Annotated[
+    bool, typer.Option("--unprotected", help="Run without bubblewrap: limits of time and memory, and no protection.")
+]
 
 
 def grade(
@@ -40,6 +43,7 @@ def grade(
     seconds: Seconds = 60,
     memory: Memory = 1024,
     own: Own = None,
+    unprotected: Unprotected = False,
 ) -> None:
     """Grade a class's notebooks: results as tables, and a page a student.
 
@@ -57,7 +61,8 @@ def grade(
     try:
         submissions = find_submissions(folder)
         with new_report(out, GRADES) as part, Progress(len(submissions), "submissions") as progress:
-            grades = grade_all(submissions, Limits(seconds, memory * MEGABYTE), jobs, progress.advance, own)
+            limits = Limits(seconds, memory * MEGABYTE)
+            grades = grade_all(submissions, limits, jobs, progress.advance, own, unprotected=unprotected)
             write_grades(part, grades)
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None

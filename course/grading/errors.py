@@ -9,5 +9,5 @@ class GradingError(ArmproofError):
     """Grading cannot begin, or cannot go on: no folder, no notebooks, no place for the results, no server."""
 
 
-class SandboxError(ArmproofError):
-    """A protection that was in force when grading began could not be had again: nothing is run without it."""
+class SandboxError(GradingError):
+    """There is no sandbox: bubblewrap is not installed, cannot be used here, or does not protect."""

@@ -35,6 +35,8 @@ def grade(
     jobs: int | None = None,
     advance: Callable[[], None] = lambda: None,
     own: Path | None = None,
+    *,
+    unprotected: bool = False,
 ) -> Grades:
     """Grade submissions.
 
@@ -44,9 +46,10 @@ def grade(
         jobs: how many at once; by default one a core.
         advance: called after each.
         own: the folder of a teacher's own lessons.
+        unprotected: run them without a sandbox.
 
     Raises:
-        GradingError: the course cannot be loaded, or the submissions lie where every submission may read.
+        GradingError: there is no sandbox, the course cannot be loaded, or the submissions lie where every submission may read.
     """
     for submission in submissions[:1]:
         if (place := lies_in_readable(submission.path)) is not None:
@@ -57,7 +60,7 @@ def grade(
     count = min(jobs or cores(), max(len(submissions), 1))
     read = {each: _read(each) for each in submissions}
     used = {lesson for notebook in read.values() if isinstance(notebook, Notebook) for lesson in notebook.lessons}
-    with Client(count, limits, used, own) as client:
+    with Client(count, limits, used, own, unprotected=unprotected) as client:
         pool = ThreadPoolExecutor(count)
         try:
             waiting = {pool.submit(_grade, each, read[each], client, limits): each for each in submissions}

@@ -9,7 +9,6 @@ import contextlib
 import json
 import os
 import secrets
-import select
 import signal
 import sys
 import tempfile
@@ -19,17 +18,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn
 
-from armproof.course.grading.limits import Limits
-from armproof.course.grading.own_folder import remove, size_of
-from armproof.course.grading.processes import descendants, end_all, memory_of
-from armproof.course.grading.sandbox.kernel import PR_SET_CHILD_SUBREAPER, prctl
-from armproof.course.grading.sandbox.namespaces import enter_namespaces
-from armproof.course.grading.sandbox.plan import Plan, enter
-from armproof.course.grading.sandbox.privileges import give_folder
+from armproof.course.grading.errors import SandboxError
+from armproof.course.grading.limits import LIBRARIES, Limits
+from armproof.course.grading.own_folder import remove
+from armproof.course.grading.processes import end_all
+from armproof.course.grading.sandbox.bubblewrap import SEARCHED, Sandbox
+from armproof.course.grading.sandbox.kernel import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
+from armproof.course.grading.sandbox.resources import limit_resources
+from armproof.course.grading.watch import Watch
 
-_TICK = 0.05  # s between looks at the run's memory
-_SURVEY = 0.5  # s between looks at all of its processes, and at its folder
-_CHUNK = 1 << 16
 Send = Callable[[dict[str, Any]], None]
 _dumps, _write_bytes, _process = json.dumps, os.write, os.getpid  # as they are now, whatever a submission makes of them
 Run = Callable[[Send, Path], None]
@@ -59,32 +56,42 @@ class Ended:
     foreign: bool = False
 
 
-def keep(run: Run, plan: Plan, limits: Limits, base: str, user: int | None) -> Ended:
-    """Run a function in the sandbox, in a new folder below `base`; returns how it ended, when nothing of it is left."""
+def keep(run: Run, bubblewrap: str, limits: Limits, base: str, user: int | None) -> Ended:
+    """Run a function in a sandbox, in a new folder below `base`; returns how it ended, when nothing of it is left.
+
+    Args:
+        run: takes what sends reports, and the folder.
+        bubblewrap: the program; "" for a process with limits and no sandbox.
+        limits: what it may use.
+        base: the folder of the runs' folders.
+        user: for root, who the run is to be in its sandbox.
+    """
     own = tempfile.mkdtemp(prefix="run-", dir=base)
+    prctl(PR_SET_CHILD_SUBREAPER, 1)
     try:
-        owner = give_folder(own, user) if plan.user else None
-        return _keep(run, plan, limits, own, owner)
+        sandbox = Sandbox(bubblewrap, own, user) if bubblewrap else None
+        return _keep(run, sandbox, limits, own)
+    except SandboxError as problem:
+        return Ended("sandbox", output=str(problem))
     finally:
         remove(own)
 
 
-def _keep(run: Run, plan: Plan, limits: Limits, own: str, user: int | None) -> Ended:
+def _keep(run: Run, sandbox: Sandbox | None, limits: Limits, own: str) -> Ended:
     token = secrets.token_hex(16)
     printed, reported = os.pipe(), os.pipe()
-    prctl(PR_SET_CHILD_SUBREAPER, 1)
-    if plan.namespaces and not enter_namespaces():
-        return Ended("sandbox", output="the namespaces that were there when grading began are not")
     started = time.monotonic()
     child = os.fork()
     if child == 0:
-        _be_the_run(run, plan, limits, Path(own), user, (printed[1], reported[1]), token)
+        _be_the_run(run, sandbox, limits, Path(own), (printed[1], reported[1]), token)
     os.close(printed[1])
     os.close(reported[1])
-    watch = _Watch(child, limits, own, printed[0], reported[0])
+    watch = Watch(child, limits, own, printed[0], reported[0])
     try:
         why = watch.until_it_ends(started + limits.seconds)
     finally:
+        if sandbox is not None:
+            sandbox.end()
         status, busy = end_all(child)
     watch.read_the_rest()
     code = os.waitstatus_to_exitcode(status) if status is not None else -signal.SIGKILL
@@ -100,86 +107,29 @@ def _with_token(reports: bytes, token: str) -> tuple[list[str], bool]:
     return ours, len(ours) + 1 < len(lines) and any(line and not line.startswith(token) for line in lines[:-1])
 
 
-class _Watch:
-    """Reads what a run prints and reports, within the limits."""
-
-    def __init__(self, child: int, limits: Limits, own: str, output: int, reports: int) -> None:
-        self._child, self._limits, self._own = child, limits, own
-        self._pipes = {output, reports}
-        self._output_pipe = output
-        self._inherited = memory_of(os.getpid())
-        self._next_survey = time.monotonic() + _SURVEY
-        self.output, self.reports, self.printed = bytearray(), bytearray(), 0
-
-    def until_it_ends(self, deadline: float) -> str:
-        """Return why it is to be ended: "" if it ended by itself."""
-        while not self._has_ended():
-            left = deadline - time.monotonic()
-            if left <= 0:
-                return "time"
-            if self._pipes:
-                ready, _, _ = select.select(list(self._pipes), [], [], min(_TICK, left))
-                for pipe in ready:
-                    self._read(pipe)
-            else:
-                time.sleep(0.002)
-            if why := self._excess():
-                return why
-        return ""
-
-    def read_the_rest(self) -> None:
-        """Read what is left in the pipes after all who write to them have ended."""
-        for pipe in tuple(self._pipes):
-            os.set_blocking(pipe, False)
-            with contextlib.suppress(BlockingIOError):
-                while pipe in self._pipes and self.printed < 2 * self._limits.flood:
-                    self._read(pipe)
-
-    def _has_ended(self) -> bool:
-        if not hasattr(os, "waitid"):  # macOS: what closes both pipes has ended, or soon will have
-            return not self._pipes
-        return os.waitid(os.P_PID, self._child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
-
-    def _read(self, pipe: int) -> None:
-        data = os.read(pipe, _CHUNK)
-        if not data:
-            self._pipes.discard(pipe)
-            os.close(pipe)
-        elif pipe == self._output_pipe:
-            self.printed += len(data)
-            self.output += data[: max(self._limits.output - len(self.output), 0)]
-        else:
-            self.reports += data[: max(self._limits.results - len(self.reports), 0)]
-
-    def _excess(self) -> str:
-        if self.printed > self._limits.flood or len(self.reports) >= self._limits.results:
-            return "output"
-        if memory_of(self._child) - self._inherited > self._limits.memory:
-            return "memory"
-        if time.monotonic() < self._next_survey:
-            return ""
-        processes = {self._child, *descendants(os.getpid())}
-        taken = sum(max(memory_of(each) - self._inherited, 0) for each in processes)
-        disk = size_of(self._own)
-        self._next_survey = time.monotonic() + _SURVEY
-        return "memory" if taken > self._limits.memory else "disk" if disk > self._limits.disk else ""
-
-
 def _be_the_run(
-    run: Run, plan: Plan, limits: Limits, own: Path, user: int | None, pipes: tuple[int, int], token: str
+    run: Run, sandbox: Sandbox | None, limits: Limits, own: Path, pipes: tuple[int, int], token: str
 ) -> NoReturn:
     """Be the run, and end without any of what Python does as it ends."""
     code = 1
     try:
+        os.dup2(pipes[0], 2)  # what goes wrong from here on is said in the output
         os.setsid()
+        os.nice(5)  # whoever watches comes first
+        limit_resources(limits, shared=sandbox is None)
+        if sandbox is not None:
+            sandbox.enter()
+        prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # a change of user clears it
         reports = _arrange(pipes)
+        os.chdir(own)
+        os.environ.clear()
+        os.environ.update(_environment(own))
         me = _process()
 
         def send(report: dict[str, Any]) -> None:
             if _process() == me:  # not a child that the submission forked
                 _write(reports, f"{token}{_dumps(report)}\n".encode())
 
-        enter(plan, own, user, limits)
         run(send, own)
         code = 0
     except BaseException as problem:
@@ -187,6 +137,12 @@ def _be_the_run(
             os.write(2, f"{type(problem).__name__}: {problem}\n".encode(errors="replace"))
     finally:
         os._exit(code)
+
+
+def _environment(own: Path) -> dict[str, str]:
+    """Return the environment of a run: nothing of the teacher's."""
+    home = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR", "XDG_CACHE_HOME", "JUPYTER_DATA_DIR"), str(own))
+    return home | LIBRARIES | {"PATH": SEARCHED, "LANG": "C.UTF-8"}
 
 
 def _arrange(pipes: tuple[int, int]) -> int:

@@ -5,6 +5,10 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 
 MEGABYTE = 1 << 20
+LIBRARIES = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMEXPR")} | {
+    "MPLBACKEND": "agg",
+    "ARMPROOF_PROGRESS": "",
+}  # environment variables: one thread, no window
 
 
 @dataclass(frozen=True)

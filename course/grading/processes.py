@@ -15,7 +15,7 @@ def memory_of(process: int) -> int:
     """Return the bytes of memory that are a process's own; 0 where the system does not say, or it has ended."""
     own = 0
     with contextlib.suppress(OSError, ValueError):
-        for line in Path(f"/proc/{process}/status").read_text(encoding="ascii", errors="replace").splitlines():
+        for line in Path(f"/proc/{process}/status").read_text(encoding="utf-8", errors="replace").splitlines():
             if line.startswith("RssAnon:"):
                 own = int(line.split()[1])
             elif line.startswith("RssShmem:"):

@@ -7,17 +7,14 @@ import json
 import os
 import socket
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from armproof.course.grading.keeper import Ended, keep
+from armproof.course.grading.errors import SandboxError
+from armproof.course.grading.keeper import Ended, Send, keep
 from armproof.course.grading.limits import Limits
-from armproof.course.grading.sandbox.landlock import landlock_version
-from armproof.course.grading.sandbox.places import readable_places
-from armproof.course.grading.sandbox.plan import Plan
-from armproof.course.grading.sandbox.privileges import choose_user, is_readable_by
-from armproof.course.grading.sandbox.resources import count_threads
+from armproof.course.grading.sandbox.bubblewrap import WITHOUT, choose_user
 
 ATTEMPTS = {
     "own": "has a folder of its own, and can write there",
@@ -45,58 +42,55 @@ def describe(held: Mapping[str, bool]) -> list[Protection]:
     return [Protection(text, held.get(name, False)) for name, text in ATTEMPTS.items()]
 
 
-def make_plan(base: str) -> tuple[Plan, dict[str, bool]]:
-    """Return the strongest plan under which a run works, and which of the attempts it prevents.
+def try_out(bubblewrap: str, base: str) -> dict[str, bool]:
+    """Return which of the attempts a run cannot do.
 
     Args:
+        bubblewrap: the program; "" for a run without a sandbox, of which nothing is demanded.
         base: a folder for the folders of runs.
+
+    Raises:
+        SandboxError: bubblewrap makes no sandbox here, or one that does not prevent everything.
     """
-    found = Plan(), dict.fromkeys(ATTEMPTS, False)
-    for plan in _plans():
-        held = try_plan(plan, base)
-        if held["own"]:
-            return plan, held
-    return found
+    ended, reached = _try(bubblewrap, base)
+    tried = json.loads(ended.lines[0]) if ended.lines else {}
+    held = {name: bool(tried.get(name)) and name not in reached for name in ATTEMPTS}
+    if bubblewrap and not tried:
+        raise SandboxError(
+            f"grading needs bubblewrap, which does not work on this system: {ended.output.strip()}; {WITHOUT}"
+        )
+    if bubblewrap and not all(held.values()):
+        failing = "; ".join(text for name, text in ATTEMPTS.items() if not held[name])
+        raise SandboxError(f"bubblewrap does not protect on this system; not so: a submission {failing}; {WITHOUT}")
+    return held
 
 
-def _plans() -> Iterator[Plan]:
-    readable = readable_places()
-    others = count_threads(os.geteuid())
-    as_root = os.geteuid() == 0
-    files = landlock_version() > 0
-    user = choose_user(0)
-    bare = user is not None and files and not is_readable_by(user, [str(place) for place in readable[:8]])
-    full = Plan(True, as_root, bare, files, True, readable, others)
-    yield full
-    yield replace(full, namespaces=False)
-    yield replace(full, calls=False)
-    yield replace(full, namespaces=False, calls=False)
-    yield replace(full, namespaces=False, calls=False, files=False, keep_reading=False)
-    yield replace(full, namespaces=False, calls=False, files=False, keep_reading=False, user=False)
-
-
-def try_plan(plan: Plan, base: str) -> dict[str, bool]:
-    """Return what a plan prevents; all False where a run does not work under it."""
-    with _canaries(base) as canaries:
+def _try(bubblewrap: str, base: str) -> tuple[Ended, set[str]]:
+    """Return what became of the attempts, and which of them left a trace, whatever the run says."""
+    with _canaries(base) as canaries, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
+        udp.bind(("127.0.0.1", canaries["port"]))
+        udp.setblocking(False)
         process = os.fork()
         if process == 0:
-            _be_the_keeper(plan, base, canaries)
+            _be_the_keeper(bubblewrap, base, canaries)
         os.waitpid(process, 0)
-        answer = canaries["answer"]
-        try:
-            ended = Ended(**json.loads(Path(answer).read_text(encoding="utf-8")))
-            held = {name: bool(value) for name, value in json.loads(ended.lines[0]).items() if name in ATTEMPTS}
-        except (OSError, ValueError, IndexError):
-            return dict.fromkeys(ATTEMPTS, False)
-        untouched = Path(canaries["file"]).read_text(encoding="utf-8") == "untouched"
-        return {**dict.fromkeys(ATTEMPTS, False), **held, "write": held.get("write", False) and untouched}
+        ended = Ended(**json.loads(Path(canaries["answer"]).read_text(encoding="utf-8")))
+        reached = set() if Path(canaries["file"]).read_text(encoding="utf-8") == "untouched" else {"write"}
+        with contextlib.suppress(BlockingIOError):
+            udp.recv(1)
+            reached.add("network")
+        return ended, reached
 
 
-def _be_the_keeper(plan: Plan, base: str, canaries: dict[str, Any]) -> None:
+def _be_the_keeper(bubblewrap: str, base: str, canaries: dict[str, Any]) -> None:
+    def run(send: Send, own: Path) -> None:
+        send(_attempt(canaries, own))
+
     try:
-        ended = keep(
-            lambda send, own: send(_attempt(canaries, own)), plan, Limits(seconds=_SECONDS), base, choose_user(255)
-        )
+        try:
+            ended = keep(run, bubblewrap, Limits(seconds=_SECONDS), base, choose_user(255))
+        except OSError as problem:
+            ended = Ended("sandbox", output=str(problem))
         Path(canaries["answer"]).write_text(json.dumps(ended.__dict__), encoding="utf-8")
     finally:
         os._exit(0)
@@ -138,7 +132,7 @@ def _attempt(canaries: dict[str, Any], own: Path) -> dict[str, bool]:
 
     def send_udp() -> None:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as udp:
-            udp.sendto(b"", ("127.0.0.1", canaries["port"]))
+            udp.sendto(b"x", ("127.0.0.1", canaries["port"]))
 
     def connect_unix() -> None:
         with socket.socket(socket.AF_UNIX) as unix:
@@ -148,13 +142,14 @@ def _attempt(canaries: dict[str, Any], own: Path) -> dict[str, bool]:
         (own / "file").write_text("own", encoding="utf-8")
         (own / "file").unlink()
 
+    fails(send_udp)  # whether it arrived, the other side knows
     return {
         "own": not fails(write_own),
         "write": fails(write),
         "read": fails(lambda: Path(canaries["file"]).read_text(encoding="utf-8")),
         "mode": fails(os.chmod, canaries["file"], 0o644),
         "signal": fails(os.kill, canaries["process"], 0),
-        "network": fails(socket.create_connection, ("127.0.0.1", canaries["port"]), 1.0) and fails(send_udp),
+        "network": fails(socket.create_connection, ("127.0.0.1", canaries["port"]), 1.0),
         "unix": fails(connect_unix),
         "processes": resource.getrlimit(resource.RLIMIT_NPROC)[0] != resource.RLIM_INFINITY and os.geteuid() != 0,
     }

@@ -17,23 +17,24 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, NoReturn
 
+from armproof.course.grading.errors import GradingError
 from armproof.course.grading.keeper import keep
 from armproof.course.grading.limits import Limits
 from armproof.course.grading.own_folder import remove
-from armproof.course.grading.protections import make_plan
+from armproof.course.grading.protections import try_out
+from armproof.course.grading.sandbox.bubblewrap import choose_user
 from armproof.course.grading.sandbox.kernel import PR_SET_PDEATHSIG, prctl
-from armproof.course.grading.sandbox.plan import Plan
-from armproof.course.grading.sandbox.privileges import choose_user
 from armproof.models.errors import ArmproofError
 
 Results = Callable[[], list[dict[str, Any]]]
 
 
-def main(base: str, used: list[str], own: str, sockets: list[int]) -> None:
+def main(base: str, bubblewrap: str, used: list[str], own: str, sockets: list[int]) -> None:
     """Serve the sockets until the other end closes them; each carries one submission at a time.
 
     Args:
         base: the folder for the folders of runs.
+        bubblewrap: the program that makes their sandboxes; "" for none.
         used: the lessons that will be asked for.
         own: the folder of a teacher's own lessons, or nothing.
         sockets: their file descriptors.
@@ -41,18 +42,15 @@ def main(base: str, used: list[str], own: str, sockets: list[int]) -> None:
     prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
     slots = [socket.socket(fileno=number) for number in sockets]
     try:
-        from armproof.course.grading.checker import load_course, preload
-
-        preload()
-        catalogue, results = load_course(used, own, base)
-        plan, held = make_plan(base)
+        held = try_out(bubblewrap, base)
+        catalogue, results = _load(used, own, base)
     except (ArmproofError, OSError) as error:
         _tell(slots, {"error": str(error)})
         return
     gc.collect()
     gc.freeze()  # a collection in a child would copy every page that is shared with it
     _tell(slots, {"catalogue": catalogue, "held": held})
-    server = _Server(base, slots, plan, results)
+    server = _Server(base, slots, bubblewrap, results)
     signal.signal(signal.SIGTERM, _end)
     try:
         server.serve()
@@ -63,6 +61,16 @@ def main(base: str, used: list[str], own: str, sockets: list[int]) -> None:
         os._exit(0)
 
 
+def _load(used: list[str], own: str, base: str) -> tuple[list[dict[str, Any]], Results]:
+    from armproof.course.grading.checker import load_course, preload
+
+    preload()
+    try:
+        return load_course(used, own, base)
+    except (ArmproofError, OSError) as error:
+        raise GradingError(f"the course cannot be loaded: {error}") from None
+
+
 def _tell(slots: list[socket.socket], message: dict[str, Any]) -> None:
     for slot in slots:
         slot.sendall(json.dumps(message).encode() + b"\n")
@@ -71,8 +79,8 @@ def _tell(slots: list[socket.socket], message: dict[str, Any]) -> None:
 class _Server:
     """Forks a keeper for each slot that has something to read, and takes the slot back when the keeper has ended."""
 
-    def __init__(self, base: str, slots: list[socket.socket], plan: Plan, results: Results) -> None:
-        self._base, self._slots, self._plan, self._results = base, slots, plan, results
+    def __init__(self, base: str, slots: list[socket.socket], bubblewrap: str, results: Results) -> None:
+        self._base, self._slots, self._bubblewrap, self._results = base, slots, bubblewrap, results
         self._busy: dict[int, int] = {}  # keeper: slot
         self._selector = selectors.DefaultSelector()
         self._wake = os.pipe()
@@ -142,7 +150,7 @@ class _Server:
         finally:
             os._exit(code)
 
-    def _task(self, slot: socket.socket) -> tuple[Any, Plan, Limits]:
+    def _task(self, slot: socket.socket) -> tuple[Any, str, Limits]:
         from armproof.course.grading.runner import run_cells
 
         with slot.makefile("rb") as file:
@@ -153,7 +161,7 @@ class _Server:
             signal.signal(signal.SIGTERM, signal.SIG_DFL)
             run_cells(task["cells"], results, send)
 
-        return run, self._plan, Limits(**task["limits"])
+        return run, self._bubblewrap, Limits(**task["limits"])
 
 
 def _end(*_: Any) -> NoReturn:
@@ -163,4 +171,4 @@ def _end(*_: Any) -> NoReturn:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2].split(), sys.argv[3], [int(number) for number in sys.argv[4:]])
+    main(sys.argv[1], sys.argv[2], sys.argv[3].split(), sys.argv[4], [int(number) for number in sys.argv[5:]])

@@ -1,1 +1,1 @@
-"""The sandbox of one submission: each protection in a file of its own, all of them optional, none taken on trust."""
+"""The sandbox of one submission: bubblewrap makes it, the run joins it, and the kernel limits what it takes."""

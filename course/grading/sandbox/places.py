@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import site
 import sys
 import sysconfig
 from importlib.util import find_spec
@@ -11,9 +10,10 @@ from pathlib import Path
 _SYSTEM = (
     "/usr/lib", "/usr/lib64", "/usr/libexec", "/usr/local/lib", "/lib", "/lib64", "/bin", "/usr/bin", "/usr/share/fonts",
     "/usr/share/zoneinfo", "/etc/ld.so.cache", "/etc/localtime", "/etc/mime.types", "/etc/fonts", "/nix/store",
-    "/sys/devices/system/cpu", "/dev/urandom", "/dev/random",
+    "/sys/devices/system/cpu",
 )  # fmt: skip
-DEVICES = (Path("/dev/null"), Path("/dev/zero"))
+_PACKAGES = ("site-packages", "dist-packages")
+DEVICES = tuple(Path("/dev") / name for name in ("null", "zero", "random", "urandom"))
 
 
 def readable_places() -> tuple[Path, ...]:
@@ -21,17 +21,15 @@ def readable_places() -> tuple[Path, ...]:
     paths = sysconfig.get_paths()
     found = [paths[name] for name in ("stdlib", "platstdlib", "purelib", "platlib")]
     found += [str(Path(prefix) / part) for prefix in (sys.prefix, sys.base_prefix) for part in ("lib", "bin")]
-    found += [str(Path(sys.prefix) / "pyvenv.cfg"), *site.getsitepackages()]
-    if site.ENABLE_USER_SITE:
-        found.append(site.getusersitepackages())
+    found += [str(Path(sys.prefix) / "pyvenv.cfg"), *(each for each in sys.path if Path(each).name in _PACKAGES)]
     for room in ("models", "verification", "course"):
         spec = find_spec(f"armproof.{room}")
         found += spec.submodule_search_locations or [] if spec is not None else []
-    resolved = dict.fromkeys(Path(each).resolve() for each in (*found, *_SYSTEM) if Path(each).exists())
-    return tuple(each for each in resolved if each != Path("/"))
+    places = dict.fromkeys(Path(each).absolute() for each in (*found, *_SYSTEM) if Path(each).exists())
+    return tuple(each for each in places if each.resolve() != Path("/"))
 
 
 def lies_in_readable(path: Path) -> Path | None:
     """Return the readable place that a path lies in, which would show it to every submission; None if there is none."""
     real = path.resolve()
-    return next((place for place in readable_places() if real == place or place in real.parents), None)
+    return next((place for place in readable_places() if real.is_relative_to(place.resolve())), None)

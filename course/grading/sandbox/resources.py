@@ -11,17 +11,16 @@ from pathlib import Path
 from armproof.course.grading.limits import Limits
 
 
-def limit_resources(limits: Limits, others: int | None) -> None:
+def limit_resources(limits: Limits, *, shared: bool) -> None:
     """Limit this process and its children for good.
 
     Args:
         limits: what the run may use beyond what is already mapped.
-        others: processes and threads that the same user has already, of which the kernel counts all; None
-            where their number is not known, and so not limited.
+        shared: whether the user has other processes, of which the kernel counts all.
     """
-    seconds = math.ceil(limits.seconds) + 2
-    _limit(resource.RLIMIT_AS, mapped() + limits.memory)
-    _limit(resource.RLIMIT_CPU, seconds)
+    others = _count_threads(os.geteuid()) if shared else 0
+    _limit(resource.RLIMIT_AS, _mapped() + limits.memory)
+    _limit(resource.RLIMIT_CPU, math.ceil(limits.seconds) + 2)
     _limit(resource.RLIMIT_FSIZE, limits.disk // 4)
     if others is not None:
         _limit(resource.RLIMIT_NPROC, others + limits.processes)
@@ -29,7 +28,7 @@ def limit_resources(limits: Limits, others: int | None) -> None:
     _limit(resource.RLIMIT_CORE, 0)
 
 
-def mapped() -> int:
+def _mapped() -> int:
     """Return the bytes of address space that this process has mapped; a guess where the system does not say."""
     try:
         return int(Path("/proc/self/statm").read_text().split()[0]) * os.sysconf("SC_PAGE_SIZE")
@@ -37,7 +36,7 @@ def mapped() -> int:
         return 8 << 30
 
 
-def count_threads(user: int) -> int | None:
+def _count_threads(user: int) -> int | None:
     """Return how many processes and threads a user has; None where the system does not say."""
     count = 0
     for entry in Path("/proc").glob("[0-9]*"):

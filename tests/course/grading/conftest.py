@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -31,3 +33,13 @@ def write(tmp_path: Path) -> Write:
         return path
 
     return put
+
+
+@pytest.fixture(scope="session")
+def bwrap() -> str:
+    """Bubblewrap, which .ci/run installs."""
+    if (found := shutil.which("bwrap")) is None:
+        if os.environ.get("CI"):
+            pytest.fail("bubblewrap is not installed")
+        pytest.skip("bubblewrap is not installed")
+    return found

@@ -102,7 +102,8 @@ KINDS = {
     "opens-sockets": Hostile(
         "import socket\nfor family in (socket.AF_INET, socket.AF_INET6, socket.AF_UNIX):\n"
         "    for kind in (socket.SOCK_STREAM, socket.SOCK_DGRAM):\n        try:\n            one = socket.socket(family, kind)\n"
-        "            one.connect(('127.0.0.1', 9) if family == socket.AF_INET else ('::1', 9) if family == socket.AF_INET6 else '\\0x')\n"
+        "            one.settimeout(1)\n"
+        "            one.connect(('192.0.2.1', 9) if family == socket.AF_INET else ('2001:db8::1', 9) if family == socket.AF_INET6 else '\\0x')\n"
         "            print('ESCAPED')\n        except OSError: pass",
         (GRADED,),
         ("network", "unix"),

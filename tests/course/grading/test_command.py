@@ -14,7 +14,9 @@ def run(*arguments: object):
 @pytest.fixture
 def no_server(monkeypatch):
     """Grade without running anything: what is refused is refused before."""
-    monkeypatch.setattr("armproof.course.grading.grading.grade", lambda submissions, limits, *_: Grades((), {}, limits))
+    monkeypatch.setattr(
+        "armproof.course.grading.grading.grade", lambda submissions, limits, *_, **__: Grades((), {}, limits)
+    )
 
 
 def test_what_cannot_be_graded_is_refused_before_anything_runs(write, tmp_path, no_server):

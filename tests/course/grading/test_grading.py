@@ -30,7 +30,7 @@ class Stand:
 def graded(write, tmp_path, monkeypatch):
     def graded(**prepared: list[Ended]):
         stand = Stand(**prepared)
-        monkeypatch.setattr("armproof.course.grading.grading.Client", lambda *_: contextlib.nullcontext(stand))
+        monkeypatch.setattr("armproof.course.grading.grading.Client", lambda *_, **__: contextlib.nullcontext(stand))
         for name in prepared:
             write(f"{name}.ipynb", name)
         found = grade(find_submissions(tmp_path / "class"), Limits(seconds=10), 2)

@@ -27,7 +27,7 @@ RIGHT = "lesson.determinant.check(lesson.determinant.right[0])"
 
 
 @pytest.fixture(scope="module")
-def client():
+def client(bwrap):
     with Client(1, LIMITS, ["scara_jacobian"]) as client:
         yield client
 
@@ -135,7 +135,7 @@ def test_a_function_of_the_checks_that_was_replaced_is_named(run):
 
 
 def test_a_class_is_graded_into_tables_and_pages(client, write, tmp_path, monkeypatch):
-    monkeypatch.setattr("armproof.course.grading.grading.Client", lambda *_: contextlib.nullcontext(client))
+    monkeypatch.setattr("armproof.course.grading.grading.Client", lambda *_, **__: contextlib.nullcontext(client))
     write("anna.ipynb", OPEN, RIGHT)
     write('l\'élève "x"/<b>.ipynb', OPEN, "import os", "os._exit(0)")
     result = CliRunner().invoke(app, ["grade", str(tmp_path / "class"), "--out", str(tmp_path / "out"), "--jobs", "1"])
@@ -147,3 +147,16 @@ def test_a_class_is_graded_into_tables_and_pages(client, write, tmp_path, monkey
         ("anna", "determinant", "correct (proved)")
     ]
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"index.html", "anna.html", "l-eleve-x.html", "results.csv", "submissions.csv"}  # fmt: skip
+
+
+def test_a_class_is_graded_without_bubblewrap_only_if_that_is_asked_for(write, tmp_path, monkeypatch):
+    monkeypatch.setattr("shutil.which", lambda *_: None)
+    write("anna.ipynb", OPEN, RIGHT)
+    command = ["grade", str(tmp_path / "class"), "--out", str(tmp_path / "out"), "--jobs", "1"]
+    refused = CliRunner().invoke(app, command)
+    assert refused.exit_code == 2 and "there is no program 'bwrap'" in refused.stderr
+    assert "--unprotected" in refused.stderr and not (tmp_path / "out").exists()
+    result = CliRunner().invoke(app, [*command, "--unprotected"])
+    assert "1 submission: 1 graded" in result.stdout, result.output
+    assert f"not in force on this system: a submission {ATTEMPTS['read']}" in " ".join(result.stderr.split())
+    assert "✗ not in force" in (tmp_path / "out/index.html").read_text(encoding="utf-8")

@@ -1,0 +1,147 @@
+"""Bubblewrap: a sandbox for each submission, which its run joins.
+
+Bubblewrap makes the namespaces and waits in them. The run itself is forked from the server, so that Drake, which takes
+seconds to import, is imported once for a class; it then joins what bubblewrap has made, and gives up every privilege.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import signal
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+from armproof.course.grading.errors import SandboxError
+from armproof.course.grading.sandbox.kernel import (
+    MEMORY,
+    MOUNTS,
+    NAMES,
+    NETWORK,
+    PR_SET_NO_NEW_PRIVS,
+    PROCESSES,
+    USERS,
+    give_up_capabilities,
+    join,
+    prctl,
+)
+from armproof.course.grading.sandbox.places import DEVICES, readable_places
+
+PROGRAM = "bwrap"
+SEARCHED = "/usr/local/bin:/usr/bin:/bin"
+WITHOUT = "with --unprotected each submission runs with limits of time and memory only, and can read and change whatever you can"
+_FIRST_USER, _NOBODY = 2_000_000_000, 65_534
+
+
+def find_bubblewrap() -> str:
+    """Return where bubblewrap is installed.
+
+    Raises:
+        SandboxError: it is not.
+    """
+    if (found := shutil.which(PROGRAM)) is None:
+        raise SandboxError(
+            f"grading needs bubblewrap, and there is no program '{PROGRAM}' (of Linux; Debian and Ubuntu: "
+            f"apt install bubblewrap); {WITHOUT}"
+        )
+    return found
+
+
+def choose_user(place: int) -> int | None:
+    """Return a user id that nothing of this system belongs to, another for each place; None if we are not root."""
+    return _FIRST_USER + os.getpid() % 1_000_000 * 256 + place if os.geteuid() == 0 else None
+
+
+class Sandbox:
+    """A sandbox for one run: no network, no processes but its own, no file but what Python needs and its own folder.
+
+    The process that makes it is from then on the parent of the sandbox: what it forks is in it.
+    """
+
+    def __init__(self, program: str, own: str, user: int | None) -> None:
+        """Have a sandbox made.
+
+        Args:
+            program: bubblewrap.
+            own: the folder that may be written.
+            user: for root, who the run is to be.
+
+        Raises:
+            SandboxError: bubblewrap cannot make one here.
+        """
+        self._user = None if user is None else _give_folder(own, user)
+        info, told = os.pipe()
+        self._process = subprocess.Popen(
+            [program, *_arguments(own), "--info-fd", str(told), "--", "cat"],
+            pass_fds=(told,), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env={"PATH": SEARCHED},
+        )  # fmt: skip
+        os.close(told)
+        with open(info, encoding="utf-8") as file:
+            self._wait_until_made()
+            self._first = os.pidfd_open(json.load(file)["child-pid"])
+        try:
+            join(self._first, PROCESSES | (USERS if user is None else 0))
+        except OSError as problem:
+            self.end()
+            raise SandboxError(f"its sandbox cannot be joined ({problem})") from None
+
+    def enter(self) -> None:
+        """Shut this process in, for good and without privileges: one that was forked since the sandbox was made."""
+        join(self._first, MOUNTS | NETWORK | MEMORY | NAMES)
+        if self._user is not None:
+            os.setgroups([])
+            os.setresgid(self._user, self._user, self._user)
+            os.setresuid(self._user, self._user, self._user)
+        give_up_capabilities()
+        prctl(PR_SET_NO_NEW_PRIVS, 1)
+
+    def end(self) -> None:
+        """End every process in the sandbox; they are gone when the children of this process have been waited for."""
+        with contextlib.suppress(ProcessLookupError):
+            signal.pidfd_send_signal(self._first, signal.SIGKILL)  # the kernel ends the others with the first one
+
+    def _wait_until_made(self) -> None:
+        """Wait until the program that waits in the sandbox gives back what it is given."""
+        assert self._process.stdin and self._process.stdout and self._process.stderr
+        try:
+            os.write(self._process.stdin.fileno(), b"\n")
+            made = os.read(self._process.stdout.fileno(), 1)
+        except BrokenPipeError:
+            made = b""
+        if not made:
+            said = self._process.communicate()[1].decode("utf-8", errors="replace").strip()
+            raise SandboxError(said or "it says nothing")
+
+
+def _arguments(own: str) -> Iterator[str]:
+    yield from (
+        "--unshare-pid",
+        "--unshare-net",
+        "--unshare-ipc",
+        "--unshare-uts",
+        "--die-with-parent",
+        "--new-session",
+    )
+    if os.geteuid() != 0:
+        yield "--unshare-user"
+    readable = readable_places()
+    for folder in sorted({parent for place in (*readable, *DEVICES, Path(own)) for parent in place.parents}):
+        yield from ("--dir", str(folder))  # bubblewrap's own would be closed to another user
+    for place in readable:
+        yield from ("--ro-bind", str(place), str(place))
+    for device in DEVICES:
+        yield from ("--dev-bind", str(device), str(device))
+    yield from ("--bind", own, own, "--remount-ro", "/")
+
+
+def _give_folder(folder: str, user: int) -> int:
+    """Give a folder to a user; returns whom it belongs to: nobody, where there are no such ids."""
+    try:
+        os.chown(folder, user, user)
+    except OSError:
+        os.chown(folder, _NOBODY, _NOBODY)
+        return _NOBODY
+    return user
