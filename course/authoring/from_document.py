@@ -11,11 +11,11 @@ from armproof.course.authoring.code import written
 from armproof.course.authoring.drafts import Draft, completed, draft_of_quantity
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import COMPONENTS, Quantity
 from armproof.verification.verdict import Verdict
 
 SECONDS = 2.0

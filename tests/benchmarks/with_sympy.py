@@ -123,6 +123,9 @@ class _SympyAlgebra:
 
         return sympy.cos(angle), sympy.sin(angle)
 
+    def divide_by(self, denominator: Any) -> None:
+        """Divide by anything."""
+
 
 if __name__ == "__main__":
     _main(sys.argv[1])

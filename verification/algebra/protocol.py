@@ -12,9 +12,9 @@ from typing import Any, Protocol
 
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind
-from armproof.verification.naming.quantities import COMPONENTS, Quantity
 
 Value = Any  # a scalar of the algebra, or a Matrix of them
 
@@ -71,6 +71,23 @@ class Algebra(Protocol):
 
     def quantity(self, quantity: Quantity) -> Value:
         """Return a quantity of the arm: a Matrix, or a scalar where one component is meant."""
+        ...
+
+    @property
+    def exact(self) -> Algebra | None:
+        """The algebra whose values this one samples; None for one that computes its own."""
+        ...
+
+    def from_exact(self, value: Value) -> Value:
+        """Return a value of that algebra in this one."""
+        ...
+
+    def at(self, values: Mapping[str, Any]) -> Algebra | None:
+        """Return the algebra where variables have other values; None for one in which they are substituted."""
+        ...
+
+    def divide_by(self, denominator: Any) -> None:
+        """Take note that something is divided by a denominator, which is not zero."""
         ...
 
     def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import equal_matrices
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.state import PrintedError
 from armproof.verification.verdict import WrongEntry
 

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.diagnosis.counterexample import SAMPLED, Probe, count_terms
 from armproof.verification.diagnosis.discrepancy import Discrepancy, Drawn, Rows
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
-from armproof.verification.naming.quantities import Quantity
 
 _TOLERANCE = 1e-9  # of two poses that are the same at every probe
 

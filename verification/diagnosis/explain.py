@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import link_matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.equations.alignment import equal_matrices
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.quantities import Quantity, numbered_frames
+from armproof.verification.naming.quantities import numbered_frames
 
 
 def explain_whole(checker: ChainChecker, outcome: Outcome) -> str | None:

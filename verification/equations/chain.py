@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.definitions import Definitions
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.new_letters import adopts_letters, keys_alone, new_letters, new_name, renew_letter
@@ -17,7 +18,6 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.trees import bare_key, has_branches
 
 

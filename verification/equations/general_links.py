@@ -6,12 +6,12 @@ from dataclasses import replace
 from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import align, different_entries, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Verdict
 

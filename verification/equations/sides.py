@@ -9,6 +9,7 @@ from typing import Any
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -16,7 +17,6 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.trees import call_key
 
 

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.values import Identity, as_scalar, identity, is_zero, no_size, stacked
 from armproof.verification.errors import EvaluationError, ShapeError
-from armproof.verification.evaluation.inverses import divide_by, inverse
+from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.evaluation.matrices import inverse
 from armproof.verification.latex import nodes as n
 
-if TYPE_CHECKING:
-    from armproof.verification.evaluation.evaluator import Evaluator
 
-
-def sum_value(evaluator: Evaluator, node: n.Sum) -> Value:
+def sum_value(evaluator: Evaluating, node: n.Sum) -> Value:
     """Return a sum; ± takes the sign of the branch, ∓ the other."""
     total: Value = None
     for sign, term in node.terms:
@@ -28,7 +25,7 @@ def sum_value(evaluator: Evaluator, node: n.Sum) -> Value:
     return total
 
 
-def _add(evaluator: Evaluator, a: Value, b: Value) -> Value:
+def _add(evaluator: Evaluating, a: Value, b: Value) -> Value:
     if isinstance(a, Identity) and isinstance(b, Matrix):
         a = identity(evaluator.algebra, b.shape[0], a.scale)
     if isinstance(b, Identity) and isinstance(a, Matrix):
@@ -45,7 +42,7 @@ def _add(evaluator: Evaluator, a: Value, b: Value) -> Value:
     return a + b
 
 
-def product_value(evaluator: Evaluator, node: n.Product) -> Value:
+def product_value(evaluator: Evaluating, node: n.Product) -> Value:
     """Return a product, from left to right."""
     if any(isinstance(f, n.Call) and f.function == "Trans" for f in node.factors):  # R_z(θ) T_z(d), all 4×4
         whole = (_in_four_rows(factor) for factor in node.factors)
@@ -82,11 +79,11 @@ def multiply(a: Value, operator: str, b: Value) -> Value:
     return a * b
 
 
-def quotient_value(evaluator: Evaluator, node: n.Quotient) -> Value:
+def quotient_value(evaluator: Evaluating, node: n.Quotient) -> Value:
     """Return a quotient by a scalar."""
     above = stacked(evaluator.evaluate(node.numerator))
     below = evaluator.scalar(node.denominator)
-    divide_by(evaluator.algebra, below)
+    evaluator.algebra.divide_by(below)
     if isinstance(above, Identity):
         return Identity(above.scale / below)
     if isinstance(above, Matrix):
@@ -94,12 +91,12 @@ def quotient_value(evaluator: Evaluator, node: n.Quotient) -> Value:
     return above / below
 
 
-def ambiguous(evaluator: Evaluator, node: n.Ambiguous) -> Value:
+def ambiguous(evaluator: Evaluating, node: n.Ambiguous) -> Value:
     """Refuse a/2b, which has two readings."""
     raise EvaluationError(f"'{node.text}' has two readings: write \\frac{{…}}{{…}}, or parentheses")
 
 
-def power_value(evaluator: Evaluator, node: n.Power) -> Value:
+def power_value(evaluator: Evaluating, node: n.Power) -> Value:
     """Return an integer power, or the square root that a power of one half is."""
     base = stacked(as_scalar(evaluator.evaluate(node.base)))
     exponent = _integer(node.exponent)

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value, elementary
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.evaluation.arithmetic import multiply
-from armproof.verification.evaluation.inverses import printed_rows
+from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.evaluation.matrices import printed_rows
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import call_key
-
-if TYPE_CHECKING:
-    from armproof.verification.evaluation.evaluator import Evaluator
 
 _MATRIX_CALLS: dict[str, Callable[[Matrix], Value]] = {
     "det": Matrix.determinant,
@@ -26,7 +24,7 @@ _MATRIX_CALLS: dict[str, Callable[[Matrix], Value]] = {
 }
 
 
-def call_value(evaluator: Evaluator, node: n.Call) -> Value:
+def call_value(evaluator: Evaluating, node: n.Call) -> Value:
     """Return the value of a function, an elementary matrix or an applied name."""
     function = node.function
     if function == "name":
@@ -54,7 +52,7 @@ def call_value(evaluator: Evaluator, node: n.Call) -> Value:
     return _scalar_function(evaluator, function, arguments)
 
 
-def _scalar_function(evaluator: Evaluator, function: str, arguments: list[Any]) -> Any:
+def _scalar_function(evaluator: Evaluating, function: str, arguments: list[Any]) -> Any:
     wanted = 2 if function == "atan2" else 1
     if len(arguments) != wanted:
         raise EvaluationError(f"{function} takes {wanted} argument{'s' * (wanted > 1)}, {len(arguments)} are given")
@@ -72,7 +70,7 @@ def _scalar_function(evaluator: Evaluator, function: str, arguments: list[Any]) 
     raise OutsideAlgebra(f"the function {function}")
 
 
-def _applied_name(evaluator: Evaluator, node: n.Call) -> Value:
+def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
     key = call_key(node)
     names = evaluator.names
     if (quantity := names.quantities.get(key)) is not None:
@@ -97,7 +95,7 @@ def _applied_name(evaluator: Evaluator, node: n.Call) -> Value:
     raise UnboundName(key)
 
 
-def _elementary(evaluator: Evaluator, node: n.Call) -> Matrix:
+def _elementary(evaluator: Evaluating, node: n.Call) -> Matrix:
     axis, amounts = "", []
     for argument in node.arguments:
         if not axis and isinstance(argument, n.Name) and argument.base.lower() in ("x", "y", "z"):
@@ -115,7 +113,7 @@ def _elementary(evaluator: Evaluator, node: n.Call) -> Matrix:
     return whole.block(range(3), range(3)) if node.function == "Rot3" else whole
 
 
-def _translation(evaluator: Evaluator, amounts: Sequence[n.Node]) -> Matrix:
+def _translation(evaluator: Evaluating, amounts: Sequence[n.Node]) -> Matrix:
     x, y, z = (
         elementary(evaluator.algebra, "Trans", k, evaluator.scalar(a)) for k, a in zip("xyz", amounts, strict=True)
     )

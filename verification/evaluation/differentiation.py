@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.values import sized
 from armproof.verification.errors import EvaluationError
-from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.latex import nodes as n
 
-if TYPE_CHECKING:
-    from armproof.verification.evaluation.evaluator import Evaluator
 
-
-def derivative_value(evaluator: Evaluator, node: n.Derivative) -> Value:
+def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
     """Return a partial derivative, or one in time."""
-    if isinstance(evaluator.algebra, SampledAlgebra):
-        return evaluator.algebra.from_exact(evaluator.within(evaluator.algebra.exact).evaluate(node))
+    if (exact := evaluator.algebra.exact) is not None:
+        return evaluator.algebra.from_exact(evaluator.within(exact).evaluate(node))
     value = sized(evaluator.evaluate(node.operand))
     variable = node.variable
     for _ in range(node.order):
@@ -28,7 +24,7 @@ def derivative_value(evaluator: Evaluator, node: n.Derivative) -> Value:
     return value
 
 
-def _differentiate(evaluator: Evaluator, value: Value, variable: n.Node) -> Value:
+def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Value:
     if evaluator.names.arm is not None and isinstance(variable, n.Name) and variable.key == "t":
         return _in_time(evaluator, value)
     by = sized(evaluator.evaluate(variable))
@@ -41,7 +37,7 @@ def _differentiate(evaluator: Evaluator, value: Value, variable: n.Node) -> Valu
     return evaluator.algebra.derivative(value, by)
 
 
-def time_derivative(evaluator: Evaluator, node: n.Name) -> Value:
+def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
     """x-dot: a joint rate where x is a joint variable, else the derivative of what x stands for."""
     plain = replace(node, dots=0)
     symbol = evaluator.names.known_symbol(plain.key)
@@ -52,19 +48,19 @@ def time_derivative(evaluator: Evaluator, node: n.Name) -> Value:
         return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))
     if node.key in evaluator.names.state.definitions:
         return evaluator.names.state.definitions[node.key].evaluate(evaluator.algebra)
-    if isinstance(evaluator.algebra, SampledAlgebra):
-        return evaluator.algebra.from_exact(evaluator.within(evaluator.algebra.exact).evaluate(node))
+    if (exact := evaluator.algebra.exact) is not None:
+        return evaluator.algebra.from_exact(evaluator.within(exact).evaluate(node))
     value = evaluator.evaluate(plain)
     for order in range(node.dots):
         value = _in_time(evaluator, value, order)
     return value
 
 
-def _is_variable(evaluator: Evaluator, symbol: str) -> bool:
+def _is_variable(evaluator: Evaluating, symbol: str) -> bool:
     return evaluator.names.arm is not None and any(joint.symbol == symbol for joint in evaluator.names.arm.joints)
 
 
-def _in_time(evaluator: Evaluator, value: Value, orders: int = 1) -> Value:
+def _in_time(evaluator: Evaluating, value: Value, orders: int = 1) -> Value:
     if evaluator.names.arm is None:
         raise EvaluationError("a time derivative in a document with no arm")
     if isinstance(value, Matrix):

@@ -12,8 +12,7 @@ from armproof.verification.errors import EvaluationError, ShapeError, UnboundNam
 from armproof.verification.evaluation.arithmetic import ambiguous, power_value, product_value, quotient_value, sum_value
 from armproof.verification.evaluation.calls import call_value
 from armproof.verification.evaluation.differentiation import derivative_value
-from armproof.verification.evaluation.inverses import postfix_value
-from armproof.verification.evaluation.matrices import matrix_value
+from armproof.verification.evaluation.matrices import matrix_value, postfix_value
 from armproof.verification.evaluation.names_and_numbers import (
     ellipsis,
     joint_angle_sum,
@@ -21,7 +20,6 @@ from armproof.verification.evaluation.names_and_numbers import (
     name_value,
     number_value,
 )
-from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 
@@ -93,8 +91,8 @@ class Evaluator:
 
     def at_values(self, values: dict[str, Any], node: n.Node) -> Value:
         """Return a tree's value where some joint variables or lengths have the values given."""
-        if isinstance(self.algebra, SampledAlgebra):
-            return self.within(self.algebra.at(values)).evaluate(node)
+        if (moved := self.algebra.at(values)) is not None:
+            return self.within(moved).evaluate(node)
         return self.algebra.substitute(sized(self.evaluate(node)), values)
 
 

@@ -1,20 +1,19 @@
-"""Matrices put together from scalars and blocks."""
+"""Matrices put together from scalars and blocks; their transposes, inverses and pseudo-inverses."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from fractions import Fraction
+from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.values import Identity, as_scalar, identity, is_zero
-from armproof.verification.errors import ShapeError
+from armproof.verification.errors import EvaluationError, ShapeError
+from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.latex import nodes as n
 
-if TYPE_CHECKING:
-    from armproof.verification.evaluation.evaluator import Evaluator
 
-
-def matrix_value(evaluator: Evaluator, node: n.Matrix) -> Value:
+def matrix_value(evaluator: Evaluating, node: n.Matrix) -> Value:
     """Return a matrix of scalars or blocks, or the determinant that its bars stand for."""
     rows = [[as_scalar(evaluator.evaluate(cell)) for cell in row] for row in node.rows]
     rows = [[cell for value in row for cell in (value if isinstance(value, list) else [value])] for row in rows]
@@ -28,7 +27,7 @@ def matrix_value(evaluator: Evaluator, node: n.Matrix) -> Value:
     return whole.determinant() if node.environment in ("vmatrix", "Vmatrix") else whole
 
 
-def _assemble(evaluator: Evaluator, rows: list[list[Any]]) -> Matrix:
+def _assemble(evaluator: Evaluating, rows: list[list[Any]]) -> Matrix:
     """Assemble blocks: 0 and I take the size that their row and column leave them."""
     heights = [max([cell.shape[0] for cell in row if isinstance(cell, Matrix)], default=1) for row in rows]
     width_of: dict[int, int] = {}
@@ -56,7 +55,7 @@ def _assemble(evaluator: Evaluator, rows: list[list[Any]]) -> Matrix:
     return Matrix(tuple(assembled))
 
 
-def _fit(evaluator: Evaluator, cell: Any, height: int, width: int) -> Matrix:
+def _fit(evaluator: Evaluating, cell: Any, height: int, width: int) -> Matrix:
     if isinstance(cell, Matrix):
         return cell
     if isinstance(cell, Identity):
@@ -64,3 +63,69 @@ def _fit(evaluator: Evaluator, cell: Any, height: int, width: int) -> Matrix:
     if (height, width) == (1, 1) or is_zero(cell):
         return Matrix(tuple((cell,) * width for _ in range(height)))
     raise ShapeError(f"a scalar stands where a {height}×{width} block is expected")
+
+
+def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
+    """Return a transpose, an inverse, a pseudo-inverse or degrees."""
+    if node.operator == "deg":
+        return evaluator.scalar(node.base) * evaluator.algebra.pi() / evaluator.algebra.rational(Fraction(180))
+    value = as_scalar(evaluator.evaluate(node.base))
+    if node.operator == "-1":
+        value = printed_rows(evaluator, node.base, value)
+    if isinstance(value, list):
+        value = Matrix((tuple(value),))
+    if isinstance(value, Identity):
+        one = evaluator.algebra.rational(Fraction(1))
+        return value if node.operator == "T" else Identity(one / value.scale)
+    if not isinstance(value, Matrix):
+        if node.operator == "T":
+            return value
+        if node.operator == "-1":
+            return evaluator.algebra.rational(Fraction(1)) / value
+        raise EvaluationError(f"'{node.operator}' on a scalar")
+    if node.operator == "T":
+        return value.transpose
+    if node.operator == "-1":
+        return inverse(evaluator, value)
+    if node.operator == "-T":
+        return inverse(evaluator, value).transpose
+    return _pseudo_inverse(evaluator, value)
+
+
+def inverse(evaluator: Evaluating, matrix: Matrix) -> Matrix:
+    """Return the inverse of a square matrix; raises ShapeError where it has none."""
+    if matrix.shape[0] != matrix.shape[1]:
+        raise ShapeError(f"a {matrix.size} matrix has no inverse")
+    one = evaluator.algebra.rational(Fraction(1))
+    determinant = matrix.determinant()
+    if is_zero(determinant):
+        raise ShapeError(f"the {matrix.size} matrix has no inverse: its determinant is 0 for every configuration")
+    evaluator.algebra.divide_by(determinant)
+    factor = one / determinant
+    return matrix.adjugate().map(lambda cell: cell * factor)
+
+
+def _pseudo_inverse(evaluator: Evaluating, matrix: Matrix) -> Matrix:
+    """J^T (J J^T)^{-1} where J is wide, (J^T J)^{-1} J^T where it is tall (each for full rank)."""
+    size, width = matrix.shape
+    if size == width:
+        return inverse(evaluator, matrix)
+    transposed = matrix.transpose
+    if size < width:
+        return transposed @ inverse(evaluator, matrix @ transposed)
+    return inverse(evaluator, transposed @ matrix) @ transposed
+
+
+def printed_rows(evaluator: Evaluating, node: n.Node, value: Value) -> Value:
+    """The determinant and the inverse of a Jacobian are of the square part that the document prints."""
+    node = n.ungrouped(node)
+    if isinstance(node, n.Call) and node.function == "name":
+        node = node.arguments[0]
+    rows = (
+        evaluator.names.state.shown.get(node.key)
+        if isinstance(node, n.Name) and node.key not in evaluator.names.quantities
+        else None
+    )
+    if rows is None or not isinstance(value, Matrix) or value.shape[0] != 6 or len(rows) != value.shape[1]:
+        return value
+    return value.block([row - 1 for row in rows], range(value.shape[1]))

@@ -4,26 +4,25 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.values import Identity, identity
 from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
 from armproof.verification.evaluation.differentiation import time_derivative
+from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.quantities import Quantity, numbered_frames, transform_pair
-
-if TYPE_CHECKING:
-    from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.naming.quantities import numbered_frames, transform_pair
 
 
-def number_value(evaluator: Evaluator, node: n.Number) -> Value:
+def number_value(evaluator: Evaluating, node: n.Number) -> Value:
     """Return a number as a constant of the algebra."""
     return evaluator.algebra.rational(node.value)
 
 
-def name_value(evaluator: Evaluator, node: n.Name) -> Value:
+def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     """Return what a name stands for; raises UnboundName where it stands for nothing."""
     algebra, names = evaluator.algebra, evaluator.names
     if node.base == "words":
@@ -61,7 +60,7 @@ def name_value(evaluator: Evaluator, node: n.Name) -> Value:
     raise UnboundName(node.key)
 
 
-def joint_angle_sum(evaluator: Evaluator, node: n.JointAngles) -> Any:
+def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
     """Return the θ_1 + θ_2 of c_{12}."""
     total = evaluator.algebra.rational(Fraction(0))
     for sign, index in node.terms:
@@ -73,7 +72,7 @@ def joint_angle_sum(evaluator: Evaluator, node: n.JointAngles) -> Any:
     return total
 
 
-def _to_added_frame(evaluator: Evaluator, node: n.Name, reference: str, frame: str, key: str) -> Matrix:
+def _to_added_frame(evaluator: Evaluating, node: n.Name, reference: str, frame: str, key: str) -> Matrix:
     """The transform to a frame that the document fixed on one of the arm's, such as a tool."""
     fixed = evaluator.names.state.definitions[key].evaluate(evaluator.algebra)
     if not isinstance(fixed, Matrix) or fixed.shape != (4, 4):
@@ -82,7 +81,7 @@ def _to_added_frame(evaluator: Evaluator, node: n.Name, reference: str, frame: s
     return whole.block(range(3), range(3)) if node.base == "R" else whole
 
 
-def _reject_unknown_frame(evaluator: Evaluator, node: n.Name) -> None:
+def _reject_unknown_frame(evaluator: Evaluating, node: n.Name) -> None:
     """A transform between numbered frames that the arm does not have is a slip, not a new name."""
     arm = evaluator.names.arm
     if arm is None or node.base not in ("T", "A", "H", "R") or node.primes:
@@ -97,11 +96,11 @@ def _reject_unknown_frame(evaluator: Evaluator, node: n.Name) -> None:
             raise EvaluationError(f"no frame '{missing}' on arm '{arm.name}'; its frames are {', '.join(arm.frames)}")
 
 
-def ellipsis(evaluator: Evaluator, _node: n.Dots) -> Value:
+def ellipsis(evaluator: Evaluating, _node: n.Dots) -> Value:
     """Refuse an ellipsis."""
     raise UnboundName("…", "an ellipsis leaves terms to the reader")
 
 
-def layout(evaluator: Evaluator, _node: n.Layout) -> Value:
+def layout(evaluator: Evaluating, _node: n.Layout) -> Value:
     """Refuse several equations in one place."""
     raise EvaluationError("several equations stand where one value is expected")

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Algebra, Value, link_matrix
+from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.errors import EvaluationError
-from armproof.verification.naming.quantities import COMPONENTS, Quantity
 
 
 class ArmAlgebra(Algebra):
@@ -19,6 +19,22 @@ class ArmAlgebra(Algebra):
     def __init__(self, arm: Arm | None) -> None:
         self.arm = arm
         self._cache: dict[Quantity, Value] = {}
+
+    @property
+    def exact(self) -> Algebra | None:
+        """An algebra of its own, which samples no other."""
+        return None
+
+    def from_exact(self, value: Value) -> Value:
+        """Return a value of the algebra itself."""
+        return value
+
+    def at(self, values: Mapping[str, Any]) -> Algebra | None:
+        """Values are substituted afterwards."""
+        return None
+
+    def divide_by(self, denominator: Any) -> None:
+        """Divide by anything that is not zero."""
 
     @abstractmethod
     def pose(self, frame: str, reference: str) -> Matrix:

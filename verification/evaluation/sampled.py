@@ -17,10 +17,10 @@ from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.of_arm import ArmAlgebra
-from armproof.verification.naming.quantities import Quantity
 
 
 class SampledAlgebra(ArmAlgebra):
@@ -36,7 +36,7 @@ class SampledAlgebra(ArmAlgebra):
     ) -> None:
         """Take the configurations, (N, n), the values that replace lengths or letters, and which q are drawn at random."""
         super().__init__(exact.arm)
-        self.exact = exact
+        self._exact = exact
         self.q = q
         self.seed = seed
         self.overrides = dict(overrides or {})
@@ -44,6 +44,11 @@ class SampledAlgebra(ArmAlgebra):
         self.regular = np.ones(len(q), dtype=bool)
         self.random = np.ones(len(q), dtype=bool) if random is None else random
         self.kinematics = _kinematics(self.arm, len(q), q.tobytes()) if self.arm is not None else None
+
+    @property
+    def exact(self) -> ExactAlgebra:
+        """The exact algebra whose values are sampled."""
+        return self._exact
 
     @property
     def samples(self) -> int:
@@ -77,8 +82,8 @@ class SampledAlgebra(ArmAlgebra):
             self.free[name] = values
         return self.free[name]
 
-    def exclude_near_zeros(self, denominator: np.ndarray) -> None:
-        """Mark the samples at which a denominator is smaller than a ten-thousandth of what it usually is."""
+    def divide_by(self, denominator: np.ndarray) -> None:
+        """Leave the samples out at which a denominator is all but zero: rounding decides the quotient there."""
         size = np.abs(denominator)
         if not np.isfinite(size).any():
             self.regular[:] = False
@@ -94,7 +99,7 @@ class SampledAlgebra(ArmAlgebra):
 
     def arc(self, function: str, arguments: list[np.ndarray]) -> np.ndarray:
         if function == "atan2":
-            self.exclude_near_zeros(np.hypot(*arguments))  # atan2(0, 0) has no value
+            self.divide_by(np.hypot(*arguments))  # atan2(0, 0) has no value
             return np.arctan2(*arguments)
         (u,) = arguments
         if function == "atan":

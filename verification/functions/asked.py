@@ -8,10 +8,11 @@ from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader
-from armproof.verification.naming.quantities import Quantity, implied_quantity, read_quantity
+from armproof.verification.naming.quantities import implied_quantity, read_quantity
 
 
 class QuestionError(ArmproofError):

@@ -11,6 +11,7 @@ from armproof.models.arm import Arm
 from armproof.models.exact.numbers import exact_number
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.diagnosis.causes.probes import probes
 from armproof.verification.equations.chain import ChainChecker
@@ -18,7 +19,6 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.functions.formulas import exact_constant
 from armproof.verification.naming.names import read_names
-from armproof.verification.naming.quantities import Quantity
 
 MOST_GENERATORS = 128  # in a ring that is kept for the next check
 _PLAIN = {Fraction(number) for number in ("0", "1/2", "1", "2")}  # numbers that a formula holds beside its lengths

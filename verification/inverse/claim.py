@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError
 from armproof.verification.naming.names import Names, name_key
-from armproof.verification.naming.quantities import Quantity, read_quantity
+from armproof.verification.naming.quantities import read_quantity
 
 OPTIONS = ("target", "solve")
 _WHOLE = ("pose", "rotation", "origin")

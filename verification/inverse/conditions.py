@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.formulas import Formula
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import Quantity
 
 
 @dataclass(frozen=True)

@@ -8,11 +8,11 @@ from itertools import product
 from typing import Any, Protocol
 
 from armproof.verification.algebra.protocol import Algebra
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.inverse.formulas import Formula
 from armproof.verification.inverse.target import Target
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import Quantity
 
 Meaning = Formula | Quantity
 Signs = Mapping[str, int]

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.inverse.derivation import Derivation, SolvingAlgebra
 from armproof.verification.inverse.resolution import Resolution
 from armproof.verification.inverse.target import Slot, Target
-from armproof.verification.naming.quantities import Quantity
 
 
 def forward_values(derivation: Derivation, algebra: SolvingAlgebra) -> list[Any]:

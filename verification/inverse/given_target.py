@@ -9,10 +9,10 @@ from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.of_arm import ArmAlgebra
 from armproof.verification.inverse.target import Target
-from armproof.verification.naming.quantities import Quantity
 
 
 class NotGiven(EvaluationError):

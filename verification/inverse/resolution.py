@@ -8,6 +8,7 @@ from typing import Any
 
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.values import as_scalar
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -15,7 +16,6 @@ from armproof.verification.inverse.derivation import Derivation, Meaning, Signs,
 from armproof.verification.inverse.formulas import Formula, joint_function_key
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.state import Definition
 
 _SIGN = "sign "

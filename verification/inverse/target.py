@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.errors import DocumentError
 from armproof.verification.inverse.claim import InverseClaim, TargetPart
-from armproof.verification.naming.quantities import COMPONENTS, Quantity
 
 _SHAPES = {"pose": (4, 4), "rotation": (3, 3), "origin": (3, 1), "axis": (3, 1)}
 Pair = tuple[str, str]  # frame, reference

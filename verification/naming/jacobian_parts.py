@@ -8,9 +8,10 @@ from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import ANGULAR, LINEAR, Quantity, numbered_frames
+from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames
 
 _PART = re.compile(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
 

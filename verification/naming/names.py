@@ -10,10 +10,11 @@ from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.protocol import Algebra, Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader, key_as_latex
-from armproof.verification.naming.quantities import Quantity, implied_quantity, read_quantity, transform_pair
+from armproof.verification.naming.quantities import implied_quantity, read_quantity, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState
 from armproof.verification.naming.trees import call_key
 

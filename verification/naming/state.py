@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.signs import NamedSigns
 
 

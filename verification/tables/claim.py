@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.tables.cells import Cell
 from armproof.verification.tables.columns import Columns
 from armproof.verification.tables.frames import Frames

@@ -9,11 +9,11 @@ from functools import reduce
 import numpy as np
 
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.equations.alignment import Pair, entry_errors
 from armproof.verification.equations.second_route import TOLERANCE
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.tables.claim import RowVerdict
 from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.row import PARAMETERS, row_matrix

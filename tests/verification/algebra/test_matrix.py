@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 from armproof.models.arm import Arm
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix, column, exact_rank
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.algebra.values import identity
 from armproof.verification.errors import EvaluationError, ShapeError
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.naming.quantities import Quantity
 
 RING = Ring()
 C1, S1 = RING.cos_sin(RING.symbol("theta_1"))

@@ -11,10 +11,10 @@ import pytest
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.protocol import OutsideAlgebra, elementary, link_matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.values import identity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.naming.quantities import Quantity
 
 
 def quantities(arm: Arm) -> list[Quantity]:
@@ -110,7 +110,7 @@ def test_an_absolute_value_is_exact_for_numbers_only(workbench: Callable[..., An
 
 def test_samples_near_a_pole_are_left_out(workbench: Callable[..., Any]) -> None:
     sampled = workbench("scara", count=60).sampled
-    sampled.exclude_near_zeros(np.r_[np.ones(58), 1e-7, 0.0])
+    sampled.divide_by(np.r_[np.ones(58), 1e-7, 0.0])
     assert sampled.regular.sum() == 58 and not sampled.regular[-2:].any()
 
 

@@ -10,9 +10,10 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError
 from armproof.verification.naming.names import read_names
-from armproof.verification.naming.quantities import Quantity, frame_name, read_quantity
+from armproof.verification.naming.quantities import frame_name, read_quantity
 
 # notation → what it means on the SCARA; the upper index of T^i_j is the reference
 IMPLIED = {

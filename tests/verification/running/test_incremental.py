@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 
 import armproof.course
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document, find_documents, parse_document
 from armproof.verification.errors import DocumentError
 from armproof.verification.latex.nodes import Name
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.quantities import Quantity
 from armproof.verification.naming.state import Definition, DocumentState, PrintedError
 from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Verdict

@@ -10,7 +10,8 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.naming.quantities import COMPONENTS, Quantity, numbered_frames
+from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.verification.naming.quantities import numbered_frames
 
 TOLERANCE = 1e-7
 Candidate = tuple[str, np.ndarray]  # what the result is in words, and the values it would have: (N, rows, columns)

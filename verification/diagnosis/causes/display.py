@@ -8,6 +8,7 @@ import numpy as np
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.diagnosis.causes.case import Case, Explanation
 from armproof.verification.diagnosis.causes.find import find_cause
 from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes
@@ -15,7 +16,6 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.naming.quantities import Quantity
 
 _MOST_TERMS = 5000  # of a printed matrix that is sampled
 _KINDS = ("pose", "rotation", "origin", "axis", "jacobian")

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.diagnosis.causes.case import Candidate, Case
-from armproof.verification.naming.quantities import COMPONENTS
 
 
 def inverse(X: np.ndarray) -> np.ndarray:

@@ -11,9 +11,9 @@ from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.naming.quantities import Quantity
 
 PROBES = 4
 _PROBE_SEED = 7

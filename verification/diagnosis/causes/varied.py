@@ -11,8 +11,8 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Entry, Rows, add, root_value, scale
+from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.diagnosis.causes.case import Case
-from armproof.verification.naming.quantities import COMPONENTS, Quantity
 
 Values = Mapping[str, np.ndarray]  # joint variables and lengths with other values: (N,) each
 
