@@ -10,6 +10,8 @@ import sys
 import tomllib
 import warnings
 from collections.abc import Iterator
+from functools import cache
+from importlib.metadata import packages_distributions
 from pathlib import Path
 
 import pytest
@@ -17,6 +19,7 @@ from pydrake.common.deprecation import DrakeDeprecationWarning
 
 ROOT = Path(__file__).resolve().parent.parent
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+PROJECT = PYPROJECT["project"]
 LAYERS = ("course", "verification", "models")  # each may import those to its right
 
 
@@ -41,6 +44,32 @@ def modules() -> Iterator[tuple[str, Path]]:
     for room in LAYERS:
         for path in sorted((ROOT / room).rglob("*.py")):
             yield room, path
+
+
+DECLARED_FOR = {  # extras that a place may need; whoever has not installed them is told so
+    "verification/pytest_plugin.py": "test",
+    "course/authoring": "lab",
+    "course/grading": "lab",
+    "course/printing": "print",
+}
+
+
+@cache
+def distributions() -> dict[str, set[str]]:
+    """Return which distributions each top-level package that is installed comes from."""
+    return {name: {found.lower() for found in names} for name, names in packages_distributions().items()}
+
+
+def undeclared_imports(place: str, source: str) -> set[str]:
+    """Return what a module imports that neither Python has nor pyproject.toml declares for its place."""
+    extras = [name for start, name in DECLARED_FOR.items() if place.startswith(start)]
+    lines = [*PROJECT["dependencies"], *(line for name in extras for line in PROJECT["optional-dependencies"][name])]
+    declared = {re.split(r"[^\w.-]", line)[0].lower() for line in lines}
+    nodes = list(ast.walk(ast.parse(source)))
+    found = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+    found |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0 and node.module}
+    foreign = {name.partition(".")[0] for name in found} - {*sys.stdlib_module_names, "armproof"}
+    return {name for name in foreign if not distributions().get(name, set()) & declared}
 
 
 @pytest.fixture
@@ -118,6 +147,21 @@ def test_an_import_against_the_arrows_is_noticed(room: str, source: str):
 )
 def test_an_import_along_the_arrows_is_allowed(room: str, source: str):
     assert not imports_against_the_arrows(room, source)
+
+
+def test_every_import_is_declared() -> None:
+    found = {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8") for _, path in modules()}
+    found["armproof/__init__.py"] = (ROOT / "armproof/__init__.py").read_text(encoding="utf-8")
+    undeclared = {place: names for place, source in found.items() if (names := undeclared_imports(place, source))}
+    assert undeclared == {}
+
+
+def test_an_import_that_is_not_declared_is_noticed() -> None:
+    assert undeclared_imports("models/x.py", "def f():\n    import pytest") == {
+        "pytest"
+    }  # declared for the plugin alone
+    assert undeclared_imports("models/x.py", "from nowhere.inside import y") == {"nowhere"}
+    assert undeclared_imports("models/x.py", "import yaml, flint, os.path\nfrom armproof.models import arm") == set()
 
 
 @pytest.mark.parametrize("room", LAYERS)
