@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.links import classic_link, modified_link, product, shift, turn
 
 # The arm of the lesson, a crane: a column, a horizontal axis e beside it at the height h, a slide. In both conventions.
 MODIFIED = {
@@ -45,29 +46,9 @@ CLASSIC_MATRIX = r"""\begin{bmatrix} C\theta & -C\alpha S\theta & S\alpha S\thet
 S\theta & C\alpha C\theta & -S\alpha C\theta & a\,S\theta \\ 0 & S\alpha & C\alpha & d \\ 0 & 0 & 0 & 1 \end{bmatrix}"""
 
 
-def _modified_matrix(a, alpha, d, theta):
-    ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[ct, -st, 0, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [0, 0, 0, 1]])
-
-
-def _steps_sympy(sp, *steps):
-    """Return the product of elementary transforms, each ("rot" or "trans", axis, letter)."""
-    product = sp.eye(4)
-    for kind, axis, letter in steps:
-        step = sp.eye(4)
-        if kind == "trans":
-            step["xyz".index(axis), 3] = letter
-        else:
-            c, s = sp.cos(letter), sp.sin(letter)
-            turn = [[1, 0, 0], [0, c, -s], [0, s, c]] if axis == "x" else [[c, -s, 0], [s, c, 0], [0, 0, 1]]
-            step[:3, :3] = sp.Matrix(turn)
-        product = product * step
-    return product
-
-
 def _classic_sympy(sp):
     a, alpha, d, theta = sp.symbols("a alpha d theta")
-    return _steps_sympy(sp, ("rot", "z", theta), ("trans", "z", d), ("trans", "x", a), ("rot", "x", alpha))
+    return turn(sp, "z", theta) * shift(sp, z=d) * shift(sp, x=a) * turn(sp, "x", alpha)
 
 
 def modified_inverse(a, alpha, d, theta):
@@ -87,11 +68,11 @@ MODIFIED_INVERSE = r"""\begin{bmatrix} C\theta & S\theta C\alpha & S\theta S\alp
 
 def _inverse_sympy(sp):
     a, alpha, d, theta = sp.symbols("a alpha d theta")
-    return _steps_sympy(sp, ("rot", "z", -theta), ("trans", "z", -d), ("rot", "x", -alpha), ("trans", "x", -a))
+    return turn(sp, "z", -theta) * shift(sp, z=-d) * turn(sp, "x", -alpha) * shift(sp, x=-a)
 
 
 def _origin_only_negated(a, alpha, d, theta):
-    forward = _modified_matrix(a, alpha, d, theta)
+    forward = modified_link(a, alpha, d, theta)
     return np.vstack([np.column_stack([forward[:3, :3].T, -forward[:3, 3]]), [0, 0, 0, 1]])
 
 
@@ -117,10 +98,7 @@ def _tool_sympy(sp):
 def _other_convention(q, h, e):
     """Return what the numbers of the modified table give when put into the classic matrix."""
     rows = [(0, 0, h, q[0]), (e, -np.pi / 2, 0, q[1]), (0, np.pi / 2, q[2], 0)]
-    product = np.eye(4)
-    for row in rows:
-        product = product @ classic_matrix(*row)
-    return product[:3, 3]
+    return product(rows, classic_link)[:3, 3]
 
 
 LESSON = Lesson(
@@ -291,7 +269,7 @@ LESSON = Lesson(
                     "a and d are exchanged, as on the slide: a lies along x, d along z",
                     own=True,
                 ),
-                Wrong(_modified_matrix, "this is the modified link matrix: here the steps about x come last", own=True),
+                Wrong(modified_link, "this is the modified link matrix: here the steps about x come last", own=True),
                 Wrong(
                     lambda a, alpha, d, theta: classic_matrix(a, -alpha, d, theta),
                     "the twist has the wrong sign: z_{i-1} turns into z_i about x_i",
@@ -319,17 +297,17 @@ LESSON = Lesson(
             wrong=(
                 Wrong(_origin_only_negated, "the origin is only negated: seen from frame i it is −RᵀO", own=True),
                 Wrong(
-                    lambda a, alpha, d, theta: _modified_matrix(-a, -alpha, -d, -theta),
+                    lambda a, alpha, d, theta: modified_link(-a, -alpha, -d, -theta),
                     "the steps about x are undone first, as in the inverse of the classic matrix: the last steps made, those about z, are undone first",
                     own=True,
                 ),
                 Wrong(
-                    lambda a, alpha, d, theta: _modified_matrix(a, alpha, d, theta).T,
+                    lambda a, alpha, d, theta: modified_link(a, alpha, d, theta).T,
                     "the whole is transposed: only the rotation block is, and the last row stays 0 0 0 1",
                     own=True,
                 ),
                 Wrong(
-                    lambda a, alpha, d, theta: _modified_matrix(a, alpha, d, theta),
+                    modified_link,
                     "this is the matrix itself, the pose of i in i-1; what is asked is the pose of i-1 in i",
                     own=True,
                 ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.links import shift, turn
 
 # -- a rotation about y ------------------------------------------------------------------------------------------------
 
@@ -20,8 +21,7 @@ ROTATION_Y = r"""\begin{bmatrix} \cos\beta & 0 & \sin\beta & 0 \\ 0 & 1 & 0 & 0 
 
 
 def _rotation_y_sympy(sp):
-    c, s = sp.cos(sp.Symbol("beta")), sp.sin(sp.Symbol("beta"))
-    return sp.Matrix([[c, 0, s, 0], [0, 1, 0, 0], [-s, 0, c, 0], [0, 0, 0, 1]])
+    return turn(sp, "y", sp.Symbol("beta"))
 
 
 def _rotation_about_x(beta):
@@ -52,11 +52,7 @@ COMPOSED = r"""\begin{bmatrix} C\theta & -S\theta & 0 & a\,C\theta \\ S\theta & 
 
 def _composed_sympy(sp):
     theta, d, a = sp.symbols("theta d a")
-    turn = sp.eye(4)
-    turn[:3, :3] = sp.Matrix([[sp.cos(theta), -sp.sin(theta), 0], [sp.sin(theta), sp.cos(theta), 0], [0, 0, 1]])
-    shift = sp.eye(4)
-    shift[0, 3], shift[2, 3] = a, d
-    return turn * shift
+    return turn(sp, "z", theta) * shift(sp, x=a, z=d)
 
 
 # -- the inverse -------------------------------------------------------------------------------------------------------
@@ -76,8 +72,7 @@ INVERSE = r"""\begin{bmatrix} \cos\theta & \sin\theta & 0 & -x\cos\theta - y\sin
 
 def _inverse_sympy(sp):
     theta, x, y, z = sp.symbols("theta x y z")
-    c, s = sp.cos(theta), sp.sin(theta)
-    return sp.Matrix([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, z], [0, 0, 0, 1]]).inv()
+    return (shift(sp, x, y, z) * turn(sp, "z", theta)).inv()
 
 
 def _inverse_with(rotation, displacement):
@@ -116,8 +111,7 @@ POSE = r"""\begin{bmatrix} C_{12} & -S_{12} & 0 & l_1 C_1 + l_2 C_{12} \\ S_{12}
 def _pose_sympy(sp):
     t1, t2, l1, l2 = sp.symbols("theta_1 theta_2 l_1 l_2")
     x, y = l1 * sp.cos(t1) + l2 * sp.cos(t1 + t2), l1 * sp.sin(t1) + l2 * sp.sin(t1 + t2)
-    c, s = sp.cos(t1 + t2), sp.sin(t1 + t2)
-    return sp.Matrix([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]])
+    return shift(sp, x, y) * turn(sp, "z", t1 + t2)
 
 
 def _moves_first(q, l_1, l_2):

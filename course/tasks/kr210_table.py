@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.links import classic_link, product, shift, turn
 
 DH = {  # the arm by its modified table; frame 6 sits in the wrist's centre
     "dh": "modified",
@@ -64,58 +65,42 @@ def pose(q, d_1, d_2, a_1, a_2, a_3, d_4, d_5, d_6, d_G):
     return X @ np.array([[0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, d_6 + d_G], [0, 0, 0, 1]])
 
 
-def _product(table_rows, end, order="modified"):
-    """Return the product of the link matrices of a table, and of a last matrix, at q and the lengths by name."""
-
-    def X_of(q, **lengths):
-        X = np.eye(4)
-        for alpha, a, d, theta in table_rows(q, **lengths):
-            c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-            modified = [[c, -s, 0, a], [s * ca, c * ca, -sa, -d * sa], [s * sa, c * sa, ca, d * ca], [0, 0, 0, 1]]
-            classic = [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
-            X = X @ np.array(modified if order == "modified" else classic)
-        return X @ end
-
-    return X_of
-
-
-def _rows(q, shift=-np.pi / 2, sign=-1):
-    """Return the table in the arm's numbers, with an offset of θ_2 and a sign of a_3 of one's own."""
+def _rows(q, offset=-np.pi / 2, sign=-1):
+    """Return the table (a, α, d, θ) in the arm's numbers, with an offset of θ_2 and a sign of a_3 of one's own."""
     right = np.pi / 2
-    return [(0, 0, 0.75, q[0]), (-right, 0.35, 0, q[1] + shift), (0, 1.25, 0, q[2]), (-right, sign * 0.054, 1.5, q[3]),
-            (right, 0, 0, q[4]), (-right, 0, 0, q[5])]  # fmt: skip
+    return [(0, 0, 0.75, q[0]), (0.35, -right, 0, q[1] + offset), (1.25, 0, 0, q[2]), (sign * 0.054, -right, 1.5, q[3]),
+            (0, right, 0, q[4]), (0, -right, 0, q[5])]  # fmt: skip
 
 
 _TOOL = np.array([[0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, 0.303], [0, 0, 0, 1]])
-_right_rows = _product(_rows, _TOOL)
 
 
 def _in_numbers(q):
-    return _right_rows(q)
+    return product(_rows(q)) @ _TOOL
 
 
 def _no_offset(q):
-    return _product(lambda q: _rows(q, shift=0), _TOOL)(q)
+    return product(_rows(q, offset=0)) @ _TOOL
 
 
 def _forearm_up(q):
-    return _product(lambda q: _rows(q, sign=1), _TOOL)(q)
+    return product(_rows(q, sign=1)) @ _TOOL
 
 
 def _no_tool_rotation(q):
-    return _product(_rows, np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.303], [0, 0, 0, 1]]))(q)
+    return product(_rows(q)) @ np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.303], [0, 0, 0, 1]])
 
 
 def _no_tool(q):
-    return _product(_rows, np.eye(4))(q)
+    return product(_rows(q))
 
 
 def _no_gripper(q):
-    return _product(_rows, np.array([[0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, 0.193], [0, 0, 0, 1]]))(q)
+    return product(_rows(q)) @ np.array([[0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, 0.193], [0, 0, 0, 1]])
 
 
 def _classic_matrices(q):
-    return _product(_rows, _TOOL, "classic")(q)
+    return product(_rows(q), classic_link) @ _TOOL
 
 
 def _dh_link_without_offset(q, a_1):
@@ -157,15 +142,12 @@ def _changed(number, *row):
 
 def _modified_link_sympy(sp):
     """Return Rot(x, −π/2) Trans(x, a_1) Rot(z, θ_2 − π/2)."""
-    angle, a1 = sp.Symbol("theta_2") - sp.pi / 2, sp.Symbol("a_1")
-    first = sp.Matrix([[1, 0, 0, a1], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
-    c, s = sp.cos(angle), sp.sin(angle)
-    return first * sp.Matrix([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    return turn(sp, "x", -sp.pi / 2) * shift(sp, x=sp.Symbol("a_1")) * turn(sp, "z", sp.Symbol("theta_2") - sp.pi / 2)
 
 
 def _urdf_link_sympy(sp):
     t, a1, d2 = sp.symbols("theta_2 a_1 d_2")
-    return sp.Matrix([[sp.cos(t), 0, sp.sin(t), a1], [0, 1, 0, 0], [-sp.sin(t), 0, sp.cos(t), d2], [0, 0, 0, 1]])
+    return shift(sp, x=a1, z=d2) * turn(sp, "y", t)
 
 
 LESSON = Lesson(
@@ -455,7 +437,7 @@ LESSON = Lesson(
                 Wrong(
                     _classic_matrices, "the rows are of the modified table, the matrices of the classic one", own=True
                 ),
-                Wrong(lambda q: _right_rows(np.deg2rad(q)), "degrees"),
+                Wrong(lambda q: _in_numbers(np.deg2rad(q)), "degrees"),
             ),
         ),
         Task(

@@ -13,6 +13,7 @@ from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, 
 from armproof.course.feedback.answer import is_missing
 from armproof.course.feedback.html import block
 from armproof.course.feedback.notebook import Shown
+from armproof.course.links import shift, turn
 
 ARM = "planar_2r"
 _JACOBIAN = {"jacobian": 2, "rows": [1, 2]}
@@ -101,9 +102,7 @@ def _jacobian_with_sympy(sp):
 
 def _transform_with_sympy(sp):
     t, a = sp.symbols("theta_2 l_2")
-    c, s = sp.cos(t), sp.sin(t)
-    turn = sp.Matrix([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-    return turn * sp.Matrix([[1, 0, 0, a], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    return turn(sp, "z", t) * shift(sp, x=a)
 
 
 def _distance_by_squares(theta_2, l_1, l_2):

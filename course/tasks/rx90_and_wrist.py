@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.links import classic_link, modified_link, product, shift, turn
 
 ARM, WRIST = "rx90", "spherical_wrist"
 HALF = "pi/2"
@@ -12,23 +13,6 @@ ROWS = [
     (0, 0, 0, "theta_1"), (HALF, 0, 0, "theta_2"), (0, "a_3", 0, "theta_3"),
     ("-pi/2", 0, "d_3", "theta_4"), (HALF, 0, 0, "theta_5"), ("-pi/2", 0, 0, "theta_6"),
 ]  # fmt: skip
-
-
-def _modified(a, alpha, d, theta):
-    ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[ct, -st, 0, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [0, 0, 0, 1]])
-
-
-def _classic(a, alpha, d, theta):
-    ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[ct, -ca * st, sa * st, a * ct], [st, ca * ct, -sa * ct, a * st], [0, sa, ca, d], [0, 0, 0, 1]])
-
-
-def _product(matrix, rows):
-    product = np.eye(4)
-    for row in rows:
-        product = product @ matrix(*row)
-    return product
 
 
 def _chain(q, a_3, d_3):
@@ -81,16 +65,15 @@ U_3_PRINTED = r"""\begin{bmatrix} C_4 C_5 S_4 C_6 & -C_4 C_5 S_6 & -C_4 S_5 & 0 
 
 def _links_sympy(sp, first):
     """Return the product of the RX-90's link matrices from a row on."""
-    q = sp.symbols("theta_1:7")
-    a_3, d_3, h = sp.Symbol("a_3"), sp.Symbol("d_3"), sp.pi / 2
-    twists, lengths, offsets = (0, h, 0, -h, h, -h), (0, 0, a_3, 0, 0, 0), (0, 0, 0, d_3, 0, 0)
-    product = sp.eye(4)
-    for alpha, a, d, t in list(zip(twists, lengths, offsets, q, strict=True))[first - 1 :]:
-        ct, st, ca, sa = sp.cos(t), sp.sin(t), sp.cos(alpha), sp.sin(alpha)
-        product *= sp.Matrix(
-            [[ct, -st, 0, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca], [0, 0, 0, 1]]
-        )
-    return product
+    X, h = sp.eye(4), sp.pi / 2
+    twists, lengths, offsets = (
+        (0, h, 0, -h, h, -h),
+        (0, 0, sp.Symbol("a_3"), 0, 0, 0),
+        (0, 0, 0, sp.Symbol("d_3"), 0, 0),
+    )
+    for alpha, a, d, t in list(zip(twists, lengths, offsets, sp.symbols("theta_1:7"), strict=True))[first - 1 :]:
+        X *= turn(sp, "x", alpha) * shift(sp, x=a) * turn(sp, "z", t) * shift(sp, z=d)
+    return X
 
 
 # -- the position and the approach axis --------------------------------------------------------------------------------
@@ -139,14 +122,7 @@ s_4 c_5 c_6 + c_4 s_6 & -s_4 c_5 s_6 + c_4 c_6 & s_4 s_5 & s_4 s_5 d_6 \\ -s_5 c
 
 def _wrist_sympy(sp):
     t4, t5, t6, d6 = sp.symbols("theta_4 theta_5 theta_6 d_6")
-
-    def about(axis, angle):
-        c, s = sp.cos(angle), sp.sin(angle)
-        turn = {"z": [[c, -s, 0], [s, c, 0], [0, 0, 1]], "y": [[c, 0, s], [0, 1, 0], [-s, 0, c]]}[axis]
-        return sp.Matrix(turn)
-
-    R = about("z", t4) * about("y", t5) * about("z", t6)
-    return R.row_join(R[:, 2] * d6).col_join(sp.Matrix([[0, 0, 0, 1]]))
+    return turn(sp, "z", t4) * turn(sp, "y", t5) * turn(sp, "z", t6) * shift(sp, z=d6)
 
 
 def _mirrored(q, d_6):
@@ -160,7 +136,7 @@ def _mirrored(q, d_6):
 
 def _read_as_modified(q, d_6):
     h = np.pi / 2
-    return _product(_modified, [(0, -h, 0, q[0]), (0, h, 0, q[1]), (0, 0, d_6, q[2])])
+    return product([(0, -h, 0, q[0]), (0, h, 0, q[1]), (0, 0, d_6, q[2])])
 
 
 def aligned(theta_4, theta_6):
@@ -176,8 +152,7 @@ ALIGNED = (
 
 def _aligned_sympy(sp):
     t4, t6 = sp.symbols("theta_4 theta_6")
-    turns = [sp.Matrix([[sp.cos(t), -sp.sin(t), 0], [sp.sin(t), sp.cos(t), 0], [0, 0, 1]]) for t in (t4, t6)]
-    return turns[0] * turns[1]
+    return (turn(sp, "z", t4) * turn(sp, "z", t6))[:3, :3]
 
 
 LESSON = Lesson(
@@ -277,7 +252,7 @@ LESSON = Lesson(
                 ),
                 Wrong(lambda q: last_link(q).T, "transposed"),
                 Wrong(
-                    lambda q: _classic(0, -np.pi / 2, 0, q[5]),
+                    lambda q: classic_link(0, -np.pi / 2, 0, q[5]),
                     "this is the classic link matrix with the same numbers; the arm's frames are modified ones",
                     own=True,
                 ),
@@ -303,12 +278,12 @@ LESSON = Lesson(
             wrong=(
                 Wrong(U_4.replace("S_5 C_6 &", "S_5 S_6 &"), "entry (3, 1)"),
                 Wrong(
-                    lambda q: _product(_modified, [(0, np.pi / 2, 0, q[4]), (0, np.pi / 2, 0, q[5])]),
+                    lambda q: product([(0, np.pi / 2, 0, q[4]), (0, np.pi / 2, 0, q[5])]),
                     "the slide's ⁵T₆ is in it: its twist has the wrong sign",
                     own=True,
                 ),
                 Wrong(
-                    lambda q: last_link(q) @ _modified(0, np.pi / 2, 0, q[4]),
+                    lambda q: last_link(q) @ modified_link(0, np.pi / 2, 0, q[4]),
                     "the factors stand in the reverse order: ⁴T₅ is on the left",
                     own=True,
                 ),
@@ -380,17 +355,17 @@ LESSON = Lesson(
             right=(approach, APPROACH, WithSympy(lambda sp: _links_sympy(sp, 1)[:3, 2])),
             wrong=(
                 Wrong(
-                    lambda q: _product(_modified, _chain(q, 1, 1))[:3, 0],
+                    lambda q: product(_chain(q, 1, 1))[:3, 0],
                     "this is s, the x axis of frame 6: the approach axis is the third column",
                     own=True,
                 ),
                 Wrong(
-                    lambda q: _product(_modified, _chain(q, 1, 1)[:5])[:3, 2],
+                    lambda q: product(_chain(q, 1, 1)[:5])[:3, 2],
                     "this is the axis of joint 5, z of frame 5",
                     own=True,
                 ),
                 Wrong(
-                    lambda q: _product(_modified, [*_chain(q, 1, 1)[:5], (0, np.pi / 2, 0, q[5])])[:3, 2],
+                    lambda q: product([*_chain(q, 1, 1)[:5], (0, np.pi / 2, 0, q[5])])[:3, 2],
                     "the slide's ⁵T₆ is in it: the axis points the other way",
                     own=True,
                 ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.links import classic_link, product, shift, turn
 
 ARM = "scara_modified"
 ROWS = [(0, 0, 0, "theta_1"), (0, "a_2", 0, "theta_2"), (0, "a_3", "-d_2", 0), (0, 0, 0, "theta_4")]
@@ -29,16 +30,7 @@ S\theta S\alpha & C\theta S\alpha & C\alpha & d\,C\alpha \\ 0 & 0 & 0 & 1 \end{b
 
 def _link_sympy(sp):
     a, alpha, d, theta = sp.symbols("a alpha d theta")
-    about_x, about_z = sp.eye(4), sp.eye(4)
-    about_x[1:3, 1:3] = sp.Matrix([[sp.cos(alpha), -sp.sin(alpha)], [sp.sin(alpha), sp.cos(alpha)]])
-    about_z[:2, :2] = sp.Matrix([[sp.cos(theta), -sp.sin(theta)], [sp.sin(theta), sp.cos(theta)]])
-    about_x[0, 3], about_z[2, 3] = a, d
-    return about_x * about_z
-
-
-def _classic(a, alpha, d, theta):
-    ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[ct, -ca * st, sa * st, a * ct], [st, ca * ct, -sa * ct, a * st], [0, sa, ca, d], [0, 0, 0, 1]])
+    return turn(sp, "x", alpha) * shift(sp, x=a) * turn(sp, "z", theta) * shift(sp, z=d)
 
 
 # -- the products ------------------------------------------------------------------------------------------------------
@@ -47,13 +39,6 @@ def _classic(a, alpha, d, theta):
 def _rows(q, a_2, a_3):
     t1, t2, d_2, t4 = q
     return [(0, 0, 0, t1), (a_2, 0, 0, t2), (a_3, 0, -d_2, 0), (0, 0, 0, t4)]
-
-
-def _product(rows, matrix=link):
-    product = np.eye(4)
-    for row in rows:
-        product = product @ matrix(*row)
-    return product
 
 
 def pose_in_2(q, a_3):
@@ -96,8 +81,7 @@ U_0 = r"""\begin{bmatrix} C_{124} & -S_{124} & 0 & a_3 C_{12} + a_2 C_1 \\ S_{12
 
 
 def _turned(sp, angle, x, y):
-    c, s = sp.cos(angle), sp.sin(angle)
-    return sp.Matrix([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, -sp.Symbol("d_2")], [0, 0, 0, 1]])
+    return shift(sp, x, y, -sp.Symbol("d_2")) * turn(sp, "z", angle)
 
 
 def _forward_sympy(sp):
@@ -206,7 +190,7 @@ LESSON = Lesson(
             right=(link, LINK, WithSympy(_link_sympy)),
             wrong=(
                 Wrong(
-                    _classic,
+                    classic_link,
                     "this is the classic link matrix: in the modified one the steps about x come first",
                     own=True,
                 ),
@@ -296,12 +280,12 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
-                    lambda q, a_2, a_3: _product(_rows(q, a_2, a_3)[::-1]),
+                    lambda q, a_2, a_3: product(_rows(q, a_2, a_3)[::-1]),
                     "the factors stand in the reverse order: link 1 is the leftmost one",
                     own=True,
                 ),
                 Wrong(
-                    lambda q, a_2, a_3: _product(_rows(q, a_2, a_3), _classic),
+                    lambda q, a_2, a_3: product(_rows(q, a_2, a_3), classic_link),
                     "the numbers of the modified table stand in the classic matrix: the two do not mix",
                     own=True,
                 ),

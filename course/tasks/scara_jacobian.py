@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.links import turn
 
 
 def rotation(q):
@@ -54,11 +55,7 @@ def _symbols(sp):
 
 def _rotation_sympy(sp):
     t1, t2, *_ = _symbols(sp)
-
-    def about_z(t):
-        return sp.Matrix([[sp.cos(t), -sp.sin(t), 0], [sp.sin(t), sp.cos(t), 0], [0, 0, 1]])
-
-    return about_z(t1) * about_z(t2) * sp.diag(1, -1, -1)
+    return (turn(sp, "z", t1) * turn(sp, "z", t2))[:3, :3] * sp.diag(1, -1, -1)
 
 
 def _lever_sympy(sp):

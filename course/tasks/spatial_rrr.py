@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.links import shift, turn
 
 
 def elbow(q, l_1, l_2):
@@ -62,17 +63,8 @@ def _symbols(sp):
 
 def _transforms_sympy(sp):
     t1, t2, t3, l1, l2, _ = _symbols(sp)
-    first = sp.Matrix([[sp.cos(t1), 0, sp.sin(t1), 0], [sp.sin(t1), 0, -sp.cos(t1), 0], [0, 1, 0, l1], [0, 0, 0, 1]])
-    second = sp.Matrix(
-        [
-            [sp.cos(t2), -sp.sin(t2), 0, l2 * sp.cos(t2)],
-            [sp.sin(t2), sp.cos(t2), 0, l2 * sp.sin(t2)],
-            [0, 0, 1, 0],
-            [0, 0, 0, 1],
-        ]
-    )
-    third = sp.Matrix([[sp.cos(t3), 0, sp.sin(t3), 0], [sp.sin(t3), 0, -sp.cos(t3), 0], [0, 1, 0, 0], [0, 0, 0, 1]])
-    return first * second * third
+    first = shift(sp, z=l1) * turn(sp, "z", t1) * turn(sp, "x", sp.pi / 2)
+    return first * turn(sp, "z", t2) * shift(sp, x=l2) * turn(sp, "z", t3) * turn(sp, "x", sp.pi / 2)
 
 
 def _point_sympy(sp):
