@@ -27,12 +27,13 @@ from armproof.verification.errors import ReadError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import ANGLES, one_of
 from armproof.verification.report.html.figures import Figure, painter_of
 from armproof.verification.verdict import Record, Verdict
 
 _FILE = Path("answer")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
-ANGLE = re.compile(r"theta|alpha|beta|gamma|phi|psi|q(_|$)")  # letters of angles
+ANGLE = re.compile(rf"{one_of(ANGLES)}|q(_|$)")  # letters of angles
 SAMPLES = 200
 SEED = 11
 _JOINTS = {"revolute": (-2.6, 2.6), "prismatic": (0.1, 0.9)}

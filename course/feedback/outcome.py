@@ -13,13 +13,13 @@ from markupsafe import Markup
 from armproof.course.feedback.html import block, captioned, small_print, table
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError
+from armproof.verification.latex.greek import GREEK, one_of
 from armproof.verification.report.html.figures import Figure
 
 MOST_ROWS = 8
 _NOTHING = 1e-12
 _COLUMNS = ("entry", "expected", "obtained", "unit")
-_GREEK = {"theta": "θ", "alpha": "α", "beta": "β", "gamma": "γ", "phi": "φ", "psi": "ψ", "omega": "ω"}
-_SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({'|'.join(_GREEK)}|[A-Za-z])_(?:(\d+)|\{{(\d+)\}})")
+_SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-z])_(?:(\d+)|\{{(\d+)\}})")
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
@@ -176,7 +176,7 @@ NOTHING = Feedback(Outcome.NOT_ATTEMPTED, "no answer yet")
 
 def pretty(text: str) -> str:
     """Return a text with its symbols as they are printed: theta_1 as θ₁, a_12 as a₁₂, S_{12} as S₁₂."""
-    return _SYMBOL.sub(lambda found: _GREEK.get(found[1], found[1]) + (found[2] or found[3]).translate(_BELOW), text)
+    return _SYMBOL.sub(lambda found: GREEK.get(found[1], found[1]) + (found[2] or found[3]).translate(_BELOW), text)
 
 
 def _sentence(text: str) -> str:

@@ -13,6 +13,7 @@ from typing import Any
 from armproof.course.feedback.errors import AnswerError
 from armproof.models.errors import ArmproofError
 from armproof.verification.functions.tracing.number import TracedNumber, as_traced, constant, function, symbol
+from armproof.verification.latex.greek import GREEK, one_of
 
 _OPERATORS: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: lambda a, b: a + b,
@@ -26,8 +27,7 @@ _FUNCTIONS = {
     "arcsin": "asin", "atan": "atan", "arctan": "atan", "atan2": "atan2", "arctan2": "atan2",
 }  # fmt: skip
 _MODULES = ("np", "numpy", "math", "sp", "sympy")
-_GREEK = "alpha|beta|gamma|delta|epsilon|theta|lambda|mu|rho|sigma|tau|phi|psi|omega|pi"
-_LETTER = re.compile(rf"(?:[A-Za-z]|{_GREEK})(?:_[A-Za-z0-9]+|\d*)")
+_LETTER = re.compile(rf"(?:[A-Za-z]|{one_of(GREEK)})(?:_[A-Za-z0-9]+|\d*)")
 MOST_NODES = 2000
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from armproof.verification.diagnosis.slips import Letters
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import ANGLES
 from armproof.verification.latex.writer import Notation, symbol_as_latex
 from armproof.verification.naming.names import Names
 
@@ -52,7 +53,7 @@ class LearntNotation:
         if arm is None:
             free = [symbol for symbol in symbols if not symbol.startswith("dot ")]
             names = {key: n.Name(*_base_and_index(key), text=symbols[key]) for key in free}
-            angles = tuple(name for name in names.values() if name.base in ("theta", "alpha", "phi", "psi", "beta"))
+            angles = tuple(name for name in names.values() if name.base in ANGLES)
             lengths = tuple(name for name in names.values() if name not in angles)[:12]
             joints = sorted(
                 {index for below in n.walk(cell) if isinstance(below, n.JointAngles) for _, index in below.terms}

@@ -11,6 +11,7 @@ from armproof.verification.equations.alignment import align, different_entries, 
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
+from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Verdict
@@ -22,7 +23,7 @@ NEARLY = 6  # a matrix with at most so many wrong entries is meant to be that li
 
 LINKS = {convention: n.Name("link", sub=convention) for convention in ("classic", "modified")}
 ELEMENTARY = ("Rot", "Rot3", "Trans")
-ANGLES = frozenset(["theta", "alpha", "beta", "gamma", "phi", "psi", "q", "pi"])
+ANGLES = frozenset([*greek.ANGLES, "q", "pi"])
 LENGTHS = frozenset(["a", "d", "l", "b", "r"])
 
 

@@ -8,12 +8,14 @@ from dataclasses import replace
 
 from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import ANGLES, one_of
 from armproof.verification.latex.indexed import NameReader
 from armproof.verification.latex.items import Item, Script
 from armproof.verification.latex.tokens import canonical_script
 
 TRIG_LETTERS = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
-ANGLE_LETTERS = frozenset(["theta", "alpha", "beta", "gamma", "phi", "psi", "q", "delta"])
+ANGLE_LETTERS = frozenset([*ANGLES, "q", "delta"])
+_ANGLE = r"\\(?:var)?(?:%s)" % one_of(ANGLES)
 MATRIX_FUNCTIONS = frozenset(["det", "rank", "adj", "com", "tr"])
 _JOINT_DIGITS = re.compile(r"[+-]?\d(?:,?[+-]?\d)*")
 
@@ -140,10 +142,8 @@ class CallReader(NameReader):
             return n.JointAngles(tuple((-1 if sign == "-" else 1, int(digit)) for sign, digit in found), span=span)
         if canonical in ("i", "j", "k", "n", "i-1", "i+1", "n-1"):
             return n.Name("theta", sub=canonical, text=raw, span=span)
-        spaced = re.sub(
-            r"(\\(?:theta|alpha|beta|gamma|phi|psi|varphi))\s*([a-z0-9](?:[-+]1)?)(?![A-Za-z])", r"\1_{\2}", raw
-        )
-        if not re.search(r"\\(?:var)?(?:theta|alpha|beta|gamma|phi|psi)|^\s*q", spaced):
+        spaced = re.sub(rf"({_ANGLE})\s*([a-z0-9](?:[-+]1)?)(?![A-Za-z])", r"\1_{\2}", raw)
+        if not re.search(rf"{_ANGLE}|^\s*q", spaced):
             return None
         try:
             angle = self.parse(spaced, max(self.text.find(raw, span[0]), span[0]))

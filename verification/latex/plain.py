@@ -5,12 +5,9 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-LETTERS = {
-    **dict(zip("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega".split(),
-               "αβγδεζηθικλμνξπρστυφχψω", strict=True)),
-    **dict(zip("Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega".split(), "ΓΔΘΛΞΠΣΦΨΩ", strict=True)),
-    "varepsilon": "ε", "vartheta": "ϑ", "varphi": "φ", "ell": "ℓ", "infty": "∞", "top": "⊤",
-}  # fmt: skip
+from armproof.verification.latex.greek import GREEK
+
+LETTERS = {**GREEK, "ell": "ℓ", "infty": "∞", "top": "⊤"}
 _SIGNS = {
     "cdot": "·", "times": "×", "pm": "±", "mp": "∓", "leq": "≤", "le": "≤", "geq": "≥", "ge": "≥", "neq": "≠", "ne": "≠",
     "approx": "≈", "equiv": "≡", "in": "∈", "forall": "∀", "exists": "∃", "because": "∵", "Rightarrow": "⇒", "implies": "⇒",

@@ -13,6 +13,7 @@ from lark.exceptions import UnexpectedInput, UnexpectedToken, VisitError
 from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.builder import TreeBuilder
+from armproof.verification.latex.greek import GREEK, one_of
 from armproof.verification.latex.tokens import LatexLexer, normalise_unicode
 
 MAX_LENGTH = 100_000
@@ -88,7 +89,7 @@ def _grammar() -> Lark:
 def key_as_latex(key: str) -> str:
     """Write a front-matter name as LaTeX: `theta_12` → `\\theta_{12}`, `J'_P` as it stands, `T_w^tool` braced."""
     spelled = re.sub(
-        r"(?<![\\A-Za-z])(theta|alpha|beta|gamma|phi|psi|omega|sigma|delta|lambda|mu|rho|varphi|tau)(?![A-Za-z])",
+        r"(?<![\\A-Za-z])(%s)(?![A-Za-z])" % one_of(GREEK),
         r"\\\1",
         key,
     )

@@ -14,15 +14,15 @@ from lark import Token
 from lark.lexer import Lexer
 
 from armproof.verification.errors import ReadError
+from armproof.verification.latex.greek import LONG, one_of
 from armproof.verification.latex.vocabulary import (
-    BARE_GREEK,
     BARE_WORDS,
     CHARACTERS,
     COMMANDS,
     CONNECTIVES,
     FUNCTIONS,
-    GREEK,
     LAYOUTS,
+    LETTERS,
     MATRICES,
     PUNCTUATION,
     RELATIONS,
@@ -54,7 +54,7 @@ _MASTER = re.compile(
   | (?P<ASSIGN>:=)
   | (?P<CHAR>.)
     """
-    % (SPACES, "|".join([*BARE_WORDS, *BARE_GREEK])),
+    % (SPACES, "|".join([*BARE_WORDS, *LONG])),
     re.VERBOSE | re.DOTALL,
 )
 # what may follow a dot that is a product: not the end of a line, a word or a blank after a full stop
@@ -269,7 +269,7 @@ class _Scanner:
             return [self.token(kind, name, start, end)], end
         if name in FUNCTIONS:
             return self._function(name, start, end)
-        if name in GREEK:
+        if name in LETTERS:
             return self._letter(VARIANTS.get(name, name), start, end)
         if name in RELATIONS:
             return [self.token("REL", RELATIONS[name], start, end)], end
@@ -296,7 +296,7 @@ class _Scanner:
             return ([self.token("SUP", "\\circ", start, after)] if UNITS[content] else []), after
         if content in FUNCTIONS:
             return self._function(content, start, after)
-        if content in VARIANTS or content in GREEK:
+        if content in LETTERS:
             return self._letter(VARIANTS.get(content, content), start, after)
         if (
             name in ("text", "textbf", "textit", "textrm", "textsf", "mbox", "hbox", "emph")
@@ -434,7 +434,7 @@ def canonical_script(text: str) -> str:
     text = re.sub(r"\\[,;:!> ]|[{}\s$~]|\\left|\\right|\\quad", "", text)
     text = re.sub(r"\\(?:ast|star)(?![A-Za-z])", "*", text).replace("*", "")
     text = text.replace("\\prime", "'").replace("\\times", "x")
-    text = re.sub(r"\\(var)?(theta|phi|epsilon)", r"\2", text)
+    text = re.sub(r"\\var(?=%s)" % one_of(VARIANTS.values()), "", text)
     return text.replace("\\", "")
 
 

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-GREEK = (
-    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi rho sigma tau "
-    "upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega ell"
-).split()
-VARIANTS = {"vartheta": "theta", "varphi": "phi", "varepsilon": "epsilon", "ell": "l"}
+from armproof.verification.latex import greek
+
+VARIANTS = {**greek.VARIANTS, "ell": "l"}
+LETTERS = frozenset([*greek.GREEK, "ell"])  # commands that are letters
 
 UNICODE = {
     "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
     "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
     "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ",
-    "α": r"\alpha ", "β": r"\beta ", "γ": r"\gamma ", "θ": r"\theta ", "ϑ": r"\theta ", "φ": r"\phi ", "ϕ": r"\phi ",
-    "ψ": r"\psi ", "π": r"\pi ", "ω": r"\omega ", "σ": r"\sigma ", "λ": r"\lambda ", "μ": r"\mu ", "ρ": r"\rho ",
-    "τ": r"\tau ", "δ": r"\delta ", "\u00a0": " ",
+    "\u00a0": " ", **{character: f"\\{name} " for character, name in greek.NAMES.items()},
 }  # fmt: skip
 
 # how the functions of kinematics are spelt: the spelling → the function
@@ -40,7 +37,6 @@ BARE_WORDS = sorted(
     key=len,
     reverse=True,
 )
-BARE_GREEK = ("theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "sigma")
 
 RELATIONS = {
     "=": "=", "equiv": "=", "triangleq": "=", "coloneqq": "=", ":=": "=", "approx": "≈", "simeq": "≈",

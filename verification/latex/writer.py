@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import GREEK
 
 SWAPPED = {"cos": "sin", "sin": "cos", "\\cos": "\\sin", "\\sin": "\\cos", "C": "S", "S": "C", "c": "s", "s": "c", "Cos": "Sin",
            "Sin": "Cos", "\\mathrm{c}": "\\mathrm{s}", "\\mathrm{s}": "\\mathrm{c}"}  # fmt: skip
@@ -95,22 +96,7 @@ def symbol_as_latex(name: str) -> str:
     while name.startswith("dot "):
         name, dots = name[4:], dots + 1
     base, _, index = name.partition("_")
-    greek = base in (
-        "theta",
-        "alpha",
-        "beta",
-        "gamma",
-        "phi",
-        "psi",
-        "omega",
-        "sigma",
-        "lambda",
-        "mu",
-        "rho",
-        "tau",
-        "delta",
-    )
-    letter = f"\\{base}" if greek else base
+    letter = f"\\{base}" if base in GREEK else base
     if dots:
         letter = f"\\{'d' * dots}ot{{{letter}}}"
     return letter + (f"_{{{index}}}" if len(index) > 1 else f"_{index}" if index else "")

@@ -13,12 +13,22 @@ from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader, key_as_latex
+from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.quantities import implied_quantity, read_quantity, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState
 from armproof.verification.naming.trees import call_key
 
-FREE_IN_GENERAL = re.compile(r"[a-z]|theta|alpha|beta|gamma|phi|psi|omega|sigma|lambda|mu|rho|tau|delta|epsilon|Delta")
+FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
+# words of a name that LaTeX reads without being told: letters, functions, accents and styles
+READ_ALREADY = frozenset(
+    [
+        *LETTERS,
+        *FUNCTIONS,
+        *"dot ddot vec mathbf mathrm text prime hat bar operatorname mathcal boldsymbol star frac".split(),
+    ]
+)
 FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
 
@@ -164,27 +174,8 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
             raise DocumentError(f"'{key}' must be a mapping from names to meanings, not {value!r}", key)
     if transforms not in ("upper", "lower"):
         raise DocumentError(f"'transforms' must be upper or lower, not {transforms!r}", "transforms")
-    words = frozenset(
-        word
-        for key in [*symbols_spec, *quantities_spec]
-        for word in re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key))
-        if not _is_greek(word)
-    ) - {
-        "dot",
-        "ddot",
-        "vec",
-        "mathbf",
-        "mathrm",
-        "text",
-        "prime",
-        "hat",
-        "bar",
-        "operatorname",
-        "mathcal",
-        "boldsymbol",
-        "star",
-        "frac",
-    }
+    found = (re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key)) for key in [*symbols_spec, *quantities_spec])
+    words = frozenset(word for words in found for word in words) - READ_ALREADY
     plain = Reader(words=words)
     symbols: dict[str, str] = {}
     for key, value in symbols_spec.items():
@@ -207,12 +198,6 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     # A trig letter bound with any index (s_x) or an applied name (J(q)) is bound as written.
     reader = Reader(lambda key: key in bound, words)
     return Names(arm, symbols, quantities, transforms, reader)
-
-
-def _is_greek(word: str) -> bool:
-    from armproof.verification.latex.vocabulary import FUNCTIONS, GREEK
-
-    return word in GREEK or word in FUNCTIONS
 
 
 def _scalars(arm: Arm) -> list[str]:

@@ -9,12 +9,13 @@ from collections.abc import Iterable
 from typing import TextIO
 from unicodedata import combining, normalize
 
+from armproof.verification.latex.greek import NAMES
+
 Span = tuple[str, str]  # a text and its style, "" for none
 Line = tuple[Span, ...]
 
 _ASCII = {
-    **dict(zip("αβγδεθλμπρστφψωΔΣ", "alpha beta gamma delta epsilon theta lambda mu pi rho sigma tau phi psi omega Delta Sigma".split(),
-               strict=True)),
+    **NAMES,
     **dict(zip("×·−–—…≤≥≠≈°′“”‘’∈±²³√", "x * - - - ... <= >= != ~ deg ' \" \" ' ' in +- ^2 ^3 sqrt".split(), strict=True)),
     "⇒": "=>", "⇐": "<=", "⇔": "<=>", "→": "->", "←": "<-",
     "₀": "_0", "₁": "_1", "₂": "_2", "₃": "_3", "₄": "_4", "₅": "_5", "₆": "_6", "₇": "_7", "₈": "_8", "₉": "_9",

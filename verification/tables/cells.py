@@ -11,6 +11,7 @@ from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import GREEK, one_of
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.columns import plain
 
@@ -64,8 +65,10 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
     if _VARIABLE.fullmatch(spelt):
         return Cell(text.strip(), kind="variable")
     spelt = re.sub(r"(?<=[\w}])\s*\^?\s*\{?\*+\}?(?=\s*(?:$|[-+=)]))", "", spelt)  # θ_1*: the star of a variable
-    spelt = re.sub(r"(?<![\\A-Za-z])(pi|theta|alpha)(?![A-Za-z])", r"\\\1", spelt)
-    spelt = re.sub(r"(?<![\\A-Za-z])(\\?(?:theta|alpha)|[A-Za-z])\s?(\d+)(?![\d.])", r"\1_{\2}", spelt)
+    spelt = re.sub(r"(?<![\\A-Za-z])(%s)(?![A-Za-z])" % one_of(GREEK), r"\\\1", spelt)
+    spelt = re.sub(
+        r"(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"}), r"\1_{\2}", spelt
+    )
     spelt = re.sub(r"(?<=\d)\s*deg(?:rees)?\b", r"^\\circ", spelt)
     try:
         return Cell(text.strip(), tuple(names.reader.read_expression(part) for part in spelt.split("=")))

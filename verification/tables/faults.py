@@ -6,12 +6,11 @@ import re
 from dataclasses import dataclass
 from itertools import combinations
 
+from armproof.verification.latex.greek import GREEK
 from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.row import PARAMETERS
 from armproof.verification.tables.tool import same_tool
 from armproof.verification.verdict import WrongEntry
-
-_LETTERS = {"alpha": "α", "theta": "θ"}
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ def fault_of_table(found: TableReading) -> Fault | None:
 def letter(found: TableReading, parameter: str) -> str:
     """Return the letter of a parameter's column."""
     role = found.claim.columns.headers[found.reading.columns[parameter]].role
-    return _LETTERS.get(role, role)
+    return GREEK.get(role, role)
 
 
 def _other_frames(found: TableReading) -> Fault | None:

@@ -7,16 +7,15 @@ import unicodedata
 from functools import lru_cache
 
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import LONG, one_of
 from armproof.verification.latex.mathml import box
 from armproof.verification.latex.mathml.box import EMPTY, Box
 from armproof.verification.latex.plain import LETTERS, plain_text
 
 _DOTS = {1: "˙", 2: "¨", 3: "⃛"}
-_LONG_GREEK = "alpha|beta|gamma|delta|theta|omega|sigma|lambda|phi|psi"
 _TOKEN = re.compile(
     r"(?P<size>(?<=\d)x(?=[\dn]))|(?P<greek>(?:%s)(?![a-z]))|(?P<word>[A-Za-z]+?(?=(?:%s)(?![a-z])|[^A-Za-z]|$))"
-    r"|(?P<number>\d+(?:\.\d+)?)|(?P<below>_)|(?P<above>\^)|(?P<sign>\S)"
-    % ("|".join(sorted(LETTERS, key=len, reverse=True)), _LONG_GREEK)
+    r"|(?P<number>\d+(?:\.\d+)?)|(?P<below>_)|(?P<above>\^)|(?P<sign>\S)" % (one_of(LETTERS), one_of(LONG))
 )
 _ACCENTS = {
     "vec": "→",
