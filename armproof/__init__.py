@@ -11,6 +11,10 @@
 | `verify_text(text)` | the same of a document that is no file |
 | `check_function(arm, function, quantities)` | the verdict on a Python function of the joint values, a `FunctionCheck` |
 | `load_arm(spec)` | an `Arm` of the catalogue, of a model file or of a DH table |
+| `NumericKinematics(arm, q)` | Drake's poses and Jacobians of an arm at some configurations |
+| `bulk_of(arm)` | the same of millions, a `BulkKinematics` |
+| `trace_of(arm)` | the exact ones, a `Trace` |
+| `plant_of(arm)` | the `MultibodyPlant` of an arm |
 | `inverse_of(arm)` | the proved closed-form inverse of an arm, an `InverseKinematics` |
 | `open_lesson(name)` | a `Lesson`, whose tasks give `Feedback` on answers |
 
@@ -25,8 +29,12 @@ if TYPE_CHECKING:
     from armproof.course.feedback import AnswerError, Feedback, Lesson, LessonError, Outcome, Row, open_lesson
     from armproof.course.inverse import inverse_of
     from armproof.models.arm import Arm
+    from armproof.models.bulk.bulk import BulkKinematics, bulk_of
     from armproof.models.catalogue import load_arm
     from armproof.models.errors import ArmproofError, ModelError
+    from armproof.models.exact.trace import Trace, trace_of
+    from armproof.models.numeric.drake_arm import plant_of
+    from armproof.models.numeric.plant import NumericKinematics
     from armproof.verification.check import verify, verify_text
     from armproof.verification.errors import DocumentError
     from armproof.verification.functions import FunctionCheck, FunctionVerdict, TableRow, check_function
@@ -37,6 +45,7 @@ __all__ = [
     "AnswerError",
     "Arm",
     "ArmproofError",
+    "BulkKinematics",
     "Correction",
     "DocumentError",
     "DocumentResult",
@@ -49,17 +58,22 @@ __all__ = [
     "LessonError",
     "Mark",
     "ModelError",
+    "NumericKinematics",
     "Outcome",
     "Record",
     "Row",
     "Solutions",
     "TableRow",
+    "Trace",
     "Verdict",
     "WrongEntry",
+    "bulk_of",
     "check_function",
     "inverse_of",
     "load_arm",
     "open_lesson",
+    "plant_of",
+    "trace_of",
     "verify",
     "verify_text",
 ]
@@ -69,8 +83,12 @@ _HOMES = {
     "armproof.course.feedback": ("AnswerError", "Feedback", "Lesson", "LessonError", "Outcome", "Row", "open_lesson"),
     "armproof.course.inverse": ("inverse_of",),
     "armproof.models.arm": ("Arm",),
+    "armproof.models.bulk.bulk": ("BulkKinematics", "bulk_of"),
     "armproof.models.catalogue": ("load_arm",),
     "armproof.models.errors": ("ArmproofError", "ModelError"),
+    "armproof.models.exact.trace": ("Trace", "trace_of"),
+    "armproof.models.numeric.drake_arm": ("plant_of",),
+    "armproof.models.numeric.plant": ("NumericKinematics",),
     "armproof.verification.check": ("verify", "verify_text"),
     "armproof.verification.errors": ("DocumentError",),
     "armproof.verification.functions": ("FunctionCheck", "FunctionVerdict", "TableRow", "check_function"),

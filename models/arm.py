@@ -1,23 +1,22 @@
-"""The loaded arm: a Drake plant, its joints in order, its lengths and the frames of the document."""
+"""The arm as plain data: its joints in order, its lengths and the frames of the document.
+
+What else is known of an arm is reached through functions that stand beside what they return, and that this file knows
+nothing of: `drake_of` and `plant_of` (models/numeric/drake_arm.py), `trace_of` (models/exact/trace.py), `bulk_of`
+(models/bulk/bulk.py), and `NumericKinematics` (models/numeric/plant.py) at some configurations.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal, TypeVar, cast
 
+from armproof.models.dh.table import DHTable
 from armproof.models.errors import ModelError
-from armproof.models.exact.offset import Offset
 
-if TYPE_CHECKING:
-    import numpy as np
-
-    from armproof.models.bulk.bulk import BulkKinematics
-    from armproof.models.dh.table import DHTable
-    from armproof.models.exact.trace import Trace
-    from armproof.models.numeric.plant import NumericKinematics
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -42,7 +41,7 @@ class Joint:
 
 @dataclass(frozen=True, eq=False)
 class Arm:
-    """An arm as Drake sees it, with the names that its document uses.
+    """An arm with the names that its document uses.
 
     Attributes:
         name, title, source, zero: from the convention card; `zero` tells what the zero pose looks like.
@@ -50,14 +49,13 @@ class Arm:
         lengths: each length symbol with its value in the plant (m).
         angles: each constant angle symbol of a DH table with its value in the plant (rad).
         frames: the document's frames, the base frame (usually "0") first.
-        plant: the finalized MultibodyPlant of doubles.
+        exact: what gives its exact kinematics, for `trace_of`.
+        drake: the arm as Drake has it, for `drake_of`; None if the arm was read from a value.
         dh: the DH table, if the arm was given by one.
         path: the model file, if the arm was read from one.
+        digest: SHA-256 of what the arm was loaded from: the model file and its card, or the table.
         warnings: what Drake's parser warned of.
-        drake_base: the Drake body that carries the arm.
-        drake_joints: the Drake joint of each of `joints`.
-        drake_frames: the Drake frame of each document frame.
-        offsets: the exact pose of each fixed frame that holds a symbol, by the frame's index in the plant.
+        kept: what has been computed of the arm, for `once_per_arm`.
     """
 
     name: str
@@ -68,32 +66,19 @@ class Arm:
     lengths: Mapping[str, float]
     angles: Mapping[str, float]
     frames: tuple[str, ...]
-    plant: Any = field(repr=False)
+    exact: Any = field(default=None, repr=False)
+    drake: Any = field(default=None, repr=False)
     dh: DHTable | None = None
     path: Path | None = None
+    digest: str = ""
     warnings: tuple[str, ...] = ()
-    drake_base: Any = field(default=None, repr=False)
-    drake_joints: tuple[Any, ...] = field(default=(), repr=False)
-    drake_frames: Mapping[str, Any] = field(default_factory=dict, repr=False)
-    offsets: Mapping[int, Offset] = field(default_factory=dict, repr=False)
+    kept: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         symbols = [joint.symbol for joint in self.joints] + [*self.lengths, *self.angles]
         twice = sorted({symbol for symbol in symbols if symbols.count(symbol) > 1})
         if twice:
             raise ModelError(f"arm '{self.name}': the symbol '{twice[0]}' stands for two things; each needs its own")
-
-    def frame(self, name: str | int) -> Any:
-        """Return the Drake frame of a document frame.
-
-        Raises:
-            ModelError: the arm has no such frame.
-        """
-        try:
-            return self.drake_frames[str(name)]
-        except KeyError:
-            frames = ", ".join(self.frames)
-            raise ModelError(f"no frame '{name}' on arm '{self.name}'; its frames are {frames}") from None
 
     def frame_names(self, *names: str | int | None) -> tuple[str, ...]:
         """Return frame names as texts, the base frame for None.
@@ -103,7 +88,9 @@ class Arm:
         """
         checked = tuple(self.frames[0] if name is None else str(name) for name in names)
         for name in checked:
-            self.frame(name)
+            if name not in self.frames:
+                frames = ", ".join(self.frames)
+                raise ModelError(f"no frame '{name}' on arm '{self.name}'; its frames are {frames}")
         return checked
 
     def joint(self, symbol: str) -> Joint:
@@ -118,27 +105,14 @@ class Arm:
         symbols = ", ".join(joint.symbol for joint in self.joints)
         raise ModelError(f"no joint variable '{symbol}' on arm '{self.name}'; its joint variables are {symbols}")
 
-    @cached_property
-    def position_indices(self) -> tuple[int, ...]:
-        """The index of each joint variable in the plant's vector of positions (and of velocities)."""
-        return tuple(joint.position_start() for joint in self.drake_joints)
 
-    @cached_property
-    def trace(self) -> Trace:
-        """The exact symbolic kinematics, computed on demand."""
-        from armproof.models.exact.trace import Trace
+def once_per_arm(compute: Callable[[Arm], T]) -> Callable[[Arm], T]:
+    """Make a function of an arm keep its result with the arm: computed on demand, once."""
 
-        return Trace(self)
+    @wraps(compute)
+    def kept(arm: Arm) -> T:
+        if compute not in arm.kept:
+            arm.kept[compute] = compute(arm)
+        return cast("T", arm.kept[compute])
 
-    @cached_property
-    def bulk(self) -> BulkKinematics:
-        """The kinematics at very many configurations, compiled on demand."""
-        from armproof.models.bulk.bulk import BulkKinematics
-
-        return BulkKinematics(self)
-
-    def numeric(self, q: np.ndarray) -> NumericKinematics:
-        """Return the kinematics of the plant of doubles at N configurations, (N, n) in the order of `joints`."""
-        from armproof.models.numeric.plant import NumericKinematics
-
-        return NumericKinematics(self, q)
+    return kept

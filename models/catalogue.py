@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from armproof.models.arm import Arm
+from armproof.models.dh.table import read_table
 from armproof.models.errors import ModelError
 from armproof.models.loading.card import CARD_NAME, read_card
-from armproof.models.loading.loading import load_card, load_plain
 from armproof.models.loading.reader import SUFFIXES
 
 _MODELS = Path(__file__).resolve().parent
@@ -69,6 +69,8 @@ def _stamped(path: Path) -> tuple[Path, tuple[int, ...]]:
 
 @lru_cache(maxsize=64)
 def _load_file(path: Path, stamp: tuple[int, ...]) -> Arm:
+    from armproof.models.loading.loading import load_card, load_plain  # and with them NumPy and Drake
+
     if path.name == CARD_NAME:
         return load_card(read_card(path), path.parent.name)
     return load_plain(path)
@@ -76,9 +78,9 @@ def _load_file(path: Path, stamp: tuple[int, ...]) -> Arm:
 
 @lru_cache(maxsize=64)
 def _load_table(text: str) -> Arm:
-    from armproof.models.dh.table import load_table
+    from armproof.models.loading.dh_plant import build_arm
 
-    return load_table(json.loads(text))
+    return build_arm(read_table(json.loads(text)))
 
 
 def _reject(value: object) -> None:

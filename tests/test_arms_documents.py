@@ -17,6 +17,7 @@ from pydrake.autodiffutils import ExtractGradient, ExtractValue, InitializeAutoD
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.numeric.configurations import sample
+from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -249,19 +250,19 @@ def values(name: str, latex: str) -> np.ndarray:
 
 @cache
 def autodiff(arm: Arm) -> tuple[Any, Any]:
-    plant = arm.plant.ToAutoDiffXd()
+    plant = plant_of(arm).ToAutoDiffXd()
     return plant, plant.CreateDefaultContext()
 
 
 def differentiated(arm: Arm, closed: ClosedForm, q: np.ndarray) -> np.ndarray:
     """Return dFK/dq as [v; ω] by AutoDiff: columns of dp/dq, and ω from dR/dq Rᵀ."""
     plant, context = autodiff(arm)
-    base, tool = (plant.get_frame(arm.frame(frame).index()) for frame in (closed.base, closed.tool))
+    base, tool = (plant.get_frame(frame_of(arm, frame).index()) for frame in (closed.base, closed.tool))
     positions = np.zeros(plant.num_positions())
-    positions[list(arm.position_indices)] = q
+    positions[list(drake_of(arm).position_indices)] = q
     plant.SetPositions(context, InitializeAutoDiff(positions).ravel())
     X = plant.CalcRelativeTransform(context, base, tool).GetAsMatrix4()
     R = ExtractValue(X[:3, :3])
-    gradient = np.asarray(ExtractGradient(X[:3].reshape(-1, 1))).reshape(3, 4, -1)[:, :, arm.position_indices]
+    gradient = np.asarray(ExtractGradient(X[:3].reshape(-1, 1))).reshape(3, 4, -1)[:, :, drake_of(arm).position_indices]
     angular = np.einsum("ikq,jk->ijq", gradient[:, :3], R)
     return np.stack([*gradient[:, 3], angular[2, 1], angular[0, 2], angular[1, 0]])

@@ -10,6 +10,7 @@ import numpy as np
 from armproof.course.feedback.errors import AnswerError
 from armproof.models.arm import Arm
 from armproof.models.errors import ArmproofError
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.diagnosis.discrepancy import Discrepancy, Drawn, Rows
 from armproof.verification.functions.arguments import constants_of, read_layout
 from armproof.verification.functions.asked import read_asked
@@ -43,7 +44,7 @@ def _drawn(arm: Arm, asked: Mapping[str, Any], function: Callable[..., Any], at:
     quantity = one.quantity
     if quantity.kind not in ("pose", "origin", "jacobian") or quantity.reference != arm.frames[0]:
         return None
-    numeric = arm.numeric(np.array([[at[joint.symbol] for joint in arm.joints]]))
+    numeric = NumericKinematics(arm, np.array([[at[joint.symbol] for joint in arm.joints]]))
     obtained = call_at(arm, function, at)
     pose = np.array(numeric.pose(quantity.frame)[0])
     if quantity.kind == "jacobian":

@@ -199,9 +199,12 @@ lesson.pose.show(pose, theta_1=0.5, theta_2=0.8)
 # two angles and compare with your matrix; Drake's arm has $l_1 = 0.45$ m and $l_2 = 0.35$ m.
 
 # %%
-context = arm.plant.CreateDefaultContext()
-arm.plant.SetPositions(context, [0.5, 0.8])
-X_02 = arm.frame(2).CalcPose(context, arm.frame(0))
+from armproof.models.numeric.drake_arm import frame_of, plant_of
+
+plant = plant_of(arm)
+context = plant.CreateDefaultContext()
+plant.SetPositions(context, [0.5, 0.8])
+X_02 = frame_of(arm, 2).CalcPose(context, frame_of(arm, 0))
 X_02.GetAsMatrix4().round(4)
 
 # %% [markdown]

@@ -46,7 +46,7 @@ lesson
 # convention: joint $i$ moves about or along $z_{i-1}$. Note where $z_2$ points.
 
 # %%
-from armproof import load_arm
+from armproof import NumericKinematics, load_arm
 from armproof.course.figures.registry import draw_kind, find_kind
 
 draw_kind(find_kind("sketch"), load_arm("scara"))
@@ -225,7 +225,7 @@ draw_kind(find_kind("singular"), load_arm("scara"))
 # %%
 arm = load_arm("scara")
 for theta_2 in (1.5, 0.5, 0.1, 0.01, 0):
-    J = arm.numeric(np.array([[0, theta_2, 0, 0]])).jacobian("4")[0]
+    J = NumericKinematics(arm, np.array([[0, theta_2, 0, 0]])).jacobian("4")[0]
     print(f"theta_2 = {theta_2:4.2f}:  {np.linalg.svd(J[:2, :2])[1].min():.5f}")
 
 # %% [markdown]

@@ -9,6 +9,7 @@ import numpy as np
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Shown
+from armproof.models.numeric.plant import NumericKinematics
 
 ARM = "planar_2r"
 SPEED = 0.1  # m/s, what show_rates asks of the gripper
@@ -54,7 +55,7 @@ def _plot(arm, elbow, values, damping):
     from armproof.models.motion.inverse_velocity import joint_rates
 
     q = np.column_stack([np.zeros_like(elbow), elbow])
-    jacobians = arm.numeric(q).jacobian("2")[:, :2, :]
+    jacobians = NumericKinematics(arm, q).jacobian("2")[:, :2, :]
     twists = np.broadcast_to([SPEED, 0.0], (len(elbow), 2))
     true = joint_rates(jacobians, twists).rates
     damped = joint_rates(jacobians, twists, damping=damping).rates

@@ -58,8 +58,8 @@ def _draw(arm, q, target):
     from armproof.course.figures.drawing.scene import finish
     from armproof.course.figures.drawing.style import GREY, STROKES, new_figure, styled
     from armproof.course.inverse import inverse_of
-    from armproof.models.numeric.skeleton import stick_points
     from armproof.models.showing.projection import plane_projection
+    from armproof.models.showing.skeleton import stick_points
 
     solved = inverse_of(ARM).solve(target[None])
     right = solved.q[0][solved.valid[0]]

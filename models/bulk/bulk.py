@@ -1,13 +1,14 @@
 """The kinematics of an arm at millions of configurations: compiled from its exact trace to vectorised NumPy.
 
 The exact trace of each link (models/exact/trace.py) becomes terms of a graph (models/bulk/graph.py), the links are multiplied there
-(models/bulk/chain.py), and the graph is compiled once to a program (models/bulk/program.py). No plant is evaluated, so
-that the double plant of `arm.numeric(q)` stays an independent route.
+(models/exact/chain.py), and the graph is compiled once to a program (models/bulk/program.py). No plant is evaluated, so
+that the double plant of models/numeric/plant.py stays an independent route.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from math import isfinite
 from numbers import Real
 from threading import Lock
@@ -15,15 +16,16 @@ from typing import Any
 
 import numpy as np
 
-from armproof.models.arm import Arm
-from armproof.models.bulk.chain import ChainKinematics
-from armproof.models.bulk.graph import Matrix, Term
+from armproof.models.arm import Arm, once_per_arm
+from armproof.models.bulk.graph import Graph, Matrix, Term
+from armproof.models.bulk.jacobian_part import JacobianPart, read_part
 from armproof.models.bulk.minors import maximal_minors
 from armproof.models.bulk.program import Program
 from armproof.models.errors import ModelError
+from armproof.models.exact.chain import ChainKinematics, traced_link
 from armproof.models.exact.constants import constant_value
 from armproof.models.exact.polynomial import Generator
-from armproof.models.numeric.jacobian_part import JacobianPart, read_part
+from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.joint_values import read_joint_values
 
 _MOST_MINORS = 84  # of 6 rows and 9 columns; more of them take longer than the singular values
@@ -48,7 +50,10 @@ class BulkKinematics:
         self._arm = arm
         self._values = {**arm.lengths, **arm.angles, **_read_values(arm, values or {})}
         self._variables = {joint.symbol for joint in arm.joints}
-        self._kinematics = ChainKinematics(arm, self._constant)
+        trace = trace_of(arm)
+        depths = {frame: trace.depth(frame) for frame in arm.frames}
+        self._graph = Graph(self._constant)
+        self._kinematics = ChainKinematics(depths, len(arm.joints), partial(traced_link, trace), self._graph)
         self._programs: dict[tuple[Any, ...], tuple[Program, list[tuple[int, int]]]] = {}
         self._lock = Lock()
         self._ranks: dict[JacobianPart, int] = {}
@@ -194,7 +199,7 @@ class BulkKinematics:
     def _compile(self, matrices: Sequence[Matrix]) -> tuple[Program, list[tuple[int, int]]]:
         groups = [[term for row in matrix for term in row] for matrix in matrices]
         shapes = [(len(matrix), len(matrix[0])) for matrix in matrices]
-        return Program(self._kinematics.graph, self._arm.joints, groups), shapes
+        return Program(self._graph, self._arm.joints, groups), shapes
 
     def _matrices(self, what: str, *of: Any) -> list[Matrix]:
         """Return the matrices of terms that a program evaluates."""
@@ -209,10 +214,9 @@ class BulkKinematics:
 
     def _volume(self, part: JacobianPart) -> Term:
         """Return the determinant of a square part of the Jacobian, else the sum of its squared maximal minors."""
-        graph = self._kinematics.graph
         J = self._kinematics.jacobian(part.frame, part.expressed_in, self._arm.frames[0])
-        minors = maximal_minors(graph, part.of_terms(J))
-        return minors[0] if len(minors) == 1 else graph.dot(minors, minors)
+        minors = maximal_minors(self._graph, part.of_terms(J))
+        return minors[0] if len(minors) == 1 else self._graph.dot(minors, minors)
 
     def _singular_values(self, q: Any, part: JacobianPart) -> np.ndarray:
         q = read_joint_values(self._arm, q)
@@ -229,6 +233,12 @@ class BulkKinematics:
             values = self._singular_values(q, part)
             self._ranks[part] = int((values > 1e-9 * values[:, :1]).sum(axis=1).max())
         return self._ranks[part]
+
+
+@once_per_arm
+def bulk_of(arm: Arm) -> BulkKinematics:
+    """Return the kinematics of an arm at very many configurations."""
+    return BulkKinematics(arm)
 
 
 def _read_values(arm: Arm, values: Mapping[str, float]) -> dict[str, float]:

@@ -38,6 +38,11 @@ class LinearForm:
         terms = (float(coefficient) * values[symbol] for symbol, coefficient in self.symbols)
         return sum(terms, float(self.pi) * pi + float(self.number))
 
+    def __str__(self) -> str:
+        terms = [*self.symbols, ("pi", self.pi)]
+        products = [f"({coefficient}) * {symbol}" for symbol, coefficient in terms if coefficient]
+        return " + ".join([*products, f"({self.number})"])
+
     @property
     def is_number(self) -> bool:
         """Whether the form is a plain rational number."""

@@ -13,7 +13,6 @@ from fractions import Fraction
 from math import pi
 from typing import Any, Literal
 
-from armproof.models.arm import Arm
 from armproof.models.dh.entry import FORMS, LinearForm, read_entry
 from armproof.models.errors import ModelError
 
@@ -101,11 +100,10 @@ def read_table(spec: Mapping[str, Any]) -> DHTable:
     return table
 
 
-def load_table(spec: Mapping[str, Any]) -> Arm:
-    """Read a DH table and build its arm; see `read_table` and `armproof.models.dh.plant.build_arm`."""
-    from armproof.models.dh.plant import build_arm
-
-    return build_arm(read_table(spec))
+def write_table(table: DHTable) -> dict[str, Any]:
+    """Return the mapping that `read_table` reads as this table."""
+    rows = [{column: str(getattr(row, column)) for column in COLUMNS} for row in table.rows]
+    return {"dh": table.convention, "rows": rows, "joints": [row.joint for row in table.rows]}
 
 
 def _read_row(number: int, row: object) -> dict[str, LinearForm]:

@@ -7,10 +7,9 @@ decimal within 1e-12, an entry of a rotation 0, ±1 or the square root of a rati
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import isfinite, isqrt, pi, sqrt
-
-import numpy as np
 
 from armproof.models.errors import ModelError
 from armproof.models.exact.polynomial import (
@@ -120,7 +119,7 @@ def rotation(axis: int, cos_sin: tuple[Entry, Entry]) -> Rows:
     return tuple(tuple(row) for row in rows)
 
 
-def exact_rotation(matrix: np.ndarray) -> Rows:
+def exact_rotation(matrix: Sequence[Sequence[float]]) -> Rows:
     """Return the exact rotation that a 3×3 float matrix stands for.
 
     Entries that are 0, ±1 or square roots of rationals are taken as such when the result is exactly orthonormal;

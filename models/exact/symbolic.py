@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.arm import Joint
+from armproof.models.exact.expressions import Expressions
 from armproof.models.exact.numbers import IDENTITY
 from armproof.models.exact.offset import Offset, exact_offsets, frame_at
-from armproof.models.exact.polynomial import Entry, Generator, Monomial, Rows, normal_form, number
+from armproof.models.exact.polynomial import Entry, Generator, Rows, number
 from armproof.models.exact.polynomial import generators as generators_of
+from armproof.models.numeric.drake_arm import DrakeArm
+from armproof.models.numeric.jacobian import calc_jacobian
 
-_MOST_WORK = 19
 _ZERO_OFFSET = Offset(IDENTITY, (number(0),) * 3)
 
 
@@ -26,41 +28,79 @@ class SymbolicPlant:
     That keeps the polynomials short.
     """
 
-    def __init__(self, arm: Arm) -> None:
-        from pydrake.symbolic import Variable
+    def __init__(
+        self, name: str, joints: Sequence[Joint], drake: DrakeArm, offsets: Mapping[int, Offset] | None = None
+    ) -> None:
+        """Take the Drake objects of an arm, its name for messages, and its joints.
 
-        self._arm = arm
-        self.plant = arm.plant.ToSymbolic()
-        self._depths = _body_depths(arm)
-        self._offsets = {**exact_offsets(arm.plant), **arm.offsets}
-        self._offset_depths = {
-            index: self._depths[int(frame_at(arm.plant, index).body().index())] for index in self._offsets
-        }
+        Args:
+            offsets: the exact pose of each fixed frame that holds a symbol, by the frame's index in the plant.
+        """
+        self._name = name
+        self._joints = joints
+        self._drake = drake
+        self._given = offsets or {}
         self._contexts: dict[int, Any] = {}
-        self._variables: dict[Generator | Fraction, Any] = {}
-        self._meanings: dict[int, Generator | Fraction] = {}
-        self._joint_variables = [Variable(joint.symbol) for joint in arm.joints]
-        self._sine_cosine = {}
-        for joint, variable in zip(arm.joints, self._joint_variables, strict=True):
-            if joint.kind == "revolute":
-                self._sine_cosine[variable] = self._sin_cos(joint.symbol)
-            else:
-                self._meanings[variable.get_id()] = ("symbol", joint.symbol)
 
-    def frame(self, name: str) -> Any:
-        """Return the frame of the symbolic plant for a document frame."""
-        return self.plant.get_frame(self._arm.frame(name).index())
+    @cached_property
+    def plant(self) -> Any:
+        """The plant of expressions."""
+        return self._drake.plant.ToSymbolic()
 
-    def depth(self, name: str) -> int:
+    @cached_property
+    def offsets(self) -> Mapping[int, Offset]:
+        """The exact pose of each fixed frame in its parent, by the frame's index in the plant."""
+        return {**exact_offsets(self._drake.plant), **self._given}
+
+    @cached_property
+    def _expressions(self) -> Expressions:
+        return Expressions(self._name, self._joints)
+
+    @cached_property
+    def _depths(self) -> Mapping[int, int]:
+        return _body_depths(self._drake)
+
+    @cached_property
+    def _offset_depths(self) -> Mapping[int, int]:
+        plant = self._drake.plant
+        return {index: self._depths[int(frame_at(plant, index).body().index())] for index in self.offsets}
+
+    def depth(self, frame: str) -> int:
         """Return the number of moving joints between the base and a document frame."""
-        return self._depths[int(self._arm.frame(name).body().index())]
+        return self._depths[int(self._drake.frames[frame].body().index())]
+
+    def pose(self, frame: str, reference: str) -> Rows:
+        """Return the pose of a frame in a reference frame."""
+        context = self.context(min(self.depth(frame), self.depth(reference)))
+        X_RF = self.plant.CalcRelativeTransform(context, self._frame(reference), self._frame(frame))
+        return self._expressions.entries(X_RF.GetAsMatrix4())
+
+    def jacobian(self, frame: str, expressed_in: str, reference: str) -> Rows:
+        """Return the geometric Jacobian, its columns each with only that part of the chain that it depends on.
+
+        Column j depends on what lies between the joint j, the frame and `expressed_in`, and is zero unless the joint
+        lies between the frame and the reference.
+        """
+        first, last = sorted((self.depth(frame), self.depth(reference)))
+        columns: list[tuple[Entry, ...]] = [({},) * 6 for _ in self._joints]
+        by_depth: dict[int, list[int]] = {}
+        for joint in range(max(first, 0), last):
+            below = min(joint, self.depth(frame), self.depth(expressed_in))
+            by_depth.setdefault(below, []).append(joint)
+        frames = [self._frame(name) for name in (frame, reference, expressed_in)]
+        for below, joints in by_depth.items():
+            J = calc_jacobian(self.plant, self.context(below), *frames)
+            traced = self._expressions.entries(J[:, [self._drake.position_indices[joint] for joint in joints]])
+            for joint, column in zip(joints, zip(*traced, strict=True), strict=True):
+                columns[joint] = column
+        return tuple(zip(*columns, strict=True))
 
     @property
     def generators(self) -> set[Generator]:
         """The constants and lengths that the fixed poses hold."""
         return generators_of(
             entry
-            for offset in self._offsets.values()
+            for offset in self.offsets.values()
             for entry in (*offset.translation, *(entry for row in offset.rotation for entry in row))
         )
 
@@ -70,40 +110,19 @@ class SymbolicPlant:
             self._contexts[depth] = self._create_context(depth)
         return self._contexts[depth]
 
-    def check_size(self, depth: int, frames: tuple[str, ...], expressed_in: str | None = None) -> None:
-        """Refuse a trace whose rotations from a depth to the frames multiply to more terms than two seconds allow.
+    @cached_property
+    def growth(self) -> Mapping[int, float]:
+        """How many times (log2, as measured) the angles and roots at each depth double the work of a product."""
+        growth = {joint.index - 1: 1.5 for joint in self._joints if joint.kind == "revolute"}
+        for index, offset in self.offsets.items():
+            depth = self._offset_depths[index]
+            found = generators_of(entry for row in offset.rotation for entry in row)
+            more = sum({"cos": 1.5, "sqrt": 1.0}.get(kind, 0.0) for kind, _ in found)
+            growth[depth] = growth.get(depth, 0.0) + more
+        return growth
 
-        Raises:
-            ModelError: the estimate, in bits, of the work is above 19 (a 12R arm with right angles, or 6R with symbols).
-        """
-        work = sum(self._work(depth, self.depth(frame)) for frame in frames)
-        if expressed_in is not None:
-            work += self._work(depth, self.depth(expressed_in)) / 2
-        if work > _MOST_WORK:
-            raise ModelError(
-                f"arm '{self._arm.name}': too many symbolic angles between frames {', '.join(frames)} to multiply out; "
-                "choose frames nearer to each other, or make constant angles multiples of pi/2"
-            )
-
-    def _work(self, depth: int, end: int) -> float:
-        """Return how many times (log2, as measured) the angles and roots from one depth to another double the work."""
-        work = 1.5 * sum(joint.kind == "revolute" for joint in self._arm.joints[max(depth, 0) : max(end, 0)])
-        for index, offset in self._offsets.items():
-            if depth <= self._offset_depths[index] < end:
-                found = generators_of(entry for row in offset.rotation for entry in row)
-                work += sum({"cos": 1.5, "sqrt": 1.0}.get(kind, 0.0) for kind, _ in found)
-        return work
-
-    def entries(self, expressions: np.ndarray) -> Rows:
-        """Return a matrix of expressions as exact entries in normal form."""
-        from pydrake.symbolic import Polynomial, Substitute
-
-        flat: Any = np.asarray(expressions).reshape(-1, 1)
-        if self._sine_cosine:
-            flat = Substitute(flat, self._sine_cosine)
-        entries = [self._entry(Polynomial(expression)) for expression in np.asarray(flat).ravel()]
-        width = expressions.shape[1]
-        return tuple(tuple(entries[i : i + width]) for i in range(0, len(entries), width))
+    def _frame(self, name: str) -> Any:
+        return self.plant.get_frame(self._drake.frames[name].index())
 
     def _create_context(self, depth: int) -> Any:
         from pydrake.math import RigidTransform_, RotationMatrix_
@@ -116,75 +135,30 @@ class SymbolicPlant:
         inertia = SpatialInertia_[Expression](one, [0 * one] * 3, UnitInertia_[Expression](one, one, one))
         for i in range(1, plant.num_bodies()):
             plant.get_body(BodyIndex(i)).SetSpatialInertiaInBodyFrame(context, inertia)
-        for index, offset in self._offsets.items():
+        for index, offset in self.offsets.items():
             frame = frame_at(plant, index)
             if self._offset_depths[index] < depth:
                 offset = _ZERO_OFFSET
-            R = RotationMatrix_[Expression](np.array([[self._expression(e) for e in row] for row in offset.rotation]))
-            p = np.array([self._expression(entry) for entry in offset.translation])
+            R = RotationMatrix_[Expression](
+                np.array([[self._expressions.expression(e) for e in row] for row in offset.rotation])
+            )
+            p = np.array([self._expressions.expression(entry) for entry in offset.translation])
             frame.SetPoseInParentFrame(context, RigidTransform_[Expression](R, p))
         q = np.full(plant.num_positions(), Expression(0.0))
-        for joint, position in enumerate(self._arm.position_indices):
+        for joint, position in enumerate(self._drake.position_indices):
             if joint >= depth:
-                q[position] = Expression(self._joint_variables[joint])
+                q[position] = Expression(self._expressions.joints[joint])
         plant.SetPositions(context, q)
         return context
 
-    def _variable(self, meaning: Generator | Fraction) -> Any:
-        """Return the variable that stands for a generator, or for a rational that a double cannot hold."""
-        if meaning not in self._variables:
-            from pydrake.symbolic import Variable
 
-            variable = Variable(str(meaning))
-            self._variables[meaning] = variable
-            self._meanings[variable.get_id()] = meaning
-        return self._variables[meaning]
-
-    def _sin_cos(self, symbol: str) -> Any:
-        from pydrake.symbolic import SinCos
-
-        return SinCos(s=self._variable(("sin", symbol)), c=self._variable(("cos", symbol)))
-
-    def _expression(self, entry: Entry) -> Any:
-        from pydrake.symbolic import Expression
-
-        total = Expression(0.0)
-        for monomial, coefficient in entry.items():
-            term = Expression(float(coefficient.numerator))
-            if coefficient.denominator != 1:
-                size = self._variable(abs(coefficient))
-                term = Expression(size) if coefficient > 0 else -Expression(size)
-            for generator, power in monomial:
-                term = term * Expression(self._variable(generator)) ** power
-            total = total + term
-        return total
-
-    def _entry(self, polynomial: Any) -> Entry:
-        entry: dict[Monomial, Fraction] = {}
-        for drake_monomial, expression in polynomial.monomial_to_coefficient_map().items():
-            value = expression.Evaluate()
-            if value != round(value):
-                raise ModelError(f"arm '{self._arm.name}': {value} in the symbolic trace is not exact")
-            coefficient = Fraction(round(value))
-            powers: dict[Generator, int] = {}
-            for variable, power in drake_monomial.get_powers().items():
-                meaning = self._meanings[variable.get_id()]
-                if isinstance(meaning, Fraction):
-                    coefficient *= meaning**power
-                else:
-                    powers[meaning] = power
-            monomial = tuple(sorted(powers.items()))
-            entry[monomial] = entry.get(monomial, Fraction(0)) + coefficient
-        return normal_form(entry)
-
-
-def _body_depths(arm: Arm) -> dict[int, int]:
+def _body_depths(drake: DrakeArm) -> dict[int, int]:
     """Return the number of moving joints between the base and each body, by the index of the body; −1 below the base."""
-    plant = arm.plant
-    moving = {joint.index() for joint in arm.drake_joints}
+    plant = drake.plant
+    moving = {joint.index() for joint in drake.joints}
     joints = [plant.get_joint(index) for index in plant.GetJointIndices()]
     depths = dict.fromkeys(range(plant.num_bodies()), -1)
-    reached = [arm.drake_base.index()]
+    reached = [drake.base.index()]
     depths[int(reached[0])] = 0
     for parent in reached:
         for joint in joints:

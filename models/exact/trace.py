@@ -1,44 +1,70 @@
-"""The exact symbolic kinematics of an arm, traced through its MultibodyPlant.
+"""The exact symbolic kinematics of an arm: what every proof compares a document with.
 
-Every fixed pose of an arm stands in a FixedOffsetFrame, and in a context of `plant.ToSymbolic()` such a pose is a
-parameter. With exact poses there and variables for the joints, Drake's own kinematics gives each entry as a polynomial.
+An arm that was loaded is asked through its symbolic plant (models/exact/symbolic.py); one that was read from a value, by
+the links that were traced when it was written (models/exact/value.py). Neither NumPy nor Drake is imported here.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 from types import MappingProxyType
-from typing import Any
+from typing import Protocol
 
-import numpy as np
-
-from armproof.models.arm import Arm
+from armproof.models.arm import Arm, once_per_arm
 from armproof.models.errors import ModelError
-from armproof.models.exact.constants import constant_value
 from armproof.models.exact.numbers import angle_value
-from armproof.models.exact.polynomial import Entry, Generator, Rows, evaluate, generators
-from armproof.models.exact.symbolic import SymbolicPlant
-from armproof.models.numeric.jacobian import calc_jacobian
-from armproof.models.numeric.joint_values import read_joint_values
+from armproof.models.exact.polynomial import Entry, Generator, Rows
 
 AXES = {"x": 0, "y": 1, "z": 2}
+_MOST_GROWTH = 19
+
+
+class ExactKinematics(Protocol):
+    """Exact poses and Jacobians between frames that the arm has.
+
+    Depth of a frame: the number of moving joints between the base and its body; −1 below the base.
+    """
+
+    def depth(self, frame: str) -> int:
+        """Return the depth of a frame."""
+
+    def pose(self, frame: str, reference: str) -> Sequence[Sequence[Entry]]:
+        """Return the pose of a frame in a reference frame, 4 rows of 4 entries."""
+
+    def jacobian(self, frame: str, expressed_in: str, reference: str) -> Sequence[Sequence[Entry]]:
+        """Return the geometric Jacobian [v; ω], 6 rows of n entries."""
+
+    @property
+    def generators(self) -> set[Generator]:
+        """The constants and lengths that the fixed poses hold."""
+
+    @property
+    def growth(self) -> Mapping[int, float]:
+        """How many times (log2, as measured) the angles and roots at each depth double the work of a product."""
+
+
+@once_per_arm
+def trace_of(arm: Arm) -> Trace:
+    """Return the exact symbolic kinematics of an arm."""
+    return Trace(arm, arm.exact)
 
 
 class Trace:
     """Exact poses and Jacobians of the frames of an arm, in normal form (see models/exact/polynomial.py), computed once each."""
 
-    def __init__(self, arm: Arm) -> None:
+    def __init__(self, arm: Arm, kinematics: ExactKinematics) -> None:
         self._arm = arm
+        self._kinematics = kinematics
         self._entries: dict[tuple[str, ...], Rows] = {}
 
-    @cached_property
-    def _symbolic(self) -> SymbolicPlant:
-        return SymbolicPlant(self._arm)
-
     def depth(self, frame: str) -> int:
-        """Return the number of moving joints between the base and a frame; −1 below the base."""
-        return self._symbolic.depth(frame)
+        """Return the number of moving joints between the base and a frame; −1 below the base.
+
+        Raises:
+            ModelError: the arm has no such frame.
+        """
+        return self._kinematics.depth(*self._arm.frame_names(frame))
 
     def pose(self, frame: str, reference: str | None = None) -> Rows:
         """Return the pose of a frame in a reference frame, the homogeneous transform {}^{reference}T_{frame}.
@@ -50,17 +76,14 @@ class Trace:
             4 rows of 4 entries; lengths in metres.
 
         Raises:
-            ModelError: the arm has no such frame.
+            ModelError: the arm has no such frame, or the entries have too many terms.
         """
         frame, reference = self._arm.frame_names(frame, reference)
         key = ("pose", frame, reference)
         if key not in self._entries:
-            symbolic = self._symbolic
-            below = min(symbolic.depth(frame), symbolic.depth(reference))
-            symbolic.check_size(below, (frame, reference))
-            plant, context = symbolic.plant, symbolic.context(below)
-            X_RF = plant.CalcRelativeTransform(context, symbolic.frame(reference), symbolic.frame(frame))
-            self._entries[key] = _read_only(symbolic.entries(X_RF.GetAsMatrix4()))
+            below = min(self._kinematics.depth(frame), self._kinematics.depth(reference))
+            self._check_size(below, (frame, reference))
+            self._entries[key] = _read_only(self._kinematics.pose(frame, reference))
         return self._entries[key]
 
     def rotation(self, frame: str, reference: str | None = None) -> Rows:
@@ -87,83 +110,46 @@ class Trace:
             6 rows, [v; ω], of n entries, one a joint from base to tool.
 
         Raises:
-            ModelError: the arm has no such frame.
+            ModelError: the arm has no such frame, or the entries have too many terms.
         """
-        key = ("jacobian", *self._arm.frame_names(frame, expressed_in, reference))
+        frame, expressed_in, reference = self._arm.frame_names(frame, expressed_in, reference)
+        key = ("jacobian", frame, expressed_in, reference)
         if key not in self._entries:
-            self._entries[key] = _read_only(self._trace_jacobian(*key[1:]))
+            depth = self._kinematics.depth
+            first, last = sorted((depth(frame), depth(reference)))
+            if max(first, 0) < last:
+                lowest = min(max(first, 0), depth(frame), depth(expressed_in))
+                self._check_size(lowest, (frame, reference), expressed_in)
+            self._entries[key] = _read_only(self._kinematics.jacobian(frame, expressed_in, reference))
         return self._entries[key]
-
-    def _trace_jacobian(self, frame: str, expressed_in: str, reference: str) -> Rows:
-        """Trace the columns, each with only that part of the chain that it depends on.
-
-        Column j depends on what lies between the joint j, the frame and `expressed_in`, and is zero unless the joint
-        lies between the frame and the reference.
-        """
-        symbolic = self._symbolic
-        n = len(self._arm.joints)
-        first, last = sorted((symbolic.depth(frame), symbolic.depth(reference)))
-        columns: list[tuple[Entry, ...]] = [({},) * 6 for _ in range(n)]
-        by_depth: dict[int, list[int]] = {}
-        for joint in range(max(first, 0), last):
-            below = min(joint, symbolic.depth(frame), symbolic.depth(expressed_in))
-            by_depth.setdefault(below, []).append(joint)
-        for below, joints in by_depth.items():
-            symbolic.check_size(below, (frame, reference), expressed_in)
-            J = calc_jacobian(
-                symbolic.plant,
-                symbolic.context(below),
-                *(symbolic.frame(name) for name in (frame, reference, expressed_in)),
-            )
-            traced = symbolic.entries(J[:, [self._arm.position_indices[joint] for joint in joints]])
-            for joint, column in zip(joints, zip(*traced, strict=True), strict=True):
-                columns[joint] = column
-        return tuple(zip(*columns, strict=True))
 
     @cached_property
     def constants(self) -> Mapping[str, float]:
         """The value (rad) of every angle that is not a joint variable: numeric names such as "pi/5", and arm.angles."""
         values = dict(self._arm.angles)
-        for kind, name in sorted(self._symbolic.generators):
+        for kind, name in sorted(self._kinematics.generators):
             if kind in ("cos", "sin") and name not in values:
                 values[name] = angle_value(name)
         return MappingProxyType(values)
 
-    def evaluate(self, entries: Sequence[Sequence[Entry]], q: np.ndarray) -> np.ndarray:
-        """Evaluate a matrix of entries at N configurations, with the lengths and angles that the plant has.
-
-        Args:
-            entries: rows of entries, as `pose` and `jacobian` return them.
-            q: (N, n) array of joint variables, base to tool.
-
-        Returns:
-            (N, rows, columns) array.
+    def _check_size(self, depth: int, frames: tuple[str, ...], expressed_in: str | None = None) -> None:
+        """Refuse a trace whose rotations from a depth to the frames multiply to more terms than two seconds allow.
 
         Raises:
-            ModelError: q cannot be read (see `read_joint_values`).
+            ModelError: the estimate, in bits, of the work is above 19 (a 12R arm with right angles, or 6R with symbols).
         """
-        q = read_joint_values(self._arm, q)
-        column = {joint.symbol: q[:, joint.index - 1] for joint in self._arm.joints}
-        constants = {**self._arm.lengths, **self._arm.angles}
+        growth = sum(self._growth(depth, frame) for frame in frames)
+        if expressed_in is not None:
+            growth += self._growth(depth, expressed_in) / 2
+        if growth > _MOST_GROWTH:
+            raise ModelError(
+                f"arm '{self._arm.name}': too many symbolic angles between frames {', '.join(frames)} to multiply out; "
+                "choose frames nearer to each other, or make constant angles multiples of pi/2"
+            )
 
-        @cache
-        def value(generator: Generator) -> Any:
-            kind, name = generator
-            if name not in column:
-                return constant_value(generator, constants)
-            if kind == "symbol":
-                return column[name]
-            return np.cos(column[name]) if kind == "cos" else np.sin(column[name])
-
-        values = np.empty((len(q), len(entries), len(entries[0])))
-        for i, row in enumerate(entries):
-            for j, entry in enumerate(row):
-                values[:, i, j] = evaluate(entry, value)
-        return values
-
-    def generators(self, entries: Sequence[Sequence[Entry]]) -> set[Generator]:
-        """Return the cosines, sines, symbols and roots that occur in a matrix of entries."""
-        return generators(entry for row in entries for entry in row)
+    def _growth(self, depth: int, frame: str) -> float:
+        end = self._kinematics.depth(frame)
+        return sum(growth for at, growth in self._kinematics.growth.items() if depth <= at < end)
 
 
 def _read_only(rows: Sequence[Sequence[Entry]]) -> Rows:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Literal
@@ -12,9 +13,11 @@ from armproof.models.errors import ModelError
 from armproof.models.exact.numbers import TOLERANCE
 from armproof.models.exact.offset import Offset, exact_offset, frame_at, nearly_right_angles
 from armproof.models.exact.polynomial import generator, scale
+from armproof.models.exact.symbolic import SymbolicPlant
 from armproof.models.loading.card import Card, Place
 from armproof.models.loading.chain import Chain, find_chain
 from armproof.models.loading.reader import read_model
+from armproof.models.numeric.drake_arm import DrakeArm
 
 
 def load_plain(path: Path) -> Arm:
@@ -37,21 +40,22 @@ def load_plain(path: Path) -> Arm:
     for frame in _frames(plant):
         if frame.is_body_frame() and not frame.is_world_frame():
             frames.setdefault(frame.name(), frame)
+    name, joints = path.name.split(".")[0], _joints(chain, symbols)
+    drake = DrakeArm(plant, chain.base, chain.joints, MappingProxyType(frames))
     return Arm(
-        name=path.name.split(".")[0],
-        title=path.name.split(".")[0],
+        name=name,
+        title=name,
         source=path.name,
         zero="",
-        joints=_joints(chain, symbols),
+        joints=joints,
         lengths=MappingProxyType({}),
         angles=MappingProxyType({}),
         frames=tuple(frames),
-        plant=plant,
+        exact=SymbolicPlant(name, joints, drake),
+        drake=drake,
         path=path,
+        digest=_digest(path),
         warnings=warnings,
-        drake_base=chain.base,
-        drake_joints=chain.joints,
-        drake_frames=MappingProxyType(frames),
     )
 
 
@@ -69,26 +73,30 @@ def load_card(card: Card, name: str) -> Arm:
         card.fail("joints", f"joints are {', '.join(card.joints)}; the model has, base to tool, {', '.join(names)}")
     lengths, offsets = _bind_lengths(card, plant)
     frames = {frame: _find_frame(card, plant, frame, place) for frame, place in card.frames.items()}
+    joints = _joints(chain, list(card.joints.values()))
+    drake = DrakeArm(plant, chain.base, chain.joints, MappingProxyType(frames))
     try:
         return Arm(
             name=name,
             title=card.title,
             source=card.source,
             zero=card.zero,
-            joints=_joints(chain, list(card.joints.values())),
+            joints=joints,
             lengths=MappingProxyType(lengths),
             angles=MappingProxyType({}),
             frames=tuple(frames),
-            plant=plant,
+            exact=SymbolicPlant(name, joints, drake, offsets),
+            drake=drake,
             path=card.model,
+            digest=_digest(card.path, card.model),
             warnings=warnings,
-            drake_base=chain.base,
-            drake_joints=chain.joints,
-            drake_frames=MappingProxyType(frames),
-            offsets=MappingProxyType(offsets),
         )
     except ModelError as error:
         raise ModelError(f"{card.path}: {error}") from None
+
+
+def _digest(*files: Path) -> str:
+    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
 def _joints(chain: Chain, symbols: list[str]) -> tuple[Joint, ...]:

@@ -11,6 +11,7 @@ from armproof.models.arm import Arm
 from armproof.models.exact.numbers import exact_cos_sin
 from armproof.models.exact.offset import exact_offset
 from armproof.models.exact.polynomial import Entry
+from armproof.models.numeric.drake_arm import plant_of
 
 KINDS = {"weld": "fixed"}
 
@@ -43,8 +44,9 @@ def joint_origins(arm: Arm) -> Mapping[str, JointOrigin]:
     """
     if arm.path is None:
         return MappingProxyType({})
-    world = arm.plant.world_body().index()
-    joints = [arm.plant.get_joint(index) for index in arm.plant.GetJointIndices()]
+    plant = plant_of(arm)
+    world = plant.world_body().index()
+    joints = [plant.get_joint(index) for index in plant.GetJointIndices()]
     welds = [joint for joint in joints if joint.type_name() == "weld" and joint.parent_body().index() == world]
     return MappingProxyType({joint.name(): _origin(arm, joint) for joint in joints if joint not in welds})
 
@@ -54,7 +56,7 @@ def _origin(arm: Arm, joint: Any) -> JointOrigin:
 
     frame = joint.frame_on_parent()
     X_PF = frame.GetFixedPoseInBodyFrame()
-    offset = arm.offsets.get(int(frame.index())) or exact_offset(X_PF)
+    offset = arm.exact.offsets.get(int(frame.index())) or exact_offset(X_PF)
     kind = KINDS.get(joint.type_name(), joint.type_name())
     axis = {"revolute": "revolute_axis", "prismatic": "translation_axis"}.get(kind)
     return JointOrigin(

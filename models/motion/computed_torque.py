@@ -9,6 +9,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
 from armproof.models.motion.samples import MotionSamples
+from armproof.models.numeric.drake_arm import drake_of, plant_of
 
 
 class InverseDynamics:
@@ -21,10 +22,10 @@ class InverseDynamics:
         """Take the arm, and the factor by which the model has the mass and inertia of every moving link wrong."""
         from pydrake.multibody.tree import MultibodyForces
 
-        self._plant = arm.plant
-        self._forces = MultibodyForces(arm.plant)
+        self._plant = plant_of(arm)
+        self._forces = MultibodyForces(plant_of(arm))
         self._context = self._plant.CreateDefaultContext()
-        self._order = list(arm.position_indices)
+        self._order = list(drake_of(arm).position_indices)
         if mass_factor != 1.0:
             self._scale_masses(mass_factor)
 
@@ -80,7 +81,7 @@ def make_controller(
     """
     from pydrake.systems.framework import LeafSystem
 
-    order = list(arm.position_indices)
+    order = list(drake_of(arm).position_indices)
     size, period = len(order), float(desired.times[1] - desired.times[0])
     middle, half = np.vstack([(desired.w[1:] + desired.w[:-1]) / 2, desired.w[-1:]]), period / 2
 

@@ -11,6 +11,7 @@ from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
 from armproof.models.motion.inverse_velocity import damped_inverse
 from armproof.models.motion.pose_error import pose_error
+from armproof.models.numeric.plant import NumericKinematics
 
 # From the pose (4, 4) of the tool in frame 0 and joint values (n,) nearby to the joint values (n,); NaN or a ModelError
 # where there are none.
@@ -46,7 +47,7 @@ def differential_solver(
     def solve(X_desired: np.ndarray, q_near: np.ndarray) -> np.ndarray:
         q = np.array(q_near, dtype=float)
         for _ in range(most_steps):
-            kinematics = arm.numeric(q[np.newaxis])
+            kinematics = NumericKinematics(arm, q[np.newaxis])
             error = pose_error(X_desired, kinematics.pose(name)[0])[chosen]
             distance = float(np.linalg.norm(error))
             if distance <= tolerance:

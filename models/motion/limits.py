@@ -10,6 +10,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
 from armproof.models.motion.extremes import extremes
+from armproof.models.numeric.drake_arm import drake_of, plant_of
 
 LEAST, GREATEST = (
     1e-6,
@@ -46,7 +47,7 @@ def read_rate_limits(arm: Arm, *, velocity: Any = None, acceleration: Any = None
     Raises:
         ModelError: another shape, or a limit that is not positive.
     """
-    joints = arm.drake_joints
+    joints = drake_of(arm).joints
     found = {
         "velocity": [_nearer(j.velocity_lower_limits(), j.velocity_upper_limits()) for j in joints],
         "acceleration": [_nearer(j.acceleration_lower_limits(), j.acceleration_upper_limits()) for j in joints],
@@ -100,7 +101,7 @@ def _nearer(lower: np.ndarray, upper: np.ndarray) -> float:
 
 def _efforts(arm: Arm) -> list[float]:
     """Return the effort limit of the drive of each joint, infinite for a joint without a drive."""
-    plant = arm.plant
+    plant = plant_of(arm)
     drives = (plant.get_joint_actuator(index) for index in plant.GetJointActuatorIndices())
     efforts = {drive.joint().index(): float(drive.effort_limit()) for drive in drives}
-    return [efforts.get(joint.index(), np.inf) for joint in arm.drake_joints]
+    return [efforts.get(joint.index(), np.inf) for joint in drake_of(arm).joints]

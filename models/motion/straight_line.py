@@ -15,6 +15,7 @@ from armproof.models.motion.differential_solver import ALL_ROWS, Solver, differe
 from armproof.models.motion.pose_error import pose_error, read_pose
 from armproof.models.motion.spline import cubic_spline
 from armproof.models.numeric.joint_values import limit_notes, read_configuration
+from armproof.models.numeric.plant import NumericKinematics
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ def straight_line(
     if not isinstance(samples, Integral) or not 4 <= samples <= 100_000:
         raise ModelError(f"samples: from 4 to 100000 poses on the line, not {samples}")
     solve = solver or differential_solver(arm, frame, rows)
-    X_0 = arm.numeric(first[np.newaxis]).pose(arm.frame_names(frame)[0])[0]
+    X_0 = NumericKinematics(arm, first[np.newaxis]).pose(arm.frame_names(frame)[0])[0]
     poses = pose_line(X_0, X_f)
     if np.linalg.norm(pose_error(poses.GetPose(1.0).GetAsMatrix4(), X_0)[chosen]) < 1e-9:
         raise ModelError("the straight line ends where it starts; the tool has nowhere to go")
@@ -130,7 +131,7 @@ class _Line:
         """Join the joint values by a spline, and measure how far it is from the line."""
         path = cubic_spline(s, q, at_rest=False)
         between = np.sort(np.concatenate([s, (s[1:] + s[:-1]) / 2]))
-        kinematics = self.arm.numeric(np.array([path.value(at)[:, 0] for at in between]))
+        kinematics = NumericKinematics(self.arm, np.array([path.value(at)[:, 0] for at in between]))
         desired = np.array([self.poses.GetPose(at).GetAsMatrix4() for at in between])
         error = np.zeros((len(between), 6))
         error[:, self.rows] = pose_error(desired, kinematics.pose(self.frame))[:, self.rows]
@@ -155,7 +156,7 @@ class _Line:
         try:
             q = np.asarray(solver(X, guess), dtype=float)
         except ModelError as error:
-            J = self.arm.numeric(before[np.newaxis]).jacobian(self.frame)[0][self.rows]
+            J = NumericKinematics(self.arm, before[np.newaxis]).jacobian(self.frame)[0][self.rows]
             least = np.linalg.svd(J, compute_uv=False)[-1]
             raise ModelError(
                 f"no joint values {self._where(s)} on the straight line: {error}; "

@@ -13,6 +13,7 @@ from armproof.models.errors import ModelError
 from armproof.models.motion.computed_torque import InverseDynamics
 from armproof.models.motion.limits import RateLimits, read_rate_limits
 from armproof.models.motion.samples import interval, sample_motion
+from armproof.models.numeric.drake_arm import plant_of
 
 _CHECKED = 1001  # instants at which the result is held against the limits
 _MOST_SOLUTIONS = 6
@@ -127,7 +128,7 @@ def _solve(arm: Arm, path: Any, grid: Any, limits: RateLimits) -> Any:
     """Return s(t), a pydrake PiecewisePolynomial."""
     from pydrake.multibody.optimization import Toppra
 
-    problem: Any = Toppra(path, arm.plant, grid)
+    problem: Any = Toppra(path, plant_of(arm), grid)
     if np.isfinite(limits.velocity).any():
         problem.AddJointVelocityLimit(-limits.velocity, limits.velocity)
     if np.isfinite(limits.acceleration).any():

@@ -14,7 +14,9 @@ from armproof.models.motion.inputs import read_duration, read_vector
 from armproof.models.motion.limits import read_rate_limits
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.motion.samples import MotionSamples, interval, sample_motion
+from armproof.models.numeric.drake_arm import drake_of, plant_of
 from armproof.models.numeric.joint_values import read_configuration
+from armproof.models.numeric.plant import NumericKinematics
 
 BANDWIDTH = 20.0  # rad/s: an error of the closed loop decays like (1 + 20 t) exp(−20 t)
 PERIOD = 0.25e-3  # s, of the controller
@@ -93,7 +95,7 @@ def track(
     model.require_masses(arm, start)
     controller = make_controller(arm, model, desired, _gains(kp, "kp", arm), _gains(kd, "kd", arm), limits)
     q, v, torques = _simulate(arm, controller, start, rates, desired.times)
-    error = pose_error(arm.numeric(desired.q).pose(name), arm.numeric(q).pose(name))
+    error = pose_error(NumericKinematics(arm, desired.q).pose(name), NumericKinematics(arm, q).pose(name))
     arrays = {
         "times": desired.times + interval(trajectory)[0],
         "q": q,
@@ -139,9 +141,9 @@ def _simulate(
     from pydrake.systems.analysis import Simulator
     from pydrake.systems.framework import DiagramBuilder
 
-    order, n = list(arm.position_indices), len(q_0)
+    order, n = list(drake_of(arm).position_indices), len(q_0)
     builder = DiagramBuilder()
-    plant: Any = builder.AddSystem(arm.plant.Clone())
+    plant: Any = builder.AddSystem(plant_of(arm).Clone())
     builder.AddSystem(controller)
     builder.Connect(plant.get_state_output_port(), controller.get_input_port())
     builder.Connect(controller.get_output_port(), plant.get_applied_generalized_force_input_port())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.numeric.plant import NumericKinematics
 
 FAMILIES = ("generic", "zero", "tiny", "quarter turns", "wide", "near-singular")
 _TINY = 1e-7
@@ -75,7 +76,7 @@ def _near_singular(arm: Arm, count: int, rng: np.random.Generator) -> np.ndarray
     near = np.pi / 2 * rng.integers(-2, 3, q.shape) + rng.uniform(-1e-3, 1e-3, q.shape)
     q = np.where(_revolute(arm) & (rng.random(q.shape) < 0.5), near, q)
     last = max(arm.frames, key=lambda name: (name.isdigit(), int(name) if name.isdigit() else 0))
-    J = arm.numeric(q).jacobian(last)
+    J = NumericKinematics(arm, q).jacobian(last)
     nearness = np.minimum(_conditioning(J), _conditioning(J[:, :3]))
     return q[np.sort(np.argsort(nearness, kind="stable")[:count])]
 

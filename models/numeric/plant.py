@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 from armproof.models.numeric.jacobian import calc_jacobian
 from armproof.models.numeric.joint_values import read_joint_values
 
@@ -23,8 +24,8 @@ class NumericKinematics:
         """
         q = read_joint_values(arm, q).copy()
         self._arm = arm
-        self._positions = np.zeros((len(q), arm.plant.num_positions()))
-        self._positions[:, arm.position_indices] = q
+        self._positions = np.zeros((len(q), plant_of(arm).num_positions()))
+        self._positions[:, drake_of(arm).position_indices] = q
         self.q = _read_only(q)
         self._poses: dict[str, np.ndarray] = {}
         self._jacobians: dict[tuple[str, ...], np.ndarray] = {}
@@ -70,8 +71,8 @@ class NumericKinematics:
         """Return the world poses of frames; those that are new in one pass over the configurations."""
         new = [name for name in dict.fromkeys(names) if name not in self._poses]
         if new:
-            plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
-            frames = [self._arm.frame(name) for name in new]
+            plant, context = plant_of(self._arm), plant_of(self._arm).CreateDefaultContext()
+            frames = [frame_of(self._arm, name) for name in new]
             poses = np.empty((len(new), len(self._positions), 4, 4))
             for k, positions in enumerate(self._positions):
                 plant.SetPositions(context, positions)
@@ -81,13 +82,13 @@ class NumericKinematics:
         return [self._poses[name] for name in names]
 
     def _calc_jacobians(self, frame: str, expressed_in: str, reference: str) -> np.ndarray:
-        plant, context = self._arm.plant, self._arm.plant.CreateDefaultContext()
-        frames = [self._arm.frame(name) for name in (frame, reference, expressed_in)]
+        plant, context = plant_of(self._arm), plant_of(self._arm).CreateDefaultContext()
+        frames = [frame_of(self._arm, name) for name in (frame, reference, expressed_in)]
         jacobians = np.empty((len(self._positions), 6, plant.num_velocities()))
         for k, positions in enumerate(self._positions):
             plant.SetPositions(context, positions)
             jacobians[k] = calc_jacobian(plant, context, *frames)
-        return jacobians[:, :, self._arm.position_indices]
+        return jacobians[:, :, drake_of(self._arm).position_indices]
 
 
 def _read_only(array: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import generic_configuration
-from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.showing.skeleton import place_skeleton
 
 _AZIMUTH, _ELEVATION = np.radians(-62.0), np.radians(24.0)  # x_0 to the right and a little down, y_0 into the page
 _PARALLEL = 1e-9

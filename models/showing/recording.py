@@ -9,6 +9,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.motion.samples import interval, sample_motion
+from armproof.models.numeric.drake_arm import drake_of
 from armproof.models.showing.viewer import add_arm
 
 RATE = 32.0  # frames a second
@@ -54,7 +55,7 @@ def record_page(arm: Arm, trajectory: Any) -> str:
     seen: list[np.ndarray] = []
     visualizer.StartRecording(set_transforms_while_recording=False)
     for time, q in zip(times - start, sample_motion(trajectory, times).q, strict=True):
-        positions[list(arm.position_indices)] = q
+        positions[list(drake_of(arm).position_indices)] = q
         context.SetTime(time)
         plant_context = plant.GetMyMutableContextFromRoot(context)
         plant.SetPositions(plant_context, positions)

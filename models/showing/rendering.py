@@ -10,6 +10,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
+from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 from armproof.models.numeric.joint_values import read_configuration
 from armproof.models.showing.viewer import add_arm
 
@@ -108,7 +109,7 @@ class ArmRenderer:
         from pydrake.systems.sensors import CameraInfo
 
         positions = np.zeros(self._plant.num_positions())
-        positions[list(self._arm.position_indices)] = read_configuration(self._arm, q)
+        positions[list(drake_of(self._arm).position_indices)] = read_configuration(self._arm, q)
         context = self._plant.GetMyContextFromRoot(self._context)
         self._plant.SetPositions(context, positions)
         X_W0 = self._frame_0(positions)
@@ -122,9 +123,9 @@ class ArmRenderer:
         return np.array(picture.data[:, :, :3])
 
     def _frame_0(self, positions: np.ndarray) -> np.ndarray:
-        context = self._arm.plant.CreateDefaultContext()
-        self._arm.plant.SetPositions(context, positions)
-        return np.asarray(self._arm.frame(self._arm.frames[0]).CalcPoseInWorld(context).GetAsMatrix4())
+        context = plant_of(self._arm).CreateDefaultContext()
+        plant_of(self._arm).SetPositions(context, positions)
+        return np.asarray(frame_of(self._arm, self._arm.frames[0]).CalcPoseInWorld(context).GetAsMatrix4())
 
 
 def require_renderer() -> None:

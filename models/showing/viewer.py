@@ -10,6 +10,8 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
 from armproof.models.exact.offset import frame_at
+from armproof.models.numeric.drake_arm import frame_of
+from armproof.models.numeric.plant import NumericKinematics
 
 _TRIADS_IN_REACH = 8  # a triad's axis is this part of the arm's reach
 
@@ -53,7 +55,7 @@ def add_arm(parser: Any, arm: Arm) -> None:
     for name in arm.frames:
         AddFrameTriadIllustration(
             scene_graph=parser.scene_graph(),
-            frame=frame_at(plant, int(arm.frame(name).index())),  # the same file gives the same indices
+            frame=frame_at(plant, int(frame_of(arm, name).index())),  # the same file gives the same indices
             name=f"frame {name}",
             length=length,
             radius=length / 40,
@@ -81,6 +83,6 @@ def _weld_base(plant: Any) -> None:
 
 def _triad_length(arm: Arm) -> float:
     """Return the length of a triad's axes in metres: part of the farthest frame's distance at the zero pose."""
-    kinematics = arm.numeric(np.zeros((1, len(arm.joints))))
+    kinematics = NumericKinematics(arm, np.zeros((1, len(arm.joints))))
     reach = max(float(np.linalg.norm(kinematics.pose(name, arm.frames[0])[0, :3, 3])) for name in arm.frames)
     return max(reach, 0.2) / _TRIADS_IN_REACH

@@ -14,7 +14,9 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.drake_arm import frame_of, plant_of
 
 LOOPED = 2_000  # configurations of a loop
 BULK = 100_000
@@ -44,12 +46,12 @@ def measure(name: str, frame: str) -> BulkTimes:
     for what, loop in ran.items():
         X, J = loop()
         J = J[:, DRAKE_ROWS] if what == "drake" else J
-        _compare(name, what, (X, J), arm.bulk.pose_and_jacobian(q[:LOOPED], frame))
+        _compare(name, what, (X, J), bulk_of(arm).pose_and_jacobian(q[:LOOPED], frame))
     best = dict.fromkeys(("bulk", *ran), np.inf)
     for _ in range(ROUNDS):
         for what, loop in ran.items():
             best[what] = min(best[what], _seconds(loop) / LOOPED)
-        best["bulk"] = min(best["bulk"], _seconds(lambda: arm.bulk.pose_and_jacobian(q, frame)) / BULK)
+        best["bulk"] = min(best["bulk"], _seconds(lambda: bulk_of(arm).pose_and_jacobian(q, frame)) / BULK)
     return BulkTimes(best["bulk"], best["drake"], best.get("pinocchio"))
 
 
@@ -57,15 +59,15 @@ def time_map() -> float:
     """Return the seconds for the manipulability of a million configurations of the RX-90."""
     arm = load_arm("rx90")
     q = np.random.default_rng(0).uniform(-3.0, 3.0, (MAP, len(arm.joints)))
-    return min(_seconds(lambda: arm.bulk.manipulability(q, "6")) for _ in range(3))
+    return min(_seconds(lambda: bulk_of(arm).manipulability(q, "6")) for _ in range(3))
 
 
 def drake_loop(arm: Arm, frame: str, q: np.ndarray) -> Loop:
     """Return the loop over Drake's plant of doubles; the rows of its Jacobians stay as Drake stacks them, [ω; v]."""
     from pydrake.multibody.tree import JacobianWrtVariable
 
-    plant, context = arm.plant, arm.plant.CreateDefaultContext()
-    tool, base = arm.frame(frame), arm.frame(arm.frames[0])
+    plant, context = plant_of(arm), plant_of(arm).CreateDefaultContext()
+    tool, base = frame_of(arm, frame), frame_of(arm, arm.frames[0])
     set_positions, relative, jacobian = (
         plant.SetPositions,
         plant.CalcRelativeTransform,
@@ -92,7 +94,7 @@ def pinocchio_loop(arm: Arm, frame: str, q: np.ndarray) -> Loop | None:
         return None
     model: Any = pin.buildModelFromUrdf(str(arm.path))
     data = model.createData()
-    tool = model.getFrameId(arm.frame(frame).body().name(), pin.BODY)
+    tool = model.getFrameId(frame_of(arm, frame).body().name(), pin.BODY)
     joints, placement, jacobian = pin.computeJointJacobians, pin.updateFramePlacement, pin.getFrameJacobian
     axes = pin.LOCAL_WORLD_ALIGNED
     X, J = np.empty((len(q), 4, 4)), np.empty((len(q), 6, q.shape[1]))

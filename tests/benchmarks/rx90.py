@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.models import catalogue
+from armproof.models.exact.trace import trace_of
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document, read_document
 from armproof.verification.latex import nodes as n
@@ -68,8 +69,8 @@ def measure(claims: Claims) -> Times:
     groups = ((claims.unknowns, *claims.pose), (claims.jacobian,), (claims.determinant,))
     statements = [[(display, checker.names.reader.read(display.latex)) for display in group] for group in groups]
     read = clock.lap()
-    arm.trace.pose("6", "0")
-    arm.trace.jacobian("6", "0", "0")
+    trace_of(arm).pose("6", "0")
+    trace_of(arm).jacobian("6", "0", "0")
     trace = clock.lap()
     proofs = []
     for group in statements:

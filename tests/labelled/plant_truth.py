@@ -10,6 +10,7 @@ import numpy as np
 from pydrake.multibody.tree import JacobianWrtVariable
 
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.drake_arm import drake_of, plant_of
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class PlantTruth:
     def of_catalogue(cls, name: str) -> PlantTruth:
         arm = load_arm(name)
         symbols = tuple(joint.symbol for joint in arm.joints)
-        return cls(arm.plant, arm.drake_frames, arm.drake_joints, symbols, arm.lengths)
+        return cls(plant_of(arm), drake_of(arm).frames, drake_of(arm).joints, symbols, arm.lengths)
 
     def context(self, q: np.ndarray) -> Any:
         context = self.plant.CreateDefaultContext()

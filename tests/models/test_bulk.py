@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 from armproof.models.arm import Arm
-from armproof.models.bulk.bulk import BulkKinematics
+from armproof.models.bulk.bulk import BulkKinematics, bulk_of
 from armproof.models.bulk.program import BLOCK
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ModelError
+from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.configurations import sample
 from armproof.models.numeric.joint_values import outside_limits
+from armproof.models.numeric.plant import NumericKinematics
 
 TOLERANCE = 1e-12
 
@@ -35,32 +37,32 @@ def assert_agrees(bulk: np.ndarray, double: np.ndarray, tolerance: np.ndarray) -
 
 def test_poses_between_any_two_frames_are_those_of_the_double_plant(arm: Arm) -> None:
     q, tolerance = configurations(arm)
-    numeric = arm.numeric(q)
+    numeric = NumericKinematics(arm, q)
     for frame, reference in product(arm.frames, repeat=2):
-        assert_agrees(arm.bulk.pose(q, frame, reference), numeric.pose(frame, reference), tolerance)
+        assert_agrees(bulk_of(arm).pose(q, frame, reference), numeric.pose(frame, reference), tolerance)
 
 
 def test_jacobians_among_any_three_frames_are_those_of_the_double_plant(arm: Arm) -> None:
     q, tolerance = configurations(arm, 60)
-    numeric = arm.numeric(q)
+    numeric = NumericKinematics(arm, q)
     some = (arm.frames[0], arm.frames[1], arm.frames[len(arm.frames) // 2], arm.frames[-1])
     for frames in product(some, repeat=3):
-        assert_agrees(arm.bulk.jacobian(q, *frames), numeric.jacobian(*frames), tolerance)
+        assert_agrees(bulk_of(arm).jacobian(q, *frames), numeric.jacobian(*frames), tolerance)
 
 
 def test_pose_and_jacobian_together_are_those_of_the_double_plant_on_all_families(arm: Arm) -> None:
     q, tolerance = configurations(arm, 1200)
-    X, J = arm.bulk.pose_and_jacobian(q, last_frame(arm))
-    assert_agrees(X, arm.numeric(q).pose(last_frame(arm)), tolerance)
-    assert_agrees(J, arm.numeric(q).jacobian(last_frame(arm)), tolerance)
+    X, J = bulk_of(arm).pose_and_jacobian(q, last_frame(arm))
+    assert_agrees(X, NumericKinematics(arm, q).pose(last_frame(arm)), tolerance)
+    assert_agrees(J, NumericKinematics(arm, q).jacobian(last_frame(arm)), tolerance)
 
 
 def test_jacobian_is_the_derivative_of_the_forward_kinematics(arm: Arm) -> None:
     q, _ = sample(arm, 60, np.random.default_rng(31))
     q, step, frame = q[np.abs(q).max(axis=1) < 10], 1e-5, last_frame(arm)
-    J, R = arm.bulk.jacobian(q, frame), arm.bulk.pose(q, frame)[:, :3, :3]
+    J, R = bulk_of(arm).jacobian(q, frame), bulk_of(arm).pose(q, frame)[:, :3, :3]
     for j in range(len(arm.joints)):
-        ahead, behind = (arm.bulk.pose(q + sign * step * np.eye(len(arm.joints))[j], frame) for sign in (1, -1))
+        ahead, behind = (bulk_of(arm).pose(q + sign * step * np.eye(len(arm.joints))[j], frame) for sign in (1, -1))
         derivative = (ahead - behind) / (2 * step)
         turning = derivative[:, :3, :3] @ R.transpose(0, 2, 1)  # dR/dq Rᵀ, the cross-product matrix of ω
         omega = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]], axis=1)
@@ -70,7 +72,7 @@ def test_jacobian_is_the_derivative_of_the_forward_kinematics(arm: Arm) -> None:
 
 def test_poses_are_rigid(arm: Arm) -> None:
     q, _ = configurations(arm)
-    X = arm.bulk.pose(q, last_frame(arm))
+    X = bulk_of(arm).pose(q, last_frame(arm))
     R = X[:, :3, :3]
     np.testing.assert_allclose(R @ R.transpose(0, 2, 1), np.tile(np.eye(3), (len(q), 1, 1)), atol=1e-14)
     np.testing.assert_array_equal(X[:, 3], np.tile([0.0, 0.0, 0.0, 1.0], (len(q), 1)))
@@ -80,18 +82,18 @@ def test_poses_are_rigid(arm: Arm) -> None:
 def test_a_configuration_has_one_answer_wherever_it_stands_in_the_batch(count: int) -> None:
     arm = load_arm("rx90")
     q = np.random.default_rng(count).uniform(-3, 3, (count, 6))
-    X, J = arm.bulk.pose_and_jacobian(q, "6")
-    w, kappa = arm.bulk.manipulability(q, "6"), arm.bulk.condition_number(q, "6")
+    X, J = bulk_of(arm).pose_and_jacobian(q, "6")
+    w, kappa = bulk_of(arm).manipulability(q, "6"), bulk_of(arm).condition_number(q, "6")
     assert X.shape == (count, 4, 4) and J.shape == (count, 6, 6) and w.shape == kappa.shape == (count,)
     for k in {0, count // 2, count - 1} & set(range(count)):
         one = q[k : k + 1]
-        np.testing.assert_allclose(arm.bulk.pose(one, "6")[0], X[k], atol=1e-15)
-        np.testing.assert_allclose(arm.bulk.jacobian(one, "6")[0], J[k], atol=1e-15)
-        np.testing.assert_allclose(arm.bulk.manipulability(one, "6")[0], w[k], atol=1e-15)
+        np.testing.assert_allclose(bulk_of(arm).pose(one, "6")[0], X[k], atol=1e-15)
+        np.testing.assert_allclose(bulk_of(arm).jacobian(one, "6")[0], J[k], atol=1e-15)
+        np.testing.assert_allclose(bulk_of(arm).manipulability(one, "6")[0], w[k], atol=1e-15)
 
 
 def test_arrays_are_contiguous_read_only_and_the_callers_own_is_left_alone() -> None:
-    bulk, q = load_arm("scara").bulk, np.ones((5, 4))
+    bulk, q = bulk_of(load_arm("scara")), np.ones((5, 4))
     results = (*bulk.pose_and_jacobian(q, "4"), bulk.manipulability(q, "4"), bulk.condition_number(q, "4"))
     for array in (*results, bulk.pose(q, "4"), bulk.jacobian(q, "4")):
         assert array.flags.c_contiguous
@@ -102,7 +104,7 @@ def test_arrays_are_contiguous_read_only_and_the_callers_own_is_left_alone() -> 
 
 
 def test_strided_and_reversed_configurations_are_read_in_their_order() -> None:
-    bulk = load_arm("scara").bulk
+    bulk = bulk_of(load_arm("scara"))
     q = np.random.default_rng(3).uniform(-2, 2, (2 * BLOCK, 8))
     for view in (q[:, ::2], q[::-1, 4:], np.asfortranarray(q[:, :4]), q[::3, 7:3:-1]):
         np.testing.assert_array_equal(bulk.pose(view, "4"), bulk.pose(np.ascontiguousarray(view), "4"))
@@ -112,11 +114,11 @@ def test_an_arm_too_large_for_the_expanded_trace_is_multiplied_link_by_link() ->
     rows = [{"a": f"a_{i}", "alpha": f"alpha_{i}", "d": f"d_{i}", "theta": f"theta_{i}"} for i in range(1, 9)]
     arm = load_arm({"dh": "classic", "rows": rows})
     with pytest.raises(ModelError, match="too many symbolic angles"):
-        arm.trace.pose("8")
+        trace_of(arm).pose("8")
     q, tolerance = configurations(arm)
-    X, J = arm.bulk.pose_and_jacobian(q, "8")
-    assert_agrees(X, arm.numeric(q).pose("8"), 3 * tolerance)
-    assert_agrees(J, arm.numeric(q).jacobian("8"), 3 * tolerance)
+    X, J = bulk_of(arm).pose_and_jacobian(q, "8")
+    assert_agrees(X, NumericKinematics(arm, q).pose("8"), 3 * tolerance)
+    assert_agrees(J, NumericKinematics(arm, q).jacobian("8"), 3 * tolerance)
 
 
 def test_other_lengths_and_angles_are_those_of_an_arm_built_with_them() -> None:
@@ -128,16 +130,16 @@ def test_other_lengths_and_angles_are_those_of_an_arm_built_with_them() -> None:
 
     numbers, symbols = table(0.37, 0.9, -0.11), table("a_1", "alpha_1", "-l_3")
     q, tolerance = configurations(numbers)
-    moved = symbols.bulk.with_values({"a_1": 0.37}).with_values({"alpha_1": 0.9, "l_3": 0.11})
-    for bulk in (moved, numbers.bulk):
+    moved = bulk_of(symbols).with_values({"a_1": 0.37}).with_values({"alpha_1": 0.9, "l_3": 0.11})
+    for bulk in (moved, bulk_of(numbers)):
         X, J = bulk.pose_and_jacobian(q, "3")
-        assert_agrees(X, numbers.numeric(q).pose("3"), tolerance)
-        assert_agrees(J, numbers.numeric(q).jacobian("3"), tolerance)
-    assert np.abs(symbols.bulk.pose(q, "3") - moved.pose(q, "3")).max() > 0.01
+        assert_agrees(X, NumericKinematics(numbers, q).pose("3"), tolerance)
+        assert_agrees(J, NumericKinematics(numbers, q).jacobian("3"), tolerance)
+    assert np.abs(bulk_of(symbols).pose(q, "3") - moved.pose(q, "3")).max() > 0.01
 
 
 def test_a_length_may_be_zero() -> None:
-    flat = load_arm("scara").bulk.with_values({"a_2": 0})
+    flat = bulk_of(load_arm("scara")).with_values({"a_2": 0})
     q = np.random.default_rng(4).uniform(-2, 2, (50, 4))
     np.testing.assert_array_equal(flat.manipulability(q, "4", [1, 2], [1, 2]), np.zeros(50))
     np.testing.assert_array_equal(flat.condition_number(q, "4", [1, 2], [2]), np.full(50, np.inf))
@@ -149,12 +151,12 @@ def test_values_that_are_none_of_the_arms_are_refused() -> None:
         BulkKinematics(arm, {"a_7": 1.0})
     for value in (np.nan, np.inf, "1", None, 1j, True):
         with pytest.raises(ModelError, match="'a_1' of arm 'scara' is a finite number, not"):
-            arm.bulk.with_values({"a_1": value})
+            bulk_of(arm).with_values({"a_1": value})
 
 
 @pytest.mark.parametrize("ask", ["pose", "jacobian", "pose_and_jacobian", "manipulability", "condition_number"])
 def test_unknown_frames_and_wrong_configurations_are_refused(ask: str) -> None:
-    method = getattr(load_arm("scara").bulk, ask)
+    method = getattr(bulk_of(load_arm("scara")), ask)
     with pytest.raises(ModelError, match="no frame '7' on arm 'scara'; its frames are 0, 1, 2, 3, 4"):
         method(np.zeros((1, 4)), "7")
     with pytest.raises(ModelError, match=r"configurations of arm 'scara' have the shape \(N, 4\), not \(2, 6\)"):
@@ -165,7 +167,7 @@ def test_values_beyond_the_limits_have_a_pose_all_the_same() -> None:
     arm = load_arm("rx90")
     q = np.full((2, 6), 49.0)
     assert outside_limits(arm, q).any()
-    np.testing.assert_allclose(arm.bulk.pose(q, "6"), arm.numeric(q).pose("6"), atol=1e-12)
+    np.testing.assert_allclose(bulk_of(arm).pose(q, "6"), NumericKinematics(arm, q).pose("6"), atol=1e-12)
 
 
 def test_a_slip_in_one_instruction_is_caught() -> None:
@@ -180,8 +182,8 @@ def test_a_slip_in_one_instruction_is_caught() -> None:
         program.instructions[place] = instruction._replace(operation=swap[instruction.operation])
         X, J = bulk.pose_and_jacobian(q, "6")
         with pytest.raises(AssertionError, match="times the tolerance"):
-            assert_agrees(X, arm.numeric(q).pose("6"), tolerance)
-            assert_agrees(J, arm.numeric(q).jacobian("6"), tolerance)
+            assert_agrees(X, NumericKinematics(arm, q).pose("6"), tolerance)
+            assert_agrees(J, NumericKinematics(arm, q).jacobian("6"), tolerance)
         program.instructions[place] = instruction
         caught += 1
     assert caught == len(program.instructions) > 50
@@ -190,7 +192,7 @@ def test_a_slip_in_one_instruction_is_caught() -> None:
 def test_threads_may_share_a_bulk() -> None:
     q = np.random.default_rng(6).uniform(-3, 3, (4 * BLOCK, 6))
     arm = load_arm("kr210")
-    expected = arm.bulk.pose_and_jacobian(q, "6")
+    expected = bulk_of(arm).pose_and_jacobian(q, "6")
     shared = BulkKinematics(arm)
     with ThreadPoolExecutor(8) as pool:
         for X, J in pool.map(lambda _: shared.pose_and_jacobian(q, "6"), range(16)):
@@ -200,7 +202,7 @@ def test_threads_may_share_a_bulk() -> None:
 
 def test_a_bulk_and_its_programs_are_made_once() -> None:
     arm = load_arm("planar_2r")
-    assert arm.bulk is arm.bulk
+    assert bulk_of(arm) is bulk_of(arm)
     bulk, q = BulkKinematics(arm), np.zeros((1, 2))
     for _ in range(3):
         bulk.jacobian(q, "2"), bulk.jacobian(q, "2", "0"), bulk.pose(q, "2")
@@ -212,10 +214,10 @@ def test_bulk_is_many_times_as_fast_as_the_loop_over_the_plant(name: str) -> Non
     arm = load_arm(name)
     q = np.random.default_rng(0).uniform(-3, 3, (20 * BLOCK, len(arm.joints)))
     frame = last_frame(arm)
-    arm.bulk.pose_and_jacobian(q, frame)
+    bulk_of(arm).pose_and_jacobian(q, frame)
     few = q[:BLOCK]
-    bulk = min(_seconds(lambda: arm.bulk.pose_and_jacobian(q, frame)) / len(q) for _ in range(5))
-    loop = min(_seconds(lambda: arm.numeric(few).jacobian(frame)) / len(few) for _ in range(3))
+    bulk = min(_seconds(lambda: bulk_of(arm).pose_and_jacobian(q, frame)) / len(q) for _ in range(5))
+    loop = min(_seconds(lambda: NumericKinematics(arm, few).jacobian(frame)) / len(few) for _ in range(3))
     assert bulk < loop / 4  # about a twentieth where it was measured
 
 

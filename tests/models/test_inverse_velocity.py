@@ -17,6 +17,7 @@ from armproof.models.motion.inverse_velocity import (
     svd_pseudo_inverse,
 )
 from armproof.models.numeric.configurations import sample
+from armproof.models.numeric.plant import NumericKinematics
 
 SHAPES = [(2, 2), (3, 3), (6, 6), (2, 3), (3, 6), (6, 3), (6, 4), (1, 5), (5, 1)]
 
@@ -45,7 +46,7 @@ def test_the_four_conditions_of_moore_and_penrose_hold(shape):
 
 def test_the_conditions_hold_on_every_arm_at_every_kind_of_configuration(arm: Arm):
     q, _ = sample(arm, 60, np.random.default_rng(0))
-    J = arm.numeric(q).jacobian(arm.frames[-1])
+    J = NumericKinematics(arm, q).jacobian(arm.frames[-1])
     # A singular value between these is neither zero nor far from it, and no inverse of it is accurate.
     singular_values = np.linalg.svd(J, compute_uv=False)
     clear = ((singular_values < 1e-13) | (singular_values > 1e-3)).all(axis=1)
@@ -86,7 +87,7 @@ def test_a_form_that_does_not_fit_the_shape_is_refused():
 
 def test_a_singular_arm_is_refused_with_its_rank():
     arm = load_arm("planar_2r")
-    J = arm.numeric(np.array([[0.3, 1.0], [0.3, 0.0]])).jacobian("2")[:, :2]
+    J = NumericKinematics(arm, np.array([[0.3, 1.0], [0.3, 0.0]])).jacobian("2")[:, :2]
     with pytest.raises(ModelError, match=r"number 1 of the batch has rank 1: the arm is singular"):
         pseudo_inverse(J)
     with pytest.raises(ModelError, match=r"full row rank 2; the Jacobian has rank 1"):
@@ -98,7 +99,7 @@ def test_a_singular_arm_is_refused_with_its_rank():
 def test_damped_rates_are_bounded_everywhere(arm: Arm, damping: float):
     rng = np.random.default_rng(1)
     q, _ = sample(arm, 60, rng)
-    J = arm.numeric(q).jacobian(arm.frames[-1])
+    J = NumericKinematics(arm, q).jacobian(arm.frames[-1])
     twist = rng.normal(size=(60, 6))
     bound = np.linalg.norm(twist, axis=1) / (2 * damping)
     assert (np.linalg.norm(joint_rates(J, twist, damping=damping).rates, axis=1) <= bound * (1 + 1e-9)).all()
@@ -120,7 +121,7 @@ def test_damped_least_squares_tends_to_the_pseudo_inverse(shape):
 
 def test_near_a_singularity_the_pseudo_inverse_grows_and_the_damped_one_does_not():
     arm, twist = load_arm("planar_2r"), np.array([1.0, 0.0])
-    J = arm.numeric(np.array([[0.0, angle] for angle in (1e-1, 1e-3, 1e-5)])).jacobian("2")[:, :2]
+    J = NumericKinematics(arm, np.array([[0.0, angle] for angle in (1e-1, 1e-3, 1e-5)])).jacobian("2")[:, :2]
     free = np.linalg.norm(joint_rates(J, np.tile(twist, (3, 1))).rates, axis=1)
     damped = np.linalg.norm(joint_rates(J, np.tile(twist, (3, 1)), damping=0.05).rates, axis=1)
     np.testing.assert_allclose(free[1:] / free[:-1], 100, rtol=0.05)
@@ -142,7 +143,7 @@ def test_the_residual_is_what_the_rates_miss_and_no_other_rates_miss_less():
 
 def test_rates_move_the_tool_with_the_twist(arm: Arm):
     q = sample(arm, 6, np.random.default_rng(3))[0][:1]
-    J = arm.numeric(q).jacobian(arm.frames[-1])[0]
+    J = NumericKinematics(arm, q).jacobian(arm.frames[-1])[0]
     rates = np.linspace(0.3, 1.0, len(arm.joints))
     rank = np.linalg.matrix_rank(J)
     found = svd_pseudo_inverse(J, tolerance=1e-10) @ (J @ rates)

@@ -6,14 +6,18 @@ import numpy as np
 import pytest
 
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
+from armproof.models.exact.evaluation import evaluate_entries
+from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.joint_values import limit_notes, outside_limits, read_configuration, read_joint_values
+from armproof.models.numeric.plant import NumericKinematics
 
 ROUTES = {
-    "bulk": lambda arm, q: arm.bulk.pose(q, arm.frames[-1]),
-    "double plant": lambda arm, q: arm.numeric(q),
-    "trace": lambda arm, q: arm.trace.evaluate(arm.trace.pose(arm.frames[1]), q),
+    "bulk": lambda arm, q: bulk_of(arm).pose(q, arm.frames[-1]),
+    "double plant": lambda arm, q: NumericKinematics(arm, q),
+    "trace": lambda arm, q: evaluate_entries(arm, trace_of(arm).pose(arm.frames[1]), q),
     "reader": read_joint_values,
 }
 
@@ -99,7 +103,7 @@ def test_values_beyond_the_limits_are_told_not_refused(arm: Arm) -> None:
     outside = outside_limits(arm, q)
     np.testing.assert_array_equal(outside, np.stack([~limited & False, limited, ~limited & False]))
     assert len(limit_notes(arm, q)) == limited.sum()
-    assert arm.bulk.pose(q, arm.frames[-1]).shape == (3, 4, 4)
+    assert bulk_of(arm).pose(q, arm.frames[-1]).shape == (3, 4, 4)
 
 
 def test_a_note_names_the_joint_its_limits_and_how_often() -> None:

@@ -10,6 +10,10 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ArmproofError, ModelError
+from armproof.models.exact.evaluation import evaluate_entries
+from armproof.models.exact.trace import trace_of
+from armproof.models.numeric.drake_arm import frame_of
+from armproof.models.numeric.plant import NumericKinematics
 
 from .conftest import SLANTED, joint, link
 
@@ -26,7 +30,7 @@ def test_a_plain_urdf_counts_its_joints_and_frames(write_urdf: Write) -> None:
     assert (arm.joints[0].lower, arm.joints[0].upper) == (-2, 2.5)
     assert (arm.joints[1].lower, arm.joints[1].upper) == (-inf, inf)
     assert arm.frames == ("0", "1", "2", "3", "base", "l1", "l2", "l3", "tool")
-    assert arm.frame("0").name() == "base" and arm.frame("3").name() == "l3" and arm.frame(3).name() == "l3"
+    assert frame_of(arm, "0").name() == "base" and frame_of(arm, "3").name() == "l3" and frame_of(arm, 3).name() == "l3"
     assert arm.lengths == {} and arm.dh is None and arm.warnings == ()
 
 
@@ -43,23 +47,29 @@ def test_moving_the_base_changes_nothing(write_urdf: Write, tmp_path: Path) -> N
         "- add_weld: {parent: world, child: a::base, X_PC: {translation: [1, 2, 3], rotation: !Rpy {deg: [10, 20, 30]}}}\n"
     )
     for other in (moved, load_arm(directives)):
-        assert other.trace.pose("3") == arm.trace.pose("3")
-        assert other.trace.jacobian("tool") == arm.trace.jacobian("tool")
+        assert trace_of(other).pose("3") == trace_of(arm).pose("3")
+        assert trace_of(other).jacobian("tool") == trace_of(arm).jacobian("tool")
         q = np.random.default_rng(0).normal(size=(5, 3))
-        np.testing.assert_allclose(other.numeric(q).pose("3"), arm.numeric(q).pose("3"), atol=1e-14)
-        np.testing.assert_allclose(other.numeric(q).jacobian("3"), arm.numeric(q).jacobian("3"), atol=1e-14)
+        np.testing.assert_allclose(
+            NumericKinematics(other, q).pose("3"), NumericKinematics(arm, q).pose("3"), atol=1e-14
+        )
+        np.testing.assert_allclose(
+            NumericKinematics(other, q).jacobian("3"), NumericKinematics(arm, q).jacobian("3"), atol=1e-14
+        )
 
 
 def test_a_moved_tool_does_change_something(write_urdf: Write) -> None:
     moved = load_arm(write_urdf(SLANTED.replace("0 0.4 0.12", "0 0.4 0.13")))
-    assert moved.trace.pose("tool") != load_arm(write_urdf(SLANTED)).trace.pose("tool")
+    assert trace_of(moved).pose("tool") != trace_of(load_arm(write_urdf(SLANTED))).pose("tool")
 
 
 def test_a_chain_on_the_world_has_the_world_as_frame_0(write_urdf: Write) -> None:
     arm = load_arm(write_urdf(link("world", "b") + joint("j", "world", "b", xyz="0.1 0 0")))
-    assert arm.frame("0").is_world_frame()
+    assert frame_of(arm, "0").is_world_frame()
     q = np.array([[0.7]])
-    np.testing.assert_allclose(arm.trace.evaluate(arm.trace.pose("1"), q), arm.numeric(q).pose("1"), atol=1e-15)
+    np.testing.assert_allclose(
+        evaluate_entries(arm, trace_of(arm).pose("1"), q), NumericKinematics(arm, q).pose("1"), atol=1e-15
+    )
 
 
 def test_an_sdf_is_an_arm(tmp_path: Path) -> None:
@@ -70,7 +80,9 @@ def test_an_sdf_is_an_arm(tmp_path: Path) -> None:
           <parent>a</parent><child>b</child><axis><xyz>0 1 1</xyz></axis></joint></model></sdf>""")
     arm = load_arm(path)
     q = np.random.default_rng(0).normal(size=(20, 1))
-    np.testing.assert_allclose(arm.trace.evaluate(arm.trace.pose("1"), q), arm.numeric(q).pose("1"), atol=1e-12)
+    np.testing.assert_allclose(
+        evaluate_entries(arm, trace_of(arm).pose("1"), q), NumericKinematics(arm, q).pose("1"), atol=1e-12
+    )
 
 
 def test_missing_meshes_do_not_matter(write_urdf: Write) -> None:
@@ -88,7 +100,7 @@ def test_warnings_of_the_parser_are_kept_with_file_and_line(write_urdf: Write) -
 def test_an_angle_that_is_nearly_right_is_warned_of(write_urdf: Write) -> None:
     arm = load_arm(write_urdf(link("a", "b") + joint("j", "a", "b", rpy="1.5708 0 0")))
     assert "turns by 1.5708 rad, nearly 2*pi/4; write 1.5707963267948966" in arm.warnings[0]
-    assert arm.trace.constants == {"1.5708": 1.5708}
+    assert trace_of(arm).constants == {"1.5708": 1.5708}
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from armproof.models.motion.joint_space import follow_path
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.motion.samples import sample_motion
 from armproof.models.motion.straight_line import pose_line, straight_line
+from armproof.models.numeric.plant import NumericKinematics
 from tests.models.test_motion_joint_space import configurations
 
 
@@ -27,7 +28,7 @@ def independent_rows(J: np.ndarray) -> tuple[int, ...]:
 
 
 def pose(arm: Arm, frame: str, q) -> np.ndarray:
-    return arm.numeric(np.array([q], dtype=float)).pose(frame)[0]
+    return NumericKinematics(arm, np.array([q], dtype=float)).pose(frame)[0]
 
 
 def elbow_solver(sign: float):
@@ -71,21 +72,21 @@ def test_pose_error_is_the_step_and_the_turn(angle: float):
 def test_pose_error_is_j_dq_to_first_order(arm: Arm):
     q = configurations(arm, 2)[0]
     dq, frame = 1e-6 * np.linspace(0.5, 1.0, len(q)), arm.frames[-1]
-    J = arm.numeric(q[np.newaxis]).jacobian(frame)[0]
+    J = NumericKinematics(arm, q[np.newaxis]).jacobian(frame)[0]
     np.testing.assert_allclose(pose_error(pose(arm, frame, q + dq), pose(arm, frame, q)), J @ dq, atol=1e-11)
 
 
 def test_the_tool_moves_on_the_line_and_turns_evenly(arm: Arm):
     q_0 = configurations(arm, 3)[0]
     frame = arm.frames[-1]
-    rows = independent_rows(arm.numeric(q_0[np.newaxis]).jacobian(frame)[0])
+    rows = independent_rows(NumericKinematics(arm, q_0[np.newaxis]).jacobian(frame)[0])
     X_0, X_f = pose(arm, frame, q_0), pose(arm, frame, q_0 + 0.03)
     line = straight_line(arm, frame, q_0, X_f, rows=rows, samples=21)
     assert line.position_error < 1e-6 and line.rotation_error < 1e-6 and line.least_singular_value > 0
     chosen, s = [row - 1 for row in rows], np.linspace(0, 1, 11)
     q = sample_motion(line.path, s).q
     np.testing.assert_allclose(q[0], q_0, atol=1e-12)
-    X = arm.numeric(q).pose(frame)
+    X = NumericKinematics(arm, q).pose(frame)
     p = X_0[:3, 3] + s[:, np.newaxis] * (X_f[:3, 3] - X_0[:3, 3])
     turn = pose_error(X_f, X_0)[3:]
     for k, part in enumerate(s):
@@ -102,7 +103,7 @@ def test_the_rates_of_the_joints_give_the_tool_a_constant_twist():
     X_f = pose(arm, "6", q_0 + 0.2)
     line = straight_line(arm, "6", q_0, X_f, samples=41)
     motion = sample_motion(line.path, np.linspace(0, 1, 9))
-    twists = np.einsum("kij,kj->ki", arm.numeric(motion.q).jacobian("6"), motion.v)
+    twists = np.einsum("kij,kj->ki", NumericKinematics(arm, motion.q).jacobian("6"), motion.v)
     np.testing.assert_allclose(twists, np.tile(pose_error(X_f, pose(arm, "6", q_0)), (9, 1)), atol=1e-4)
 
 
@@ -142,7 +143,7 @@ def test_a_followed_line_is_one_in_time():
     arm = load_arm("planar_2r")
     line = straight_line(arm, "2", [0.3, 1.2], target(0.2, 0.25), rows=(1, 2), samples=51)
     motion = sample_motion(follow_path(line.path, 2.0), np.linspace(0, 2, 101))
-    p = arm.numeric(motion.q).pose("2")[:, :2, 3]
+    p = NumericKinematics(arm, motion.q).pose("2")[:, :2, 3]
     along = p[-1] - p[0]
     offset = np.cross(np.append(along, 0) / np.linalg.norm(along), np.pad(p - p[0], ((0, 0), (0, 1))))
     assert np.abs(offset).max() < 1e-5

@@ -14,6 +14,7 @@ from armproof.models.motion.samples import sample_motion
 from armproof.models.motion.straight_line import straight_line
 from armproof.models.motion.time_optimal import TimeOptimalMotion
 from armproof.models.motion.time_optimal import time_optimal as solve
+from armproof.models.numeric.plant import NumericKinematics
 from tests.models.test_motion_joint_space import configurations
 from tests.models.test_motion_straight_line import target
 
@@ -84,7 +85,7 @@ def test_the_tool_stays_on_its_line():
     line = straight_line(arm, "2", [0.3, 1.2], target(0.2, 0.25), rows=(1, 2), samples=51)
     motion = time_optimal(arm, line.path)
     q = sample_motion(motion.trajectory, np.linspace(0, motion.duration, 101)).q
-    p = arm.numeric(q).pose("2")[:, :2, 3]
+    p = NumericKinematics(arm, q).pose("2")[:, :2, 3]
     along = (p[-1] - p[0]) / np.linalg.norm(p[-1] - p[0])
     assert np.abs((p - p[0]) @ [-along[1], along[0]]).max() < 1e-5
 

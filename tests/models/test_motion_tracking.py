@@ -13,6 +13,7 @@ from armproof.models.motion.quintic import quintic
 from armproof.models.motion.samples import sample_motion
 from armproof.models.motion.time_optimal import time_optimal
 from armproof.models.motion.tracking import PERIOD, TrackingLog, track
+from armproof.models.numeric.drake_arm import plant_of
 from tests.models.test_motion_joint_space import configurations
 
 TARGET = 1e-3  # rad and m
@@ -88,9 +89,9 @@ def test_holding_still_takes_the_torques_of_gravity():
     q = configurations(arm, 2)[0]
     log = track(arm, quintic(q, q, 0.05))
     np.testing.assert_allclose(log.q, np.tile(q, (len(log.q), 1)), atol=1e-9)
-    context = arm.plant.CreateDefaultContext()
-    arm.plant.SetPositions(context, q)
-    gravity = -arm.plant.CalcGravityGeneralizedForces(context)
+    context = plant_of(arm).CreateDefaultContext()
+    plant_of(arm).SetPositions(context, q)
+    gravity = -plant_of(arm).CalcGravityGeneralizedForces(context)
     np.testing.assert_allclose(log.torques, np.tile(gravity, (len(log.q), 1)), atol=1e-6)
     assert np.abs(gravity).max() > 1
 

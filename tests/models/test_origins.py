@@ -6,7 +6,9 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.loading.origins import joint_origins
+from armproof.models.numeric.drake_arm import plant_of
 
 
 def test_the_joints_of_the_chain_lead_from_link_to_link(arm: Arm) -> None:
@@ -23,8 +25,8 @@ def test_the_joints_of_the_chain_lead_from_link_to_link(arm: Arm) -> None:
 
 def test_the_origins_are_those_of_the_double_plant(arm: Arm) -> None:
     for name, origin in joint_origins(arm).items():
-        X_PF = arm.plant.GetJointByName(name).frame_on_parent().GetFixedPoseInBodyFrame()
-        xyz = arm.trace.evaluate([[entry] for entry in origin.xyz], np.zeros((1, len(arm.joints))))[0, :, 0]
+        X_PF = plant_of(arm).GetJointByName(name).frame_on_parent().GetFixedPoseInBodyFrame()
+        xyz = evaluate_entries(arm, [[entry] for entry in origin.xyz], np.zeros((1, len(arm.joints))))[0, :, 0]
         np.testing.assert_allclose(xyz, X_PF.translation(), atol=1e-12)
 
 
@@ -36,9 +38,9 @@ def test_a_moving_joint_has_an_axis_and_a_fixed_one_none() -> None:
 
 def test_roll_pitch_and_yaw_make_the_rotation_of_the_double_plant(arm: Arm) -> None:
     for name, origin in joint_origins(arm).items():
-        (cr, sr), (cp, sp), (cy, sy) = arm.trace.evaluate(origin.rpy, np.zeros((1, len(arm.joints))))[0]
+        (cr, sr), (cp, sp), (cy, sy) = evaluate_entries(arm, origin.rpy, np.zeros((1, len(arm.joints))))[0]
         Rz = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
         Ry = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
         Rx = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
-        X_PF = arm.plant.GetJointByName(name).frame_on_parent().GetFixedPoseInBodyFrame()
+        X_PF = plant_of(arm).GetJointByName(name).frame_on_parent().GetFixedPoseInBodyFrame()
         np.testing.assert_allclose(Rz @ Ry @ Rx, X_PF.rotation().matrix(), atol=1e-12)

@@ -8,6 +8,7 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.rendering import ArmRenderer, look_at, require_renderer
 
 TABLE = {"dh": "classic", "rows": [{"a": "l_1", "alpha": 0, "d": 0, "theta": "theta_1"}]}
@@ -45,7 +46,7 @@ def test_a_picture_shows_the_arm_on_white_and_the_same_twice() -> None:
 def test_the_tool_is_drawn_where_the_camera_has_the_plants_tool(q: list[float]) -> None:
     arm = load_arm("planar_2r")
     camera = look_at(np.zeros(3), np.array([0.0, 0.0, 1.0]), 4.0, 400, 400, 0.6)
-    tool = arm.numeric(np.array([q])).pose("2")[0, :3, 3]
+    tool = NumericKinematics(arm, np.array([q])).pose("2")[0, :3, 3]
     column, row = camera.pixels(tool[None])[0]
     ink = np.argwhere(inked(ArmRenderer(arm).image(q, camera)))
     nearest = np.linalg.norm(ink - [row, column], axis=1).min()

@@ -5,7 +5,8 @@ import pytest
 
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ModelError
-from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.numeric.plant import NumericKinematics
+from armproof.models.showing.skeleton import place_skeleton
 
 STEP = 1e-6
 
@@ -16,7 +17,7 @@ def test_the_frames_are_those_of_the_kinematics(name: str) -> None:
     q = np.random.default_rng(3).uniform(-1, 1, len(arm.joints))
     skeleton = place_skeleton(arm, q)
     for frame in arm.frames:
-        np.testing.assert_allclose(skeleton.frames[frame], arm.numeric(q[None]).pose(frame)[0], atol=1e-12)
+        np.testing.assert_allclose(skeleton.frames[frame], NumericKinematics(arm, q[None]).pose(frame)[0], atol=1e-12)
         assert not skeleton.frames[frame].flags.writeable
 
 
@@ -26,7 +27,7 @@ def test_the_axes_move_the_last_frame_as_its_jacobian_says(name: str) -> None:
     last = arm.frames[-1]
     q = np.random.default_rng(4).uniform(-1, 1, len(arm.joints))
     skeleton = place_skeleton(arm, q)
-    jacobian = arm.numeric(q[None]).jacobian(last)[0]
+    jacobian = NumericKinematics(arm, q[None]).jacobian(last)[0]
     p = skeleton.frames[last][:3, 3]
     for k, joint in enumerate(skeleton.joints):
         axis, start = np.array(joint.axis), np.array(joint.start)

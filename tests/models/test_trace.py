@@ -9,10 +9,24 @@ from pydrake.autodiffutils import ExtractGradient, ExtractValue, InitializeAutoD
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
+from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.exact.numbers import IDENTITY
-from armproof.models.exact.polynomial import ONE, ZERO, add, generator, matrix_product, multiply, scale, transpose
-from armproof.models.exact.trace import Trace
+from armproof.models.exact.polynomial import (
+    ONE,
+    ZERO,
+    add,
+    generator,
+    generators,
+    matrix_product,
+    multiply,
+    scale,
+    transpose,
+)
+from armproof.models.exact.symbolic import SymbolicPlant
+from armproof.models.exact.trace import Trace, trace_of
 from armproof.models.numeric.configurations import FAMILIES, sample
+from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
+from armproof.models.numeric.plant import NumericKinematics
 
 TOLERANCE = 1e-12
 
@@ -30,54 +44,56 @@ def assert_agrees(exact: np.ndarray, double: np.ndarray, tolerance: np.ndarray) 
 
 def test_exact_poses_are_those_of_the_double_plant(arm: Arm) -> None:
     q, tolerance = configurations(arm)
-    numeric = arm.numeric(q)
+    numeric = NumericKinematics(arm, q)
     last = arm.frames[-1]
     for frame in arm.frames:
         for reference in (arm.frames[0], last):
             assert_agrees(
-                arm.trace.evaluate(arm.trace.pose(frame, reference), q), numeric.pose(frame, reference), tolerance
+                evaluate_entries(arm, trace_of(arm).pose(frame, reference), q),
+                numeric.pose(frame, reference),
+                tolerance,
             )
 
 
 def test_exact_jacobians_are_those_of_the_double_plant(arm: Arm) -> None:
     q, tolerance = configurations(arm)
-    numeric = arm.numeric(q)
+    numeric = NumericKinematics(arm, q)
     base, last = arm.frames[0], arm.frames[-1]
     for frame, expressed_in in ((last, base), (last, last), (arm.frames[1], base)):
-        exact = arm.trace.evaluate(arm.trace.jacobian(frame, expressed_in), q)
+        exact = evaluate_entries(arm, trace_of(arm).jacobian(frame, expressed_in), q)
         assert_agrees(exact, numeric.jacobian(frame, expressed_in), tolerance)
 
 
 def test_jacobians_between_any_three_frames_agree(arm: Arm) -> None:
     q, tolerance = configurations(arm, 30)
-    numeric = arm.numeric(q)
+    numeric = NumericKinematics(arm, q)
     middle = arm.frames[len(arm.frames) // 2]
     for frame, expressed_in, reference in ((middle, arm.frames[-1], arm.frames[-1]), (arm.frames[-1], middle, middle)):
-        exact = arm.trace.evaluate(arm.trace.jacobian(frame, expressed_in, reference), q)
+        exact = evaluate_entries(arm, trace_of(arm).jacobian(frame, expressed_in, reference), q)
         assert_agrees(exact, numeric.jacobian(frame, expressed_in, reference), tolerance)
 
 
 def test_jacobian_is_the_derivative_of_the_forward_kinematics(arm: Arm) -> None:
     q, tolerance = configurations(arm, 2 * len(FAMILIES))
-    plant = arm.plant.ToAutoDiffXd()
+    plant = plant_of(arm).ToAutoDiffXd()
     context = plant.CreateDefaultContext()
-    frame = plant.get_frame(arm.frame(arm.frames[-1]).index())
-    base = plant.get_frame(arm.frame(arm.frames[0]).index())
-    exact = arm.trace.evaluate(arm.trace.jacobian(arm.frames[-1]), q)
+    frame = plant.get_frame(frame_of(arm, arm.frames[-1]).index())
+    base = plant.get_frame(frame_of(arm, arm.frames[0]).index())
+    exact = evaluate_entries(arm, trace_of(arm).jacobian(arm.frames[-1]), q)
     for k in range(len(q)):
         positions = np.zeros(plant.num_positions())
-        positions[list(arm.position_indices)] = q[k]
+        positions[list(drake_of(arm).position_indices)] = q[k]
         plant.SetPositions(context, InitializeAutoDiff(positions).ravel())
         X = plant.CalcRelativeTransform(context, base, frame).GetAsMatrix4()
         R = ExtractValue(X[:3, :3])
-        gradient = ExtractGradient(X[:3].reshape(-1, 1)).reshape(3, 4, -1)[:, :, arm.position_indices]
+        gradient = ExtractGradient(X[:3].reshape(-1, 1)).reshape(3, 4, -1)[:, :, drake_of(arm).position_indices]
         angular = np.einsum("ikq,jk->ijq", gradient[:, :3], R)  # dR/dq Rᵀ, the cross-product matrix of ω
         derivative = np.stack([*gradient[:, 3], angular[2, 1], angular[0, 2], angular[1, 0]])
         assert_agrees(exact[k], derivative, tolerance[k])
 
 
 def test_rotations_are_orthonormal_exactly(arm: Arm) -> None:
-    R = arm.trace.rotation(arm.frames[1])
+    R = trace_of(arm).rotation(arm.frames[1])
     assert matrix_product(R, transpose(R)) == IDENTITY
     minors = [
         add(multiply(R[1][j], R[2][k]), scale(multiply(R[1][k], R[2][j]), -1)) for j, k in ((1, 2), (2, 0), (0, 1))
@@ -87,17 +103,17 @@ def test_rotations_are_orthonormal_exactly(arm: Arm) -> None:
 
 def test_a_frame_seen_from_itself_is_the_identity_exactly(arm: Arm) -> None:
     for frame in arm.frames:
-        pose = arm.trace.pose(frame, frame)
+        pose = trace_of(arm).pose(frame, frame)
         assert pose == tuple(tuple(ONE if i == j else ZERO for j in range(4)) for i in range(4))
 
 
 def test_the_inverse_transform_is_that_of_the_swapped_frames_exactly(arm: Arm) -> None:
     base, frame = arm.frames[0], arm.frames[1]
-    assert transpose(arm.trace.rotation(frame)) == arm.trace.rotation(base, frame)
+    assert transpose(trace_of(arm).rotation(frame)) == trace_of(arm).rotation(base, frame)
 
 
 def test_entries_are_in_normal_form_and_exact(arm: Arm) -> None:
-    for row in (*arm.trace.pose(arm.frames[-1]), *arm.trace.jacobian(arm.frames[-1])):
+    for row in (*trace_of(arm).pose(arm.frames[-1]), *trace_of(arm).jacobian(arm.frames[-1])):
         for entry in row:
             for monomial, coefficient in entry.items():
                 assert isinstance(coefficient, Fraction) and coefficient
@@ -106,10 +122,11 @@ def test_entries_are_in_normal_form_and_exact(arm: Arm) -> None:
 
 
 def test_every_generator_is_a_joint_a_length_a_constant_or_a_root(arm: Arm) -> None:
-    trace = arm.trace
+    trace = trace_of(arm)
+    rows = [*trace.pose(arm.frames[-1]), *trace.jacobian(arm.frames[-1])]
     revolute = {joint.symbol for joint in arm.joints if joint.kind == "revolute"}
     symbols = {joint.symbol for joint in arm.joints if joint.kind == "prismatic"} | set(arm.lengths)
-    for kind, name in trace.generators([*trace.pose(arm.frames[-1]), *trace.jacobian(arm.frames[-1])]):
+    for kind, name in generators(entry for row in rows for entry in row):
         assert (
             (kind in ("cos", "sin") and name in revolute | set(trace.constants))
             or (kind == "symbol" and name in symbols)
@@ -118,7 +135,7 @@ def test_every_generator_is_a_joint_a_length_a_constant_or_a_root(arm: Arm) -> N
 
 
 def test_parts_of_a_pose_are_its_columns() -> None:
-    trace = load_arm("scara").trace
+    trace = trace_of(load_arm("scara"))
     pose = trace.pose("4", "1")
     assert trace.origin("4", "1") == tuple(row[3] for row in pose[:3])
     assert trace.axis("4", "z", "1") == tuple(row[2] for row in pose[:3])
@@ -130,7 +147,7 @@ def test_scara_entries_are_those_of_its_document() -> None:
     c1, c2, s1, s2 = (generator(kind, f"theta_{i}") for kind in ("cos", "sin") for i in (1, 2))
     a1, a2, d3, d4 = (generator("symbol", name) for name in ("a_1", "a_2", "d_3", "d_4"))
     c12 = add(multiply(c1, c2), scale(multiply(s1, s2), -1))
-    trace = load_arm("scara").trace
+    trace = trace_of(load_arm("scara"))
     assert trace.origin("4")[0] == add(multiply(a1, c1), multiply(a2, c12))
     assert trace.origin("4")[2] == scale(add(d3, d4), -1)
     assert [row[2] for row in trace.jacobian("4")] == [ZERO, ZERO, scale(ONE, -1), ZERO, ZERO, ZERO]
@@ -145,28 +162,28 @@ def test_a_slip_in_one_entry_is_caught() -> None:
             {tuple(sorted(((kind, swap.get(name, name)), p) for (kind, name), p in m)): c for m, c in entry.items()}
             for entry in row
         )
-        for row in arm.trace.pose("4")
+        for row in trace_of(arm).pose("4")
     )
     with pytest.raises(AssertionError, match="times the tolerance"):
-        assert_agrees(arm.trace.evaluate(swapped, q), arm.numeric(q).pose("4"), tolerance)
+        assert_agrees(evaluate_entries(arm, swapped, q), NumericKinematics(arm, q).pose("4"), tolerance)
 
 
 def test_a_trace_is_computed_once_and_read_only() -> None:
     arm = load_arm("planar_2r")
-    assert arm.trace is arm.trace
-    assert arm.trace.pose("2") is arm.trace.pose("2", "0")
+    assert trace_of(arm) is trace_of(arm)
+    assert trace_of(arm).pose("2") is trace_of(arm).pose("2", "0")
     with pytest.raises(TypeError):
-        arm.trace.pose("2")[0][0][()] = Fraction(1)  # type: ignore[index]
+        trace_of(arm).pose("2")[0][0][()] = Fraction(1)  # type: ignore[index]
 
 
 @pytest.mark.parametrize("ask", [Trace.pose, Trace.rotation, Trace.origin, Trace.axis, Trace.jacobian])
 def test_an_unknown_frame_is_named_with_those_there_are(ask) -> None:
     with pytest.raises(ModelError, match=r"^no frame '7' on arm 'scara'; its frames are 0, 1, 2, 3, 4$"):
-        ask(load_arm("scara").trace, "7")
+        ask(trace_of(load_arm("scara")), "7")
 
 
 def test_an_unknown_reference_or_axis_is_refused() -> None:
-    trace = load_arm("scara").trace
+    trace = trace_of(load_arm("scara"))
     with pytest.raises(ModelError, match="no frame '9' on arm 'scara'"):
         trace.pose("4", "9")
     with pytest.raises(ModelError, match="no frame '9' on arm 'scara'"):
@@ -177,7 +194,7 @@ def test_an_unknown_reference_or_axis_is_refused() -> None:
 
 def test_a_table_with_too_many_symbolic_angles_is_refused_at_once() -> None:
     rows = [{"a": f"a_{i}", "alpha": f"alpha_{i}", "d": 0, "theta": f"theta_{i}"} for i in range(1, 9)]
-    trace = load_arm({"dh": "classic", "rows": rows}).trace
+    trace = trace_of(load_arm({"dh": "classic", "rows": rows}))
     with pytest.raises(ModelError, match="too many symbolic angles between frames 8, 0 to multiply out"):
         trace.pose("8")
     assert trace.pose("8", "6")
@@ -190,7 +207,7 @@ def test_the_full_kinematics_of_a_6r_arm_is_traced_in_milliseconds() -> None:
     times = []
     for _ in range(5):
         start = perf_counter()
-        trace = Trace(arm)
+        trace = Trace(arm, SymbolicPlant(arm.name, arm.joints, drake_of(arm), arm.exact.offsets))
         trace.pose("6")
         trace.jacobian("6")
         times.append(perf_counter() - start)

@@ -8,6 +8,8 @@ from pydrake.systems.framework import DiagramBuilder
 
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ModelError
+from armproof.models.numeric.drake_arm import frame_of, plant_of
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.viewer import add_arm, view_arm
 
 TABLE = {"dh": "classic", "rows": [{"a": "l_1", "alpha": 0, "d": 0, "theta": "theta_1"}]}
@@ -44,12 +46,12 @@ def test_every_document_frame_has_its_triad_and_only_the_joints_move(name: str):
     q = np.linspace(0.1, 0.9, len(arm.joints))
     context = plant.GetMyContextFromRoot(diagram.CreateDefaultContext())
     plant.SetPositions(context, q)
-    moved = arm.plant.CreateDefaultContext()
-    arm.plant.SetPositions(moved, q)
+    moved = plant_of(arm).CreateDefaultContext()
+    plant_of(arm).SetPositions(moved, q)
     base = arm.frames[0]
-    X_W0 = arm.frame(base).CalcPoseInWorld(moved).GetAsMatrix4()
+    X_W0 = frame_of(arm, base).CalcPoseInWorld(moved).GetAsMatrix4()
     for frame, axes in found.items():
-        X_WF = X_W0 @ arm.numeric(q[np.newaxis]).pose(frame, base)[0]
+        X_WF = X_W0 @ NumericKinematics(arm, q[np.newaxis]).pose(frame, base)[0]
         for column, axis in enumerate("xyz"):
             length = inspector.GetShape(axes[axis]).length()
             middle = X_WF[:3, 3] + length / 2 * X_WF[:3, column]

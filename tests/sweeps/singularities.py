@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
 from armproof.verification.singularities.points import Sampler
@@ -58,7 +59,7 @@ class Outcome:
 def task_jacobian(analysis: SingularityAnalysis, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return J of the task, (N, rows, columns), and ∂J/∂q_k, (N, rows, columns, columns)."""
     rows, columns = [r - 1 for r in analysis.rows], [c - 1 for c in analysis.columns]
-    J = np.array(analysis.arm.bulk.jacobian(q, analysis.frame))
+    J = np.array(bulk_of(analysis.arm).jacobian(q, analysis.frame))
     derivatives = jacobian_derivatives(J)[:, rows][:, :, columns][:, :, :, columns]
     return J[:, rows][:, :, columns], derivatives
 

@@ -14,6 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.system import Condition, System, Undecided, read_condition
@@ -232,7 +233,7 @@ class Entailment:
     def _sampler(self, variety: Variety, scale: float) -> Sampler:
         """The unknowns of the conditions, with lengths, scaled, that meet those on them."""
         arm = self.checker.names.arm
-        constants = {**arm.trace.constants, **arm.lengths} if arm is not None else {}
+        constants = {**trace_of(arm).constants, **arm.lengths} if arm is not None else {}
         for place, name in enumerate(sorted(self.positive - set(constants))):
             constants[name] = 0.5 + 0.3 * place
         constants |= {name: scale * constants[name] for name in self.positive & set(constants)}

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from armproof.models.arm import Arm
 from armproof.models.exact.polynomial import Rows
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix, exact_rank
@@ -79,11 +80,11 @@ class ExactAlgebra(ArmAlgebra):
 
     def pose(self, frame: str, reference: str) -> Matrix:
         assert self.arm is not None
-        return self._from_entries(self.arm.trace.pose(frame, reference))
+        return self._from_entries(trace_of(self.arm).pose(frame, reference))
 
     def jacobian(self, frame: str, expressed_in: str) -> Matrix:
         assert self.arm is not None
-        return self._from_entries(self.arm.trace.jacobian(frame, expressed_in, self.arm.frames[0]))
+        return self._from_entries(trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0]))
 
     def _from_entries(self, rows: Rows) -> Matrix:
         return Matrix(tuple(tuple(self.ring.from_entry(entry) for entry in row) for row in rows))

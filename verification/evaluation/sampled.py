@@ -209,7 +209,7 @@ class SampledAlgebra(ArmAlgebra):
 
 @lru_cache(maxsize=8)  # some megabytes each; the same come again in an arm's next display or document
 def _kinematics(arm: Arm, samples: int, q: bytes) -> NumericKinematics:
-    return arm.numeric(np.frombuffer(q).reshape(samples, len(arm.joints)))
+    return NumericKinematics(arm, np.frombuffer(q).reshape(samples, len(arm.joints)))
 
 
 @lru_cache(maxsize=512)

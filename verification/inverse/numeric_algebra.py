@@ -11,6 +11,7 @@ from armproof.models.arm import Arm
 from armproof.models.bulk.graph import ONE
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Entry, Rows, root_value
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
@@ -88,11 +89,11 @@ class NumericAlgebra(GivenTarget):
 
     def free_pose(self, frame: str, reference: str) -> Matrix:
         assert self.arm is not None
-        return self._from_entries(self.arm.trace.pose(frame, reference))
+        return self._from_entries(trace_of(self.arm).pose(frame, reference))
 
     def jacobian(self, frame: str, expressed_in: str) -> Matrix:
         assert self.arm is not None
-        return self._from_entries(self.arm.trace.jacobian(frame, expressed_in, self.arm.frames[0]))
+        return self._from_entries(trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0]))
 
     def _number(self, value: float) -> NumericScalar:
         return NumericScalar(self.graph, self.graph.number(value))

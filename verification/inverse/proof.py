@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.errors import EvaluationError
@@ -111,7 +112,7 @@ def _attempts(derivation: Derivation, compiled: Compiled) -> Iterator[tuple[Targ
     positioned = compiled.joints_without_rotation()
     wrist = joints[len(positioned) :]
     for frame in reversed(arm.frames if positioned else ()):
-        if set(positioned) == {joint.symbol for joint in arm.joints[: arm.trace.depth(frame)]}:
+        if set(positioned) == {joint.symbol for joint in arm.joints[: trace_of(arm).depth(frame)]}:
             yield any_target(frame), wrist, True
             yield any_target(frame), (), True
             break

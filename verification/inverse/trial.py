@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from armproof.models.numeric.configurations import FAMILIES, sample
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.marks import judge
 
@@ -69,7 +70,7 @@ def plant_targets(compiled: Compiled, q: np.ndarray) -> np.ndarray:
     """Return the targets, (N, m), as the plant of doubles gives them; names that displays define by their formulas."""
     target = compiled.derivation.target
     values = compiled.forward(q).copy()
-    numeric = compiled.arm.numeric(q)
+    numeric = NumericKinematics(compiled.arm, q)
     for pair in target.pairs:
         X = numeric.pose(*pair)
         for (row, column), index in target.cells(pair).items():

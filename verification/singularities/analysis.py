@@ -10,6 +10,7 @@ from types import MappingProxyType
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.errors import EvaluationError
@@ -91,7 +92,7 @@ class Analyst:
         self.positive = frozenset(arm.lengths)
         self.half = HalfAngles(self.algebra.ring, (cell for row in self.chosen.simple.rows for cell in row))
         self.rows: Rows = polynomial_rows(self.half, self.chosen.simple)
-        constants = {**arm.trace.constants, **arm.lengths}
+        constants = {**trace_of(arm).constants, **arm.lengths}
         self.sampler = Sampler(self.half, joint_unknowns(arm), constants, tuple(c - 1 for c in self.chosen.columns))
         self.decomposer = Decomposer(self.half, self.positive, budget=algebra.budget)
 

@@ -7,7 +7,7 @@ from functools import reduce
 
 import numpy as np
 
-from armproof.models.bulk.bulk import BulkKinematics
+from armproof.models.bulk.bulk import BulkKinematics, bulk_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.factors import Factor, Kind
@@ -96,7 +96,7 @@ class Placement:
         q = self.sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
         if not len(q):
             return Position("not decided", "confirmed", "no configuration of the family at the arm's own lengths")
-        kinematics = arm.bulk
+        kinematics = bulk_of(arm)
         J = np.array(kinematics.jacobian(q, self.chosen.frame))
         w, signs = lost_and_signs(J, self.chosen.rows, self.chosen.columns, self.rank - 1)
         if np.isnan(signs).any():

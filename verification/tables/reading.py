@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cached_property, reduce
 from typing import Any
 
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import EvaluationError, UnboundName
@@ -103,7 +104,7 @@ class TableReading:
             return right  # type: ignore[no-any-return]
         ring, arm = self.claim.algebra.ring, self.arm
         symbols = sorted(self._variables, key=lambda symbol: symbol != self.claim.joint_symbol(verdict.row))
-        constants = [constant_angle(ring, name) for name in arm.trace.constants if name not in arm.angles]
+        constants = [constant_angle(ring, name) for name in trace_of(arm).constants if name not in arm.angles]
         return angle_as_scalar(ring, right, [*(ring.symbol(symbol) for symbol in (*symbols, *arm.angles)), *constants])
 
     # -- one row -----------------------------------------------------------------------------------------------------

@@ -14,8 +14,8 @@ import numpy as np
 
 from armproof.course.figures.facts.task import tool_frame
 from armproof.models.arm import Arm
-from armproof.models.numeric.skeleton import PlacedJoint, place_skeleton, simplify
 from armproof.models.showing.projection import choose_projection
+from armproof.models.showing.skeleton import PlacedJoint, place_skeleton, simplify
 
 _COINCIDE = 0.6  # of the spacing: joints nearer than that are drawn apart
 _DETOUR = 2.0  # a link longer than so many times the direct way runs straight

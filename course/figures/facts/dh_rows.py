@@ -12,8 +12,9 @@ from typing import Literal
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.bulk.bulk import BulkKinematics
+from armproof.models.bulk.bulk import BulkKinematics, bulk_of
 from armproof.models.dh.entry import LinearForm
+from armproof.models.exact.trace import trace_of
 
 _TOLERANCE = 1e-9
 _TRIED = 4  # configurations at which a convention must hold
@@ -50,7 +51,7 @@ class LinkRows:
 @lru_cache(maxsize=64)
 def chain_frames(arm: Arm) -> tuple[str, ...]:
     """Return the frame of the base and the first frame that each joint carries, n + 1 names."""
-    depths = {frame: max(arm.trace.depth(frame), 0) for frame in arm.frames}
+    depths = {frame: max(trace_of(arm).depth(frame), 0) for frame in arm.frames}
     return tuple(
         next(frame for frame, depth in depths.items() if depth == k)
         for k in range(len(arm.joints) + 1)
@@ -109,7 +110,7 @@ def link_matrices(parameters: np.ndarray, convention: str) -> np.ndarray:
 def _fits(arm: Arm, frame: str, previous: str, convention: str) -> bool:
     """Whether the poses of a frame in the one before are link matrices, of one joint and with constant a and α."""
     q = np.random.default_rng(_SEED).uniform(-1.0, 1.0, (_TRIED, len(arm.joints)))
-    X = arm.bulk.pose(q, frame, previous)
+    X = bulk_of(arm).pose(q, frame, previous)
     found = _parameters(X, convention)
     constant = np.ptp(found[:, 0]) < _TOLERANCE and np.ptp(np.cos(found[:, 1])) < _TOLERANCE
     moving = np.ptp(found[:, 2]) > _TOLERANCE, np.ptp(found[:, 3]) > _TOLERANCE
@@ -124,13 +125,13 @@ def _row(arm: Arm, k: int, frame: str, previous: str, convention: str) -> LinkRo
         q[0, k - 1] = moved
         return np.asarray(_parameters(bulk.pose(q, frame, previous), convention)[0])
 
-    at_zero = parameters(arm.bulk)
+    at_zero = parameters(bulk_of(arm))
     joint = arm.joints[k - 1]
-    by_joint = parameters(arm.bulk, 1.0) - at_zero
+    by_joint = parameters(bulk_of(arm), 1.0) - at_zero
     by_joint[[1, 3]] = (by_joint[[1, 3]] + np.pi) % (2 * np.pi) - np.pi
     slopes = {joint.symbol: by_joint}
     for symbol, value in arm.lengths.items():
-        slopes[symbol] = parameters(arm.bulk.with_values({symbol: value + 1.0})) - at_zero
+        slopes[symbol] = parameters(bulk_of(arm).with_values({symbol: value + 1.0})) - at_zero
     a, alpha, d, theta = (
         linear_form(at_zero[p], {s: v[p] for s, v in slopes.items()}, arm, angle=p in (1, 3)) for p in range(4)
     )

@@ -10,6 +10,7 @@ import numpy as np
 
 from armproof.course.figures.facts.dh_rows import LinkRow, linear_form, link_rows
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.dh.entry import LinearForm
 
 _SHORTEST = 1e-9  # m
@@ -85,12 +86,12 @@ def _positive(form: LinearForm) -> LinearForm:
 def _origin_slopes(arm: Arm, previous: str, frame: str) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Return the origin of a frame in the one before at q = 0, and its slopes in the prismatic variables and lengths."""
     n = len(arm.joints)
-    at_zero = arm.bulk.pose(np.zeros((1, n)), frame, previous)[0, :3, 3]
+    at_zero = bulk_of(arm).pose(np.zeros((1, n)), frame, previous)[0, :3, 3]
     slopes = {}
     for k, joint in enumerate(arm.joints):
         if joint.kind == "prismatic":
-            slopes[joint.symbol] = arm.bulk.pose(np.eye(n)[k : k + 1], frame, previous)[0, :3, 3] - at_zero
+            slopes[joint.symbol] = bulk_of(arm).pose(np.eye(n)[k : k + 1], frame, previous)[0, :3, 3] - at_zero
     for symbol, value in arm.lengths.items():
-        changed = arm.bulk.with_values({symbol: value + 1.0})
+        changed = bulk_of(arm).with_values({symbol: value + 1.0})
         slopes[symbol] = changed.pose(np.zeros((1, n)), frame, previous)[0, :3, 3] - at_zero
     return at_zero, slopes

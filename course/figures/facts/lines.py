@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.figures.facts.task import Task
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.motion.inverse_velocity import damped_inverse
 from armproof.models.motion.pose_error import pose_error, rotations
 
@@ -54,10 +55,10 @@ def correct(task: Task, q: np.ndarray, X: np.ndarray, rounds: int = _CORRECTIONS
     """Return joint values (K, n) after some Newton steps towards poses (K, 4, 4), and the error that is left, (K,)."""
     rows = [row - 1 for row in task.rows]
     for _ in range(rounds):
-        at, J = task.arm.bulk.pose_and_jacobian(q, task.frame)
+        at, J = bulk_of(task.arm).pose_and_jacobian(q, task.frame)
         error = pose_error(X, at)[:, rows]
         q = q + _bounded((damped_inverse(J[:, rows], _DAMPING) @ error[..., None])[..., 0])
-    left = pose_error(X, task.arm.bulk.pose(q, task.frame))[:, rows]
+    left = pose_error(X, bulk_of(task.arm).pose(q, task.frame))[:, rows]
     return q, np.linalg.norm(left, axis=1)
 
 

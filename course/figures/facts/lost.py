@@ -8,6 +8,8 @@ from typing import Literal
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.exact.trace import trace_of
+from armproof.models.numeric.plant import NumericKinematics
 
 _ZERO = 1e-7
 _NEAR = 1e-5  # of the way to a regular configuration
@@ -45,9 +47,9 @@ def lost_direction(
         rank: the rank of J at the singular configuration, from the exact analysis.
     """
     f, m = _wrench(arm, tool, rows, q, regular, rank)
-    at = arm.numeric(q[None]).pose(tool)[0, :3, 3]
+    at = NumericKinematics(arm, q[None]).pose(tool)[0, :3, 3]
     frame = tool if max(rows) <= 3 else quiet_frame(arm, tool, q)
-    point = arm.numeric(q[None]).pose(frame)[0, :3, 3]
+    point = NumericKinematics(arm, q[None]).pose(frame)[0, :3, 3]
     if min(rows) > 3:
         return LostDirection("rotation", frame, point, _unit(m))
     moment = m - np.cross(point - at, f)
@@ -64,7 +66,7 @@ def reachable_rates(arm: Arm, tool: str, rows: tuple[int, ...], lost: LostDirect
 
     Velocities of the point for joint rates of norm 1; angular velocities for those of them that leave the point at rest.
     """
-    numeric = arm.numeric(q[None])
+    numeric = NumericKinematics(arm, q[None])
     point = numeric.pose(lost.frame)[0, :3, 3] if lost.frame is not None else lost.point
     J_v, J_w = velocity_and_rotation(arm, tool, point, q)
     if lost.kind == "velocity" or min(rows) > 3:
@@ -80,7 +82,7 @@ def reachable_rates(arm: Arm, tool: str, rows: tuple[int, ...], lost: LostDirect
 
 def velocity_and_rotation(arm: Arm, tool: str, point: np.ndarray, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the Jacobian of the velocity of a point (3,) of the last link, and that of its angular velocity, (3, n) each."""
-    numeric = arm.numeric(q[None])
+    numeric = NumericKinematics(arm, q[None])
     J = numeric.jacobian(tool)[0]
     arm_to_point = point - numeric.pose(tool)[0, :3, 3]
     return J[:3] + np.cross(J[3:].T, arm_to_point).T, J[3:]
@@ -88,12 +90,12 @@ def velocity_and_rotation(arm: Arm, tool: str, point: np.ndarray, q: np.ndarray)
 
 def quiet_frame(arm: Arm, tool: str, q: np.ndarray) -> str:
     """Return the frame at whose origin a point of the last link is left at rest by most joints; of several, the last."""
-    numeric = arm.numeric(q[None])
+    numeric = NumericKinematics(arm, q[None])
     best, most = tool, -1
     for frame in (*arm.frames, tool):
         J_v, _ = velocity_and_rotation(arm, tool, numeric.pose(frame)[0, :3, 3], q)
         at_rest = int(np.sum(np.linalg.norm(J_v, axis=0) < _ZERO))
-        if at_rest >= most and arm.trace.depth(frame) > 0:
+        if at_rest >= most and trace_of(arm).depth(frame) > 0:
             best, most = frame, at_rest
     return best
 
@@ -103,9 +105,9 @@ def _wrench(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the force and the moment about the tool's origin that do no work at q, but do at regular configurations."""
     picked = [row - 1 for row in rows]
-    J = arm.numeric(q[None]).jacobian(tool)[0][picked]
+    J = NumericKinematics(arm, q[None]).jacobian(tool)[0][picked]
     if J.shape[0] > min(J.shape[1], rank + 1):  # some wrench does no work anywhere: take the one that does nearby
-        J = arm.numeric((q + _NEAR * (regular - q))[None]).jacobian(tool)[0][picked]
+        J = NumericKinematics(arm, (q + _NEAR * (regular - q))[None]).jacobian(tool)[0][picked]
     U, _, _ = np.linalg.svd(J)
     w = np.zeros(6)
     w[picked] = U[:, rank]

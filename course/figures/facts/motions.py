@@ -12,6 +12,7 @@ import numpy as np
 from armproof.course.figures.facts.lines import follow, line_poses, within_limits
 from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.errors import ModelError
 from armproof.models.motion.joint_space import point_to_point
 from armproof.models.motion.limits import read_rate_limits
@@ -19,6 +20,7 @@ from armproof.models.motion.pose_error import pose_error
 from armproof.models.motion.quintic import shortest_duration
 from armproof.models.motion.straight_line import StraightLine, straight_line
 from armproof.models.numeric.configurations import joint_range
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import choose_projection
 
 _TRIED = 400
@@ -96,7 +98,7 @@ def _pairs(arm: Arm, task: Task) -> tuple[np.ndarray, np.ndarray]:
     """Return pairs of configurations, (K, n) each, the best first."""
     rng = np.random.default_rng(_SEED)
     q = _candidates(arm, rng)
-    w = arm.bulk.manipulability(q, task.frame, task.rows)
+    w = bulk_of(arm).manipulability(q, task.frame, task.rows)
     points, low = task.points(q), task.lowest(q)
     kept = np.flatnonzero((w >= np.quantile(w, 0.4)) & (low >= np.quantile(low, 0.4)))
     first, last = (rng.choice(kept, 3 * _TRIED) for _ in range(2))
@@ -120,10 +122,10 @@ def _typical_moves(arm: Arm) -> np.ndarray:
 
 def _followed(task: Task, q_0: np.ndarray, q_f: np.ndarray) -> np.ndarray:
     """Return the pairs whose straight line the arm follows within its limits, far from singular configurations."""
-    X_0, X_f = (task.arm.bulk.pose(q, task.frame) for q in (q_0, q_f))
+    X_0, X_f = (bulk_of(task.arm).pose(q, task.frame) for q in (q_0, q_f))
     q, error = follow(task, q_0, line_poses(X_0, pose_error(X_f, X_0), np.linspace(0.0, 1.0, _STEPS)))
     follows = (error.max(axis=0) < 1e-6) & within_limits(task, q).all(axis=0) & (np.abs(q[-1] - q_f).max(axis=1) < 1e-6)
-    w = np.array([task.arm.bulk.manipulability(part, task.frame, task.rows) for part in q])
+    w = np.array([bulk_of(task.arm).manipulability(part, task.frame, task.rows) for part in q])
     return np.flatnonzero(follows & (w.min(axis=0) > _FAR * w.max()))
 
 
@@ -145,7 +147,7 @@ def _limits(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
 
 def _line(arm: Arm, task: Task, q_0: np.ndarray, q_f: np.ndarray) -> StraightLine | None:
     """Return the straight line from one configuration to another, if the arm can follow it."""
-    X_f = arm.numeric(q_f[np.newaxis]).pose(task.frame)[0]
+    X_f = NumericKinematics(arm, q_f[np.newaxis]).pose(task.frame)[0]
     try:
         return straight_line(arm, task.frame, q_0, X_f, rows=task.rows, samples=61, tolerance=_LARGEST_ERROR)
     except ModelError:

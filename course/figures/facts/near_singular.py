@@ -12,6 +12,7 @@ from armproof.course.figures.facts.families import families_of
 from armproof.course.figures.facts.lines import correct, follow, line_poses, within_limits
 from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.motion.inverse_velocity import damped_inverse, joint_rates
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.numeric.configurations import joint_range
@@ -140,7 +141,7 @@ def _extents(task: Task, twists: np.ndarray) -> np.ndarray:
 
 def _best(task: Task, found: _Candidates, passes: bool) -> int | None:
     """Return the candidate whose highest rate stands out most; translations before turns."""
-    X = task.arm.bulk.pose(found.q, task.frame)
+    X = bulk_of(task.arm).pose(found.q, task.frame)
     twists = _extents(task, found.twists)[:, None] * found.twists
     good = np.ones(len(found.q), dtype=bool)
     rates = []
@@ -161,7 +162,7 @@ def _best(task: Task, found: _Candidates, passes: bool) -> int | None:
 def _motion(task: Task, family: Family, q_near: np.ndarray, direction: np.ndarray, passes: bool) -> NearSingular:
     extent = float(_extents(task, direction[None])[0])
     s = np.linspace(-1.0, 1.0 if passes else 0.0, SAMPLES)
-    X = task.arm.bulk.pose(q_near[None], task.frame)
+    X = bulk_of(task.arm).pose(q_near[None], task.frame)
     poses = line_poses(X, extent * direction[None], s)[:, 0]
     q = _exact(task, q_near, X, extent * direction, s, poses)
     twist = extent * (s[-1] - s[0]) / DURATION * direction
@@ -201,7 +202,7 @@ def _damped(
     error = np.empty((len(poses), len(rows)))
     now = np.array(q_0)
     for k in range(len(poses)):
-        X, J = task.arm.bulk.pose_and_jacobian(now[None], task.frame)
+        X, J = bulk_of(task.arm).pose_and_jacobian(now[None], task.frame)
         q[k], error[k] = now, pose_error(poses[k], X[0])[rows]
         rates[k] = damped_inverse(J[0][rows], damping) @ (twist + _GAIN * error[k])
         now = now + step * rates[k]

@@ -8,9 +8,10 @@ import numpy as np
 
 from armproof.course.figures.facts.task import tool_frame
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.numeric.configurations import generic_configuration, joint_range
-from armproof.models.numeric.skeleton import place_skeleton, simplify
 from armproof.models.showing.projection import Projection, choose_projection
+from armproof.models.showing.skeleton import place_skeleton, simplify
 
 _TRIED = 160
 _SEED = 2019
@@ -62,8 +63,8 @@ def _candidates(arm: Arm, rng: np.random.Generator) -> np.ndarray:
 def _roundness(arm: Arm, q: np.ndarray) -> np.ndarray:
     """Return how far configurations are from singular ones, compared with the best of them: from 0 to 1."""
     frame = tool_frame(arm)
-    by_position = 1 / arm.bulk.condition_number(q, frame, rows=(1, 2, 3))
-    by_all = 1 / arm.bulk.condition_number(q, frame)
+    by_position = 1 / bulk_of(arm).condition_number(q, frame, rows=(1, 2, 3))
+    by_all = 1 / bulk_of(arm).condition_number(q, frame)
     return np.asarray(np.minimum(by_position / by_position.max(), by_all / by_all.max()))
 
 

@@ -10,8 +10,9 @@ import numpy as np
 from armproof.course.figures.facts.families import singularities_of
 from armproof.course.figures.facts.task import task_of
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.numeric.configurations import generic_configuration
-from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import (
     Projection,
     choose_projection,
@@ -19,6 +20,7 @@ from armproof.models.showing.projection import (
     plane_projection,
     side_projection,
 )
+from armproof.models.showing.skeleton import place_skeleton
 from armproof.verification.errors import EvaluationError
 from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
 
@@ -49,11 +51,11 @@ class Positioning:
 
     def points(self, q: np.ndarray) -> np.ndarray:
         """Return the point at configurations (N, n) in frame 0, (N, 3)."""
-        return np.asarray(self.arm.bulk.pose(q, self.frame)[:, :3, 3])
+        return np.asarray(bulk_of(self.arm).pose(q, self.frame)[:, :3, 3])
 
     def manipulability(self, q: np.ndarray) -> np.ndarray:
         """Return √det(J_v J_vᵀ) of the rows and columns at configurations (N, n), (N,)."""
-        return np.asarray(self.arm.bulk.manipulability(q, self.frame, self.rows, self.columns))
+        return np.asarray(bulk_of(self.arm).manipulability(q, self.frame, self.rows, self.columns))
 
     @property
     def free(self) -> tuple[int, ...]:
@@ -68,8 +70,8 @@ def positioning_of(arm: Arm) -> Positioning | None:
     if task.turns_only:
         return None
     frame = _wrist_centre(arm) or task.frame
-    J = arm.numeric(
-        generic_configuration(arm) + np.random.default_rng(_SEED).uniform(-0.2, 0.2, (8, len(arm.joints)))
+    J = NumericKinematics(
+        arm, generic_configuration(arm) + np.random.default_rng(_SEED).uniform(-0.2, 0.2, (8, len(arm.joints)))
     ).jacobian(frame)[:, :3]
     moving = np.abs(J) > _ZERO * np.abs(J).max()
     rows = tuple(int(k) + 1 for k in np.flatnonzero(moving.any(axis=(0, 2))))
@@ -119,7 +121,7 @@ def _section(arm: Arm, frame: str, columns: tuple[int, ...]) -> Projection | Non
         return None
     q = np.zeros((60, len(arm.joints)))
     q[:, [column - 1 for column in columns[1:]]] = np.random.default_rng(_SEED).uniform(-1, 1, (60, len(columns) - 1))
-    points = arm.numeric(q).pose(frame)[:, :3, 3]
+    points = NumericKinematics(arm, q).pose(frame)[:, :3, 3]
     points = points - points.mean(axis=0)
     _, sizes, ways = np.linalg.svd(points)
     if sizes[2] > _ZERO * sizes[0]:

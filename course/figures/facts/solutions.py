@@ -11,6 +11,7 @@ import numpy as np
 from armproof.course.figures.facts.poses import showing_pose
 from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.numeric.joint_values import outside_limits
 
@@ -70,7 +71,7 @@ def _by_formula(arm: Arm, target: np.ndarray) -> np.ndarray | None:
 def _by_iteration(task: Task, target: np.ndarray) -> np.ndarray:
     """Return the solutions that Newton's method finds from many starts, and the target's own."""
     arm = task.arm
-    goal = arm.bulk.pose(target[None], task.frame)
+    goal = bulk_of(arm).pose(target[None], task.frame)
     starts = np.random.default_rng(_SEED).uniform(-np.pi, np.pi, (STARTS, len(arm.joints)))
     q = np.vstack([target, starts])
     for _ in range(_STEPS):
@@ -86,7 +87,7 @@ def _by_iteration(task: Task, target: np.ndarray) -> np.ndarray:
 
 def _error(task: Task, q: np.ndarray, goal: np.ndarray) -> np.ndarray:
     """Return the twist that would bring the tool to its goal, rows of the task, (N, m)."""
-    X = task.arm.bulk.pose(q, task.frame)
+    X = bulk_of(task.arm).pose(q, task.frame)
     R = goal[:, :3, :3] @ X[:, :3, :3].transpose(0, 2, 1)
     skew = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1) / 2
     sine, cosine = np.linalg.norm(skew, axis=1), (np.trace(R, axis1=1, axis2=2) - 1) / 2

@@ -8,7 +8,11 @@ from functools import lru_cache
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.bulk.bulk import bulk_of
+from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.configurations import generic_configuration
+from armproof.models.numeric.drake_arm import frame_of
+from armproof.models.numeric.plant import NumericKinematics
 
 _ZERO = 1e-9  # of the largest entry of the Jacobian
 _SEED = 7
@@ -34,16 +38,16 @@ class Task:
 
     def points(self, q: np.ndarray) -> np.ndarray:
         """Return the origin of the tool's frame in frame 0, (N, 3)."""
-        return np.asarray(self.arm.bulk.pose(q, self.frame)[:, :3, 3])
+        return np.asarray(bulk_of(self.arm).pose(q, self.frame)[:, :3, 3])
 
     def lowest(self, q: np.ndarray) -> np.ndarray:
         """Return the least height of the origins of the frames over the base, (N,)."""
-        heights = [self.arm.bulk.pose(q, frame)[:, 2, 3] for frame in self.arm.frames[1:]]
+        heights = [bulk_of(self.arm).pose(q, frame)[:, 2, 3] for frame in self.arm.frames[1:]]
         return np.asarray(np.min(heights, axis=0))
 
     def jacobian(self, q: np.ndarray) -> np.ndarray:
         """Return the rows of the task of the geometric Jacobian, (N, m, n), from the exact trace."""
-        return np.asarray(self.arm.bulk.jacobian(q, self.frame)[:, [row - 1 for row in self.rows]])
+        return np.asarray(bulk_of(self.arm).jacobian(q, self.frame)[:, [row - 1 for row in self.rows]])
 
 
 @lru_cache(maxsize=64)
@@ -53,7 +57,7 @@ def task_of(arm: Arm) -> Task:
     The same rows as analyse_singularities takes where it is not told any.
     """
     frame = tool_frame(arm)
-    J = arm.numeric(_near_generic(arm)).jacobian(frame)
+    J = NumericKinematics(arm, _near_generic(arm)).jacobian(frame)
     used = [row for row in range(6) if np.abs(J[:, row]).max() > _ZERO * np.abs(J).max()]
     if len(used) > len(arm.joints):
         rank = _rank(J)
@@ -75,13 +79,13 @@ def _rank(J: np.ndarray) -> int:
 @lru_cache(maxsize=64)
 def tool_frame(arm: Arm) -> str:
     """Return the frame of the tool: of the frames that the last joint carries, the one at the end of the chain."""
-    moved = [frame for frame in arm.frames if arm.trace.depth(frame) == len(arm.joints)]
+    moved = [frame for frame in arm.frames if trace_of(arm).depth(frame) == len(arm.joints)]
     if not moved:
         return arm.frames[-1]
-    end = arm.frame(moved[-1]).index()
-    return next(name for name in moved if arm.frame(name).index() == end)
+    end = frame_of(arm, moved[-1]).index()
+    return next(name for name in moved if frame_of(arm, name).index() == end)
 
 
 def tool_points(arm: Arm, q: np.ndarray) -> np.ndarray:
     """Return the origin of the tool's frame in frame 0 at configurations (N, n), on the double plant, (N, 3), metres."""
-    return np.asarray(arm.numeric(q).pose(tool_frame(arm))[:, :3, 3])
+    return np.asarray(NumericKinematics(arm, q).pose(tool_frame(arm))[:, :3, 3])

@@ -28,6 +28,7 @@ from armproof.course.figures.facts.solutions import STARTS, Postures, is_square,
 from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import choose_projection, plane_projection
 
 _FEW = 2  # postures that are drawn in one picture, with a table
@@ -117,7 +118,7 @@ def _draw_pale(scene: Scene, arm: Arm, q: np.ndarray) -> None:
 
 def _draw_target(scene: Scene, arm: Arm, found: Postures, lang: str) -> None:
     task = task_of(arm)
-    X_0T = arm.numeric(found.target[None]).pose(task.frame)[0]
+    X_0T = NumericKinematics(arm, found.target[None]).pose(task.frame)[0]
     at = scene.paper(X_0T[:3, 3])
     scene.circle(at, 1.1, zorder=8, facecolor="none", edgecolor=GREY, linewidth=1.0)
     for way in (np.array([1.0, 0.0]), np.array([0.0, 1.0])):
@@ -136,7 +137,7 @@ def reason(arm: Arm, lang: str) -> str | None:
 def caption(arm: Arm, lang: str = "en") -> str:
     """Return the caption: the target, and the joint values of each posture."""
     found = postures_of(arm)
-    point = arm.numeric(found.target[None]).pose(task_of(arm).frame)[0, :3, 3]
+    point = NumericKinematics(arm, found.target[None]).pose(task_of(arm).frame)[0, :3, 3]
     target = f"$x$ = {length(point[0], lang)}, $y$ = {length(point[1], lang)}, $z$ = {length(point[2], lang)}"
     parts = [
         say("figure_of", lang, title=say("postures", lang), arm=arm_title(arm, lang)),

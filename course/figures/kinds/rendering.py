@@ -17,9 +17,9 @@ from armproof.course.figures.facts.poses import showing_pose
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
-from armproof.models.numeric.skeleton import place_skeleton
 from armproof.models.showing.projection import axonometric
 from armproof.models.showing.rendering import ArmRenderer, Camera, look_at, require_renderer
+from armproof.models.showing.skeleton import place_skeleton
 
 _PIXELS = 1000
 _FIELD_OF_VIEW = 0.45  # rad

@@ -22,6 +22,7 @@ from armproof.course.figures.facts.poses import showing_pose
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import outside_limits
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import Projection, choose_projection, plane_projection
 from armproof.verification.singularities import Family, SingularityAnalysis
 
@@ -78,7 +79,7 @@ def _plainest(analysis: SingularityAnalysis, family: Family, generic: np.ndarray
     q = q[good] if good.any() else family.sample(rng, _TRIED)
     if not len(q):
         return None
-    J = family.arm.numeric(q).jacobian(analysis.frame)[:, [row - 1 for row in analysis.rows]]
+    J = NumericKinematics(family.arm, q).jacobian(analysis.frame)[:, [row - 1 for row in analysis.rows]]
     sizes = np.linalg.svd(J, compute_uv=False)
     clear = sizes[:, max(family.rank, 1) - 1] / np.maximum(sizes[:, 0], 1e-300)
     best = q[int(np.argmax(np.minimum(clear, _CLEAR)))]  # the first of those that are clear enough
@@ -168,7 +169,7 @@ def _draw_generic(
     kinds = {(pose.lost.kind, pose.lost.frame): pose.lost for pose in poses if pose.lost.frame is not None}
     for (kind, frame), lost in kinds.items():
         B = rates_at(arm, lost, q)
-        centre = arm.numeric(q[None]).pose(str(frame))[0, :3, 3]
+        centre = NumericKinematics(arm, q[None]).pose(str(frame))[0, :3, 3]
         stroke = _REACHED if kind == "velocity" else STROKES[2]
         draw_ellipsoid(scene, centre, B, scene.metres(sizes[kind]), stroke, gid=f"ellipsoid {kind}")
 

@@ -29,7 +29,7 @@ from armproof.course.figures.facts.positioning import Positioning, position_sing
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import joint_range
-from armproof.models.numeric.skeleton import stick_points
+from armproof.models.showing.skeleton import stick_points
 
 CONFIGURATIONS = 1_000_000
 _CELLS = 230  # along the longer side of the map

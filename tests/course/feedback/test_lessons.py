@@ -11,6 +11,7 @@ import pytest
 from armproof.course.feedback import Lesson, LessonError, Number, Outcome, Quantity, Task, Wrong, open_lesson
 from armproof.course.feedback.progress import VARIABLE, read_progress
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.plant import NumericKinematics
 
 OWN = """
 from armproof.course.feedback import Lesson, Number, Task
@@ -83,7 +84,7 @@ def test_feedback_is_escaped_and_drawn_in_a_notebook(lesson: Lesson) -> None:
 
 def test_a_picture_is_drawn_on_request_where_there_is_one(lesson: Lesson) -> None:
     arm = load_arm("planar_2r")
-    right = lesson.tool.show(lambda q: arm.numeric([q]).pose("2")[0, :3, 3], theta_1=0.3)
+    right = lesson.tool.show(lambda q: NumericKinematics(arm, [q]).pose("2")[0, :3, 3], theta_1=0.3)
     assert "<svg" in right._repr_html_()
     assert "no answer yet" in str(lesson.tool.show())
     assert "no answer yet" in str(lesson.tool.show(lambda q: None))

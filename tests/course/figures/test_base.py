@@ -17,6 +17,7 @@ from armproof.course.figures.errors import FigureError
 from armproof.course.figures.facts.poses import showing_pose, zero_pose
 from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import outside_limits
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import axonometric, choose_projection, is_planar, look_along, plane_projection
 from tests.course.figures.legibility import illegible
 
@@ -95,7 +96,7 @@ def test_planar_arms_are_seen_along_their_normal(arm: Arm) -> None:
     assert projection.planar == is_planar(arm) == (arm.name in ("planar_2r", "planar_3r", "polar_rp"))
     if projection.planar:
         q = np.random.default_rng(1).uniform(-1, 1, (5, len(arm.joints)))
-        depths = projection.depth(arm.numeric(q).pose(arm.frames[-1])[:, :3, 3])
+        depths = projection.depth(NumericKinematics(arm, q).pose(arm.frames[-1])[:, :3, 3])
         assert np.ptp(depths) < 1e-12
     else:
         assert np.array_equal(projection.toward, axonometric().toward)

@@ -9,6 +9,7 @@ from armproof.course.figures.kinds.crossing import applies, caption, crossing_fi
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import choose_projection
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
@@ -29,7 +30,7 @@ def test_the_rates_drawn_give_the_tool_its_twist_on_the_double_plant(crossing_ar
     found = near_singular(crossing_arm)
     assert found is not None
     rows = [row - 1 for row in found.task.rows]
-    numeric = crossing_arm.numeric(found.q)
+    numeric = NumericKinematics(crossing_arm, found.q)
     J, rates = numeric.jacobian(found.task.frame)[:, rows], rates_of(crossing_arm, "pseudo")
     assert np.abs((J @ rates[:, :, None])[:, :, 0] - found.twist[rows]).max() <= 1e-9 * max(1, np.abs(rates).max())
     assert (
@@ -46,7 +47,7 @@ def test_the_damped_rates_are_those_of_the_formula_and_bounded(crossing_arm: Arm
     found = near_singular(crossing_arm)
     assert found is not None
     rows = [row - 1 for row in found.task.rows]
-    J = crossing_arm.numeric(found.q_damped).jacobian(found.task.frame)[:, rows]
+    J = NumericKinematics(crossing_arm, found.q_damped).jacobian(found.task.frame)[:, rows]
     wanted = found.twist[rows] + 5.0 * found.error
     inverse = J.transpose(0, 2, 1) @ np.linalg.inv(J @ J.transpose(0, 2, 1) + found.damping**2 * np.eye(len(rows)))
     drawn_rates = rates_of(crossing_arm, "damped")

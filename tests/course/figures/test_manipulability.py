@@ -19,11 +19,12 @@ from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.kinds.manipulability import caption, manipulability_figure
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.plant import NumericKinematics
 from tests.course.figures.test_sketch import drawn
 
 
 def volume(found, q: np.ndarray) -> np.ndarray:
-    J = found.task.arm.numeric(q).jacobian(found.task.frame)[:, [row - 1 for row in found.task.rows]]
+    J = NumericKinematics(found.task.arm, q).jacobian(found.task.frame)[:, [row - 1 for row in found.task.rows]]
     return np.linalg.svd(J, compute_uv=False).prod(axis=1)
 
 

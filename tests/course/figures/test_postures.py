@@ -8,8 +8,9 @@ from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.kinds.postures import _fit, caption, postures, reason
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.models.numeric.skeleton import place_skeleton
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import Projection
+from armproof.models.showing.skeleton import place_skeleton
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 COUNT = {"planar_2r": 2, "planar_3r": 2, "polar_rp": 2, "scara": 2, "scara_column": 2, "scara_modified": 2, "spatial_rrr": 4,
@@ -20,7 +21,7 @@ REDUNDANT = {"dh": "classic", "rows": [{"a": f"l_{k}", "alpha": 0, "d": 0, "thet
 def misses(arm: Arm, q: np.ndarray) -> np.ndarray:
     """How far the tool is from the target at configurations (N, n), positions and axes as far as the task has them."""
     task, found = task_of(arm), postures_of(arm)
-    X, goal = arm.numeric(q).pose(task.frame), arm.numeric(found.target[None]).pose(task.frame)[0]
+    X, goal = NumericKinematics(arm, q).pose(task.frame), NumericKinematics(arm, found.target[None]).pose(task.frame)[0]
     off = np.abs(X - goal)[:, :3]
     if task.turns_only:
         off = off[:, :, :3]
@@ -75,7 +76,7 @@ def test_they_are_drawn_where_the_plant_has_them(arm: Arm) -> None:
             spot = lines[f"posture {k} joint {joint.symbol}"][0] - projection.points(np.array(placed.start))
             way = projection.points(np.array(placed.axis))
             assert abs(spot[0] * way[1] - spot[1] * way[0]) <= TOLERANCE
-    target = projection.points(arm.numeric(found.target[None]).pose(task_of(arm).frame)[0, :3, 3])
+    target = projection.points(NumericKinematics(arm, found.target[None]).pose(task_of(arm).frame)[0, :3, 3])
     assert np.abs(lines["target"].mean(axis=0) - target).max() <= TOLERANCE
 
 

@@ -9,6 +9,7 @@ from armproof.course.figures.kinds.rendering import applies, rendered, rendering
 from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
+from armproof.models.numeric.plant import NumericKinematics
 from tests.course.figures.test_sketch import drawn
 from tests.models.test_rendering import TABLE, renders
 
@@ -22,7 +23,7 @@ def test_frames_are_drawn_where_the_plant_has_them(name: str) -> None:
     q = showing_pose(arm)
     _, camera = rendered(arm, tuple(q.tolist()))
     lines = drawn(rendering_figure(arm))
-    numeric = arm.numeric(q[None])
+    numeric = NumericKinematics(arm, q[None])
     for frame in arm.frames:
         X = numeric.pose(frame)[0]
         origin = camera.pixels(X[None, :3, 3])[0]
@@ -36,7 +37,7 @@ def test_frames_are_drawn_where_the_plant_has_them(name: str) -> None:
                 <= 0.05 * np.linalg.norm(along) * np.linalg.norm(ahead) + 1e-3
             )
             assert along @ ahead >= -1e-3
-    moved = camera.pixels(arm.numeric(q[None] + 0.3).pose(arm.frames[-1])[:, :3, 3])[0]
+    moved = camera.pixels(NumericKinematics(arm, q[None] + 0.3).pose(arm.frames[-1])[:, :3, 3])[0]
     assert np.abs(lines[f"frame {arm.frames[-1]} x"][0] - moved).max() > 1  # the negative control
 
 

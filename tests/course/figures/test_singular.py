@@ -10,6 +10,7 @@ from armproof.course.figures.kinds.singular import _projection, caption, rates_a
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.plant import NumericKinematics
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 ALWAYS_REGULAR = {"dh": "classic", "rows": [
@@ -27,7 +28,7 @@ def singular_arm(arm: Arm) -> Arm:
 
 def jacobian(arm: Arm, q: np.ndarray) -> np.ndarray:
     analysis = singularities_of(arm)
-    return np.asarray(arm.numeric(q[None]).jacobian(analysis.frame)[0][[row - 1 for row in analysis.rows]])
+    return np.asarray(NumericKinematics(arm, q[None]).jacobian(analysis.frame)[0][[row - 1 for row in analysis.rows]])
 
 
 def rank(J: np.ndarray) -> int:
@@ -61,9 +62,9 @@ def test_a_point_of_the_last_link_moves_as_finite_differences_have_it() -> None:
     arm, q, step = load_arm("rx90"), np.array([0.3, 0.5, -0.7, 0.2, 0.9, -0.4]), 1e-6
     point = np.array([0.3, -0.2, 0.5])
     J_v, _ = velocity_and_rotation(arm, "6", point, q)
-    in_link = np.linalg.inv(arm.numeric(q[None]).pose("6")[0]) @ [*point, 1.0]
+    in_link = np.linalg.inv(NumericKinematics(arm, q[None]).pose("6")[0]) @ [*point, 1.0]
     for k in range(6):
-        moved = (arm.numeric((q + step * np.eye(6)[k])[None]).pose("6")[0] @ in_link)[:3]
+        moved = (NumericKinematics(arm, (q + step * np.eye(6)[k])[None]).pose("6")[0] @ in_link)[:3]
         assert (moved - point) / step == pytest.approx(J_v[:, k], abs=1e-5)
 
 
@@ -75,7 +76,7 @@ def test_the_arrows_and_ellipsoids_are_drawn_where_the_plant_has_the_point(singu
         lines = {line.get_gid(): np.column_stack(line.get_data()) for line in axes.lines if line.get_gid()}
         lost = pose.lost
         if lost.frame is not None:
-            point = projection.points(arm.numeric(pose.q[None]).pose(lost.frame)[0, :3, 3])
+            point = projection.points(NumericKinematics(arm, pose.q[None]).pose(lost.frame)[0, :3, 3])
             assert np.abs(lines["lost"][0] - point).max() <= TOLERANCE
             outline = lines[f"ellipsoid {lost.kind}"]
             assert np.abs((outline.max(axis=0) + outline.min(axis=0)) / 2 - point).max() <= 1e-9
@@ -111,7 +112,7 @@ def test_the_wrist_of_the_rx90_loses_a_rotation_across_its_axes() -> None:
     arm = load_arm("rx90")
     pose = next(pose for pose in singular_poses(arm) if pose.family.latex == r"\theta_5 = 0")
     assert (pose.lost.kind, pose.family.rank) == ("rotation", 5)
-    X = arm.numeric(pose.q[None])
+    X = NumericKinematics(arm, pose.q[None])
     for frame in ("4", "5", "6"):
         assert abs(pose.lost.direction @ X.pose(frame)[0, :3, 2]) < 1e-9
 

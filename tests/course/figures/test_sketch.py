@@ -12,6 +12,7 @@ from armproof.course.figures.facts.dh_rows import link_matrices, link_rows
 from armproof.course.figures.facts.lengths import frame_lengths
 from armproof.course.figures.kinds.sketch import caption, shown_frames, sketch, sketch_pose
 from armproof.models.arm import Arm
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import choose_projection
 
 TOLERANCE = 1e-9  # m
@@ -33,7 +34,7 @@ def drawn(figure: Figure) -> dict[str, np.ndarray]:
 def frame_errors(arm: Arm, lines: dict[str, np.ndarray], q: np.ndarray) -> np.ndarray:
     """How far each arrow of a frame is from where the double plant has its origin, and from its direction."""
     projection, errors = choose_projection(arm), []
-    numeric = arm.numeric(q[None])
+    numeric = NumericKinematics(arm, q[None])
     for frame in shown_frames(arm):
         X = numeric.pose(frame)[0]
         for k, letter in enumerate("xyz"):
@@ -59,7 +60,7 @@ def test_symbols_stand_on_the_axes_that_the_plant_has(arm: Arm) -> None:
     lines, q = drawn(sketch(arm)), sketch_pose(arm)
     projection, off = choose_projection(arm), []
     for row in rows.rows:
-        X = arm.numeric(q[None]).pose(row.previous if rows.convention == "classic" else row.frame)[0]
+        X = NumericKinematics(arm, q[None]).pose(row.previous if rows.convention == "classic" else row.frame)[0]
         spot, way = lines[f"joint {row.joint}"][0], projection.points(X[:3, 2])
         from_origin = spot - projection.points(X[:3, 3])
         off.append(from_origin[0] * way[1] - from_origin[1] * way[0])
@@ -70,7 +71,7 @@ def test_the_tool_ends_the_last_link_of_planar_arms(arm: Arm) -> None:
     if not choose_projection(arm).planar:
         pytest.skip("its gripper may be drawn further out")
     lines, q = drawn(sketch(arm)), sketch_pose(arm)
-    end = choose_projection(arm).points(arm.numeric(q[None]).pose(arm.frames[-1])[0, :3, 3])
+    end = choose_projection(arm).points(NumericKinematics(arm, q[None]).pose(arm.frames[-1])[0, :3, 3])
     assert np.abs(lines[f"link {len(arm.joints)}"][-1] - end).max() <= TOLERANCE
 
 
@@ -84,7 +85,7 @@ def test_the_table_is_the_arms(arm: Arm) -> None:
     q = np.random.default_rng(3).uniform(-1, 1, len(arm.joints))
     symbols = {**arm.lengths, **arm.angles, **dict(zip((j.symbol for j in arm.joints), q, strict=True))}
     values = [[form.value(symbols) for form in (row.a, row.alpha, row.d, row.theta)] for row in rows.rows]
-    X = np.array([arm.numeric(q[None]).pose(row.frame, row.previous)[0] for row in rows.rows])
+    X = np.array([NumericKinematics(arm, q[None]).pose(row.frame, row.previous)[0] for row in rows.rows])
     assert np.abs(link_matrices(np.array(values), rows.convention) - X).max() <= TOLERANCE
     other = "modified" if rows.convention == "classic" else "classic"
     if arm.name != "spherical_wrist":  # at most one of a, α in a row of which both conventions make the same of
@@ -93,7 +94,7 @@ def test_the_table_is_the_arms(arm: Arm) -> None:
 
 def test_lengths_lead_from_frame_to_frame(arm: Arm) -> None:
     q = sketch_pose(arm)
-    poses = {frame: arm.numeric(q[None]).pose(frame)[0] for frame in shown_frames(arm)}
+    poses = {frame: NumericKinematics(arm, q[None]).pose(frame)[0] for frame in shown_frames(arm)}
     found = frame_lengths(arm, shown_frames(arm), poses)
     for frame in shown_frames(arm)[1:]:
         mine = [each for each in found if each.frame == frame]
@@ -105,7 +106,7 @@ def test_lengths_lead_from_frame_to_frame(arm: Arm) -> None:
 def test_a_length_is_as_long_as_it_says(arm: Arm) -> None:
     lines, projection = drawn(sketch(arm)), choose_projection(arm)
     for gid, symbol, frames in (("length 2 3", "a_3", ("2", "3")), ("length 3 4", "d_3", ("3", "4"))):
-        poses = [arm.numeric(sketch_pose(arm)[None]).pose(frame)[0, :3, 3] for frame in frames]
+        poses = [NumericKinematics(arm, sketch_pose(arm)[None]).pose(frame)[0, :3, 3] for frame in frames]
         assert np.linalg.norm(poses[1] - poses[0]) == pytest.approx(arm.lengths[symbol])
         expected = projection.points(poses[1] - poses[0])
         assert np.abs(lines[gid][1] - lines[gid][0] - expected).max() <= TOLERANCE

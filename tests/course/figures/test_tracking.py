@@ -9,6 +9,7 @@ from armproof.course.figures.kinds.tracking import PERIOD, caption, tool_error, 
 from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.models.catalogue import load_arm
 from armproof.models.motion.pose_error import pose_error
+from armproof.models.numeric.plant import NumericKinematics
 from tests.course.figures.test_sketch import drawn
 
 ARMS = ("planar_2r", "polar_rp", "scara", "rx90", "spherical_wrist")
@@ -22,7 +23,9 @@ def test_the_error_drawn_is_that_of_the_tool_on_the_plant(name: str) -> None:
     scale = 180 / np.pi if task_of(arm).turns_only else 1000
     for key, log in (("right", found.right), ("wrong", found.wrong)):
         desired = np.array([motion_of(arm).trajectory.value(time)[:, 0] for time in log.times])
-        error = pose_error(arm.numeric(desired).pose(frame), arm.numeric(log.q).pose(frame))[:, part]
+        error = pose_error(NumericKinematics(arm, desired).pose(frame), NumericKinematics(arm, log.q).pose(frame))[
+            :, part
+        ]
         assert np.abs(lines[f"tool {key}"][:, 1] / scale - np.linalg.norm(error, axis=1)).max() <= 1e-9
     assert not np.allclose(lines["tool right"], lines["tool wrong"])  # the negative control
 

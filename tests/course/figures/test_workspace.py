@@ -15,6 +15,7 @@ from armproof.course.figures.kinds.workspace import (
 )
 from armproof.course.figures.registry import draw_kind, figures_for, find_kind
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.plant import NumericKinematics
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
 ARMS = ("planar_2r", "planar_3r", "polar_rp", "scara", "spatial_rrr", "rx90", "kr210")
@@ -23,7 +24,7 @@ SINGULAR = ("planar_2r", "planar_3r", "scara", "spatial_rrr", "rx90", "kr210")
 
 def volume(arm, positioning, q: np.ndarray) -> np.ndarray:
     """√det(J Jᵀ) on the double plant."""
-    J = arm.numeric(q).jacobian(positioning.frame)[:, [row - 1 for row in positioning.rows]][
+    J = NumericKinematics(arm, q).jacobian(positioning.frame)[:, [row - 1 for row in positioning.rows]][
         :, :, [c - 1 for c in positioning.columns]
     ]
     return np.linalg.svd(J, compute_uv=False).prod(axis=1)
@@ -39,7 +40,7 @@ def test_each_cell_holds_what_the_plant_has_there(name: str) -> None:
     q = found.winners[rows[some], columns[some]]
     w = found.best[rows[some], columns[some]]
     assert np.abs(volume(arm, found.positioning, q) - w).max() <= 1e-9
-    points = found.positioning.projection.points(arm.numeric(q).pose(found.positioning.frame)[:, :3, 3])
+    points = found.positioning.projection.points(NumericKinematics(arm, q).pose(found.positioning.frame)[:, :3, 3])
     cell = found.x[1] - found.x[0]
     assert np.abs(points[:, 0] - found.x[columns[some]]).max() <= cell / 2 + TOLERANCE
     assert np.abs(points[:, 1] - found.y[rows[some]]).max() <= cell / 2 + TOLERANCE
@@ -56,7 +57,7 @@ def test_the_picture_is_the_map(name: str) -> None:
     image = next(image for axes in figure.axes for image in axes.images if image.get_gid() == "best")
     assert np.array_equal(np.ma.filled(image.get_array(), np.nan), found.best, equal_nan=True)
     stick = drawn(figure)["stick"]
-    end = arm.numeric(shown_configuration(found)[None]).pose(found.positioning.frame)[0, :3, 3]
+    end = NumericKinematics(arm, shown_configuration(found)[None]).pose(found.positioning.frame)[0, :3, 3]
     assert np.abs(stick[-1] - found.positioning.projection.points(end)).max() <= TOLERANCE
 
 
@@ -69,7 +70,9 @@ def test_the_curves_drawn_are_images_of_singular_configurations(name: str) -> No
         points = lines[f"singular {latex}"]
         valid = ~np.isnan(q[:, 0])
         assert np.array_equal(np.isnan(points[:, 0]), ~valid)
-        on_plant = found.positioning.projection.points(arm.numeric(q[valid]).pose(found.positioning.frame)[:, :3, 3])
+        on_plant = found.positioning.projection.points(
+            NumericKinematics(arm, q[valid]).pose(found.positioning.frame)[:, :3, 3]
+        )
         assert np.abs(points[valid] - on_plant).max() <= TOLERANCE
         assert np.nanmax(np.abs(curve_points(found.positioning, q) - points)) <= TOLERANCE
         assert volume(arm, found.positioning, q[valid]).max() <= 1e-7

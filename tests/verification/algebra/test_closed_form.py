@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.algebra.written import fold, write_scalar
@@ -97,7 +98,7 @@ def test_every_entry_of_every_arm_is_written_as_it_is(arm: str) -> None:
     loaded = load_arm(arm)
     names, exact = read_names(loaded, {}), ExactAlgebra(Ring(), loaded)
     last = loaded.frames[-1]
-    rows = [*loaded.trace.pose(last), *loaded.trace.jacobian(last)]
+    rows = [*trace_of(loaded).pose(last), *trace_of(loaded).jacobian(last)]
     for entry in (entry for row in rows for entry in row):
         value = exact.ring.from_entry(entry)
         for style in (r"\cos()", "C_{12}"):

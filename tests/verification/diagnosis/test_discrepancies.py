@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from armproof.models.catalogue import load_arm
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
@@ -28,7 +29,7 @@ def test_a_wrong_pose_is_drawn_where_it_is_printed(judge: Judge, subject: str) -
     assert drawn is not None and (drawn.kind, drawn.frame) == ("pose", "2")
     q = [record.counterexample[joint] for joint in ("theta_1", "theta_2")]
     true, printed = np.array(drawn.true), np.array(drawn.printed)
-    np.testing.assert_allclose(true, load_arm(ARM).numeric(np.array([q])).pose("2")[0], atol=1e-12)
+    np.testing.assert_allclose(true, NumericKinematics(load_arm(ARM), np.array([q])).pose("2")[0], atol=1e-12)
     wrong = np.abs(true - printed) > 1e-9
     assert wrong[0, 3] and wrong.sum() == 1
 
@@ -38,7 +39,9 @@ def test_a_pose_in_another_frame_is_drawn_in_frame_0(judge: Judge) -> None:
     record = judge(wrong, arm=ARM)
     assert record.discrepancy is not None and record.discrepancy.drawn is not None
     q = np.array([[record.counterexample[joint] for joint in ("theta_1", "theta_2")]])
-    np.testing.assert_allclose(record.discrepancy.drawn.true, load_arm(ARM).numeric(q).pose("2")[0], atol=1e-12)
+    np.testing.assert_allclose(
+        record.discrepancy.drawn.true, NumericKinematics(load_arm(ARM), q).pose("2")[0], atol=1e-12
+    )
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,8 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Entry, Rows
+from armproof.models.exact.trace import trace_of
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.diagnosis.causes.links import CONVENTIONS, parameters
 from armproof.verification.naming.quantities import numbered_frames
 
@@ -48,7 +50,7 @@ def read_links(arm: Arm) -> list[Link]:
         q = np.zeros((3, len(arm.joints)))
         if k <= len(arm.joints):
             q[:, k - 1] = (0.0, np.pi / 2, np.pi) if kind == "revolute" else (0.0, 1.0, 0.0)
-        a, b, c = np.round(arm.numeric(q).pose(frames[k], frames[k - 1]), 12)
+        a, b, c = np.round(NumericKinematics(arm, q).pose(frames[k], frames[k - 1]), 12)
         zero = np.zeros((4, 4))
         parts = ((a + c) / 2, (a - c) / 2, b - (a + c) / 2) if kind == "revolute" else (a, b - a, zero)
         links.append(Link(tuple(np.round(part, 12) for part in parts), kind))
@@ -58,14 +60,14 @@ def read_links(arm: Arm) -> list[Link]:
 def axes_of(arm: Arm) -> list[tuple[int, np.ndarray]]:
     """Return for each joint the index of a frame that it carries or stands on, and its axis in that frame."""
     q = np.full((1, len(arm.joints)), 0.7)
-    J = arm.numeric(q).jacobian(last_frame(arm))[0]
+    J = NumericKinematics(arm, q).jacobian(last_frame(arm))[0]
     found = []
     for k, joint in enumerate(arm.joints):
         axis = J[3:, k] if joint.kind == "revolute" else J[:3, k]
         for frame in (k, k + 1):
-            X = arm.numeric(q).pose(arm.frames[frame])[0]
+            X = NumericKinematics(arm, q).pose(arm.frames[frame])[0]
             local = np.round(X[:3, :3].T @ axis, 9)
-            to_end = arm.numeric(q).pose(last_frame(arm))[0][:3, 3] - X[:3, 3]
+            to_end = NumericKinematics(arm, q).pose(last_frame(arm))[0][:3, 3] - X[:3, 3]
             fits = joint.kind == "prismatic" or np.allclose(np.cross(axis, to_end), J[:3, k])
             if fits and np.count_nonzero(local) == 1:
                 found.append((frame, local))
@@ -135,7 +137,7 @@ def written_out(arm: Arm, rows: Rows, cos: Any, sin: Any, sqrt: Any, wrap: Any) 
 
 
 def exact_rows(arm: Arm, quantity: str) -> Rows:
-    return arm.trace.pose(last_frame(arm)) if quantity == "pose" else arm.trace.jacobian(last_frame(arm))
+    return trace_of(arm).pose(last_frame(arm)) if quantity == "pose" else trace_of(arm).jacobian(last_frame(arm))
 
 
 def in_entries(arm: Arm, quantity: str) -> Function:
@@ -170,7 +172,7 @@ def by_table(arm: Arm) -> tuple[Function, Function] | None:
     if list(arm.frames) != frames:
         return None
     q = np.vstack([np.zeros(len(arm.joints)), np.full(len(arm.joints), 0.4)])
-    links = [arm.numeric(q).pose(frames[k], frames[k - 1]) for k in range(1, len(frames))]
+    links = [NumericKinematics(arm, q).pose(frames[k], frames[k - 1]) for k in range(1, len(frames))]
     for convention in CONVENTIONS:
         rows = [parameters(convention, L) for L in links]
         if any(row is None for row in rows):

@@ -11,6 +11,7 @@ import pytest
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.diagnosis.causes.probes import probes
 from armproof.verification.functions import FunctionVerdict, check_function
 from tests.verification.functions.mistakes import Mistake, mistakes_of
@@ -22,7 +23,10 @@ FEWEST = 12
 def changing(arm: Arm) -> Iterator[Mistake]:
     """Yield the mistakes that change something on the arm; those that change it alike go by each other's names."""
     q = probes(arm).q
-    true = {"pose": arm.numeric(q).pose(last_frame(arm)), "jacobian": arm.numeric(q).jacobian(last_frame(arm))}
+    true = {
+        "pose": NumericKinematics(arm, q).pose(last_frame(arm)),
+        "jacobian": NumericKinematics(arm, q).jacobian(last_frame(arm)),
+    }
     found: list[tuple[Mistake, np.ndarray]] = []
     for mistake in mistakes_of(arm):
         values = np.array([mistake.function(row.copy()) for row in q])

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from armproof.course.inverse import inverse_of
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.inverse import InverseError, InverseKinematics, Mark
 from tests.sweeps.inverse_targets import KINDS, equal_lengths, generic, out_of_reach, targets_of
 
@@ -53,7 +54,7 @@ def test_the_plant_of_doubles_reaches_the_same_target(
     for pair in inverse.derivation.target.pairs:
         cells = inverse.derivation.target.cells(pair)
         for branch in range(q.shape[1]):
-            X = inverse.arm.numeric(q[:, branch]).pose(*pair)
+            X = NumericKinematics(inverse.arm, q[:, branch]).pose(*pair)
             error = [np.abs(X[:, r, c] - targets[:, k]).max() for (r, c), k in cells.items()]
             assert max(error) < 1e-10
 

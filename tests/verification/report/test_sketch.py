@@ -7,8 +7,8 @@ import pytest
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import generic_configuration
-from armproof.models.numeric.skeleton import place_skeleton
 from armproof.models.showing.projection import Projection, choose_projection, look_along
+from armproof.models.showing.skeleton import place_skeleton
 from armproof.verification.report.html.figures import ArmPainter
 from armproof.verification.verdict import Record, Verdict
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
@@ -229,12 +230,12 @@ def test_the_derivative_of_the_jacobian_is_told_by_its_columns(name: str) -> Non
     arm = load_arm(name)
     q = np.random.default_rng(4).uniform(-2, 2, (10, len(arm.joints)))
     frame = arm.frames[-1]
-    found = jacobian_derivatives(np.array(arm.bulk.jacobian(q, frame)))
+    found = jacobian_derivatives(np.array(bulk_of(arm).jacobian(q, frame)))
     for k in range(len(arm.joints)):
         step = np.zeros(len(arm.joints))
         step[k] = 1e-6
         difference = (
-            np.array(arm.bulk.jacobian(q + step, frame)) - np.array(arm.bulk.jacobian(q - step, frame))
+            np.array(bulk_of(arm).jacobian(q + step, frame)) - np.array(bulk_of(arm).jacobian(q - step, frame))
         ) / 2e-6
         np.testing.assert_allclose(found[:, :, :, k], difference, atol=1e-8)
 

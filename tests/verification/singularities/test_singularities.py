@@ -11,6 +11,7 @@ import pytest
 
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ModelError
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -41,7 +42,7 @@ def values(family: Family, vectors: tuple[Matrix, ...], q: np.ndarray) -> list[n
 
 def jacobian(analysis: SingularityAnalysis, q: np.ndarray) -> np.ndarray:
     """J of the plant of doubles."""
-    J = analysis.arm.numeric(q).jacobian(analysis.frame, analysis.expressed_in)
+    J = NumericKinematics(analysis.arm, q).jacobian(analysis.frame, analysis.expressed_in)
     return J[:, [r - 1 for r in analysis.rows]][:, :, [c - 1 for c in analysis.columns]]
 
 

@@ -13,6 +13,7 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.loading.origins import joint_origins
+from armproof.models.numeric.drake_arm import plant_of
 from armproof.verification.check import DocumentChecker, check_document, verify
 from armproof.verification.document import Document, Table
 from armproof.verification.tables import check_table
@@ -95,7 +96,7 @@ def table_of(arm: Arm) -> Table:
     """The table that the lengths of the arm and the poses of its double plant call for."""
     rows = []
     for name, origin in joint_origins(arm).items():
-        X_PF = arm.plant.GetJointByName(name).frame_on_parent().GetFixedPoseInBodyFrame()
+        X_PF = plant_of(arm).GetJointByName(name).frame_on_parent().GetFixedPoseInBodyFrame()
         rpy = X_PF.rotation().ToRollPitchYaw().vector() / np.pi
         rows.append(
             (name, origin.parent, origin.child, *(f"{x:g}" for x in X_PF.translation()), *(rf"{a:g}\pi" for a in rpy))

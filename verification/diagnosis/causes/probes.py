@@ -9,6 +9,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import FAMILIES, sample
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
@@ -26,7 +27,7 @@ class Configurations:
     def __init__(self, arm: Arm, q: np.ndarray) -> None:
         self.arm = arm
         self.q = q
-        self.numeric = arm.numeric(q)
+        self.numeric = NumericKinematics(arm, q)
         self._algebra = SampledAlgebra(ExactAlgebra(Ring(), arm), q)
         self._true: dict[Quantity, np.ndarray] = {}
 

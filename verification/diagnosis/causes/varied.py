@@ -11,6 +11,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Entry, Rows, add, root_value, scale
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.diagnosis.causes.case import Case
 
@@ -21,9 +22,9 @@ Values = Mapping[str, np.ndarray]  # joint variables and lengths with other valu
 def entries_of(arm: Arm, quantity: Quantity) -> Rows:
     """Return the exact entries of a quantity."""
     if quantity.kind == "jacobian":
-        rows = arm.trace.jacobian(quantity.frame, quantity.reference, arm.frames[0])
+        rows = trace_of(arm).jacobian(quantity.frame, quantity.reference, arm.frames[0])
     else:
-        rows = arm.trace.pose(quantity.frame, quantity.reference)
+        rows = trace_of(arm).pose(quantity.frame, quantity.reference)
         height = 4 if quantity.homogeneous else 3
         if quantity.kind == "rotation":
             rows = tuple(row[:3] for row in rows[:3])
@@ -33,7 +34,7 @@ def entries_of(arm: Arm, quantity: Quantity) -> Rows:
             column = COMPONENTS[quantity.along]
             rows = tuple(row[column : column + 1] for row in rows[:height])
         elif quantity.kind == "difference":
-            start = arm.trace.pose(quantity.start, quantity.reference)
+            start = trace_of(arm).pose(quantity.start, quantity.reference)
             rows = tuple((add(row[3], scale(other[3], -1)),) for row, other in zip(rows[:3], start[:3], strict=True))
     chosen = [rows[r - 1] for r in quantity.rows] if quantity.rows else rows
     columns = quantity.columns or range(1, len(rows[0]) + 1)

@@ -8,8 +8,8 @@ import numpy as np
 from markupsafe import Markup
 
 from armproof.models.arm import Arm
-from armproof.models.numeric.skeleton import Skeleton, place_skeleton
 from armproof.models.showing.projection import choose_projection
+from armproof.models.showing.skeleton import Skeleton, place_skeleton
 from armproof.verification.diagnosis.discrepancy import Drawn
 from armproof.verification.report.html.sketch import Sketch
 from armproof.verification.verdict import Record

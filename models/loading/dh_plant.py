@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
 from itertools import count
 from math import pi
 from types import MappingProxyType
@@ -15,6 +16,8 @@ from armproof.models.dh.table import DHRow, DHTable
 from armproof.models.exact.numbers import add_angles, cos_sin_of_pi, cos_sin_of_radians, rotation
 from armproof.models.exact.offset import Offset
 from armproof.models.exact.polynomial import Entry, Rows, add, generator, matrix_product, number, scale
+from armproof.models.exact.symbolic import SymbolicPlant
+from armproof.models.numeric.drake_arm import DrakeArm
 
 NAME = "DH table"
 _LENGTHS = (0.431, 0.317, 0.283, 0.523, 0.229, 0.613, 0.367, 0.571, 0.271, 0.701, 0.349, 0.467, 0.757, 0.389, 0.647)
@@ -41,23 +44,21 @@ def build_arm(table: DHTable) -> Arm:
         drake_joints.append(joint)
         frames[str(i)] = frame
     plant.Finalize()
+    joints = tuple(Joint(i, row.joint, row.joint, row.kind, *_limits(row)) for i, row in enumerate(table.rows, start=1))
+    drake = DrakeArm(plant, frames["0"].body(), tuple(drake_joints), MappingProxyType(frames))
     return Arm(
         name=NAME,
         title=f"Arm of a {table.convention} DH table",
         source="",
         zero="",
-        joints=tuple(
-            Joint(i, row.joint, row.joint, row.kind, *_limits(row)) for i, row in enumerate(table.rows, start=1)
-        ),
+        joints=joints,
         lengths=MappingProxyType(lengths),
         angles=MappingProxyType(angles),
         frames=tuple(frames),
-        plant=plant,
+        exact=SymbolicPlant(NAME, joints, drake, builder.offsets),
+        drake=drake,
         dh=table,
-        drake_base=frames["0"].body(),
-        drake_joints=tuple(drake_joints),
-        drake_frames=MappingProxyType(frames),
-        offsets=MappingProxyType(builder.offsets),
+        digest=sha256(repr(table).encode()).hexdigest(),
     )
 
 

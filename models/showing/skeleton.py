@@ -10,6 +10,8 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.errors import ModelError
+from armproof.models.exact.trace import trace_of
+from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 
 _SAME = 1e-9  # m
 
@@ -57,13 +59,13 @@ def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
     q = np.asarray(q, dtype=float)
     if q.shape != (len(arm.joints),):
         raise ModelError(f"a configuration of arm '{arm.name}' has {len(arm.joints)} values, not {q.shape}")
-    plant, context = arm.plant, arm.plant.CreateDefaultContext()
+    plant, context = plant_of(arm), plant_of(arm).CreateDefaultContext()
     positions = np.zeros(plant.num_positions())
-    positions[list(arm.position_indices)] = q
+    positions[list(drake_of(arm).position_indices)] = q
     plant.SetPositions(context, positions)
-    X_0W = arm.frame(arm.frames[0]).CalcPoseInWorld(context).inverse()
+    X_0W = frame_of(arm, arm.frames[0]).CalcPoseInWorld(context).inverse()
     joints = []
-    for joint, drake_joint in zip(arm.joints, arm.drake_joints, strict=True):
+    for joint, drake_joint in zip(arm.joints, drake_of(arm).joints, strict=True):
         X_0F = X_0W.multiply(drake_joint.frame_on_parent().CalcPoseInWorld(context))
         X_0M = X_0W.multiply(drake_joint.frame_on_child().CalcPoseInWorld(context))
         axis = drake_joint.revolute_axis() if joint.kind == "revolute" else drake_joint.translation_axis()
@@ -74,7 +76,7 @@ def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
         )
     frames = {}
     for name in arm.frames:
-        pose = X_0W.multiply(arm.frame(name).CalcPoseInWorld(context)).GetAsMatrix4()
+        pose = X_0W.multiply(frame_of(arm, name).CalcPoseInWorld(context)).GetAsMatrix4()
         pose.flags.writeable = False
         frames[name] = pose
     return Skeleton(tuple(joints), MappingProxyType(frames))
@@ -82,7 +84,7 @@ def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
 
 def stick_points(arm: Arm, q: Sequence[float] | np.ndarray, frame: str) -> np.ndarray:
     """Return the corners of an arm at a configuration drawn as lines from its origin to that of a frame, (K, 3)."""
-    return simplify(place_skeleton(arm, q).line(frame, arm.trace.depth(frame)))
+    return simplify(place_skeleton(arm, q).line(frame, trace_of(arm).depth(frame)))
 
 
 def simplify(points: np.ndarray) -> np.ndarray:
