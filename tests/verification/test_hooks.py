@@ -10,7 +10,9 @@ from pathlib import Path
 
 import pytest
 import yaml
+from typer.testing import CliRunner
 
+from armproof.verification.cli import app
 from armproof.verification.document import SUFFIXES
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,12 +22,14 @@ FRONT = "---\narm: planar_2r\n---\n\n"
 
 @pytest.mark.parametrize("hook", HOOKS, ids=[hook["id"] for hook in HOOKS])
 def test_a_hook_fails_on_a_wrong_document_and_passes_on_a_right_one(hook: dict[str, str], tmp_path: Path) -> None:
-    command = shlex.split(hook["entry"])
-    command[0] = str(Path(sys.executable).with_name(command[0]))
-    for name, formula, code in (("right.md", "C_{12} = C_1 C_2 - S_1 S_2", 0), ("wrong.md", "C_{12} = C_1", 1)):
-        path = tmp_path / name
-        path.write_text(f"{FRONT}$$ {formula} $$\n", encoding="utf-8")
-        assert subprocess.run([*command, path], capture_output=True, timeout=60, check=False).returncode == code
+    name, *arguments = shlex.split(hook["entry"])
+    command = str(Path(sys.executable).with_name(name))  # which pre-commit installs: it runs the same `app`
+    right, wrong = tmp_path / "right.md", tmp_path / "wrong.md"
+    right.write_text(f"{FRONT}$$ C_{{12}} = C_1 C_2 - S_1 S_2 $$\n", encoding="utf-8")
+    wrong.write_text(f"{FRONT}$$ C_{{12}} = C_1 $$\n", encoding="utf-8")
+    assert CliRunner().invoke(app, [*arguments, str(right)]).exit_code == 0
+    assert CliRunner().invoke(app, [*arguments, str(wrong)]).exit_code == 1
+    assert subprocess.run([command, *arguments, right, wrong], capture_output=True, timeout=60).returncode == 1
 
 
 @pytest.mark.parametrize("hook", HOOKS, ids=[hook["id"] for hook in HOOKS])
