@@ -5,38 +5,34 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property
 from pathlib import Path
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
-from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.calculus import Ring
-from armproof.verification.correction.corrector import Corrector
-from armproof.verification.correction.tables import correct_array, correct_table
-from armproof.verification.diagnosis.diagnosis import Diagnostician
 from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import DocumentError, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.inverse.record import check_inverse
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
 from armproof.verification.tables import check_array_table, check_table
 from armproof.verification.verdict import DocumentResult, Record, Verdict, worst
 
+if TYPE_CHECKING:
+    from armproof.verification.correction.corrector import Corrector
+    from armproof.verification.diagnosis.diagnosis import Diagnostician
+    from armproof.verification.evaluation.sampled import SampledAlgebra
+
 SECONDS_TO_DECIDE = 1.1  # a display is bounded by two seconds in all: so long to decide it,
 SECONDS_TO_EXPLAIN = 0.9  # and so long to say what is wrong in it
-SAMPLES = 1000
-SEED = 2019
 
 
 def verify(path: Path | str, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
@@ -90,13 +86,6 @@ def load_arm_of(document: Document) -> Arm | None:
         raise DocumentError(f"{document.at('arm')}: {error}") from None
 
 
-@lru_cache(maxsize=32)
-def _configurations(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
-    """The configurations, and which of them are drawn at random."""
-    q, family = sample(arm, SAMPLES, np.random.default_rng(SEED))
-    return q, np.isin(family, [FAMILIES.index("generic"), FAMILIES.index("wide")])
-
-
 class DocumentChecker:
     """Checks the displays of one document in order, each with the names that those before it defined."""
 
@@ -116,20 +105,39 @@ class DocumentChecker:
             raise DocumentError(f"{document.at(error.key or 'quantities')}: {error}") from None
         self.ring = Ring(denominators)
         self.exact = ExactAlgebra(self.ring, arm)
-        self._sampled: SampledAlgebra | None = None
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm
-        self.diagnostician = Diagnostician(self.checker)
         self.statements = Statements(self.checker)
-        self.corrector = Corrector(self.checker, self.diagnostician, self._outcomes_of) if correct else None
+        self.correct = correct
 
     def sampled(self) -> SampledAlgebra:
         """The double plant at the configurations of the six families."""
-        if self._sampled is None:
-            everywhere = np.zeros((SAMPLES, 0)), np.ones(SAMPLES, dtype=bool)
-            q, at_random = _configurations(self.arm) if self.arm is not None else everywhere
-            self._sampled = SampledAlgebra(self.exact, q, SEED, random=at_random)
-        return self._sampled
+        return self._samples
+
+    # What samples, explains or corrects is loaded where there is something to sample, to explain, to correct.
+
+    @cached_property
+    def _samples(self) -> SampledAlgebra:
+        with self.ring.budget.paused():
+            from armproof.verification.evaluation.plant_samples import plant_samples
+
+            return plant_samples(self.exact)
+
+    @cached_property
+    def diagnostician(self) -> Diagnostician:
+        """Says what is wrong with a refuted display."""
+        with self.ring.budget.paused():
+            from armproof.verification.diagnosis.diagnosis import Diagnostician
+
+            return Diagnostician(self.checker)
+
+    @cached_property
+    def corrector(self) -> Corrector:
+        """Seeks what mends a refuted display."""
+        with self.ring.budget.paused():
+            from armproof.verification.correction.corrector import Corrector
+
+            return Corrector(self.checker, self.diagnostician, self._outcomes_of)
 
     def run(self) -> DocumentResult:
         """Return the verdicts of all displays and tables, in the order of the document."""
@@ -147,16 +155,25 @@ class DocumentChecker:
             tuple(table for table in tables if table is not None),
             self.arm.warnings if self.arm is not None else (),
             title=str(self.document.front.get("title", "")),
-            inverse=check_inverse(self.document, self.arm),
+            inverse=self._inverse(),
         )
+
+    def _inverse(self) -> Record | None:
+        if "inverse" not in self.document.front:
+            return None
+        from armproof.verification.inverse.record import check_inverse
+
+        return check_inverse(self.document, self.arm)
 
     def _table(self, table: Table) -> Record | None:
         with self.ring.budget.of(SECONDS_TO_DECIDE):
             record = check_table(self.checker, table)
-        if record is not None and record.verdict is Verdict.REFUTED and self.corrector is not None:
-            with self.ring.budget.of(SECONDS_TO_DECIDE):
-                return replace(record, corrections=correct_table(self.checker, table, record))
-        return record
+        if record is None or record.verdict is not Verdict.REFUTED or not self.correct:
+            return record
+        from armproof.verification.correction.tables import correct_table
+
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            return replace(record, corrections=correct_table(self.checker, table, record))
 
     # -- displays ---------------------------------------------------------------------------------------------------
 
@@ -209,13 +226,15 @@ class DocumentChecker:
                 record = replace(
                     record, message=record.message or "the two sides differ; what is wrong is too large to tell"
                 )
-            if self.corrector is not None:
+            if self.correct:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
         return record
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
-        if record.verdict is not Verdict.REFUTED or self.corrector is None:
+        if record.verdict is not Verdict.REFUTED or not self.correct:
             return record
+        from armproof.verification.correction.tables import correct_array
+
         with self.ring.budget.of(SECONDS_TO_DECIDE):
             return replace(record, corrections=correct_array(self.checker, display, record))
 

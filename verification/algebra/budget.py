@@ -37,6 +37,15 @@ class Budget:
         return part
 
     @contextmanager
+    def paused(self) -> Iterator[None]:
+        """Let what is done once for all displays, to load a library or a plant, cost this one no time."""
+        begun = time.thread_time()
+        try:
+            yield
+        finally:
+            self._end += time.thread_time() - begun
+
+    @contextmanager
     def of(self, seconds: float) -> Iterator[None]:
         """Give a phase of the work so many seconds of its own; behind it, what was left before holds again."""
         before, self._end = self._end, time.thread_time() + seconds

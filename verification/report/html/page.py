@@ -10,9 +10,9 @@ from markupsafe import Markup
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.verification import check
 from armproof.verification.diagnosis import counterexample
 from armproof.verification.document import Document
+from armproof.verification.evaluation import plant_samples
 from armproof.verification.naming.names import read_names
 from armproof.verification.report.html import prose
 from armproof.verification.report.html.card import arm_card
@@ -72,8 +72,8 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         sections=list(_sections(pairs)),
         card=arm_card(arm, painter, read) if arm is not None and painter is not None else None,
         versions=versions(),
-        seeds=(check.SEED, counterexample.SEED),
-        samples=check.SAMPLES,
+        seeds=(plant_samples.SEED, counterexample.SEED),
+        samples=plant_samples.SAMPLES,
         largest=max((r.max_error for r in records if r.max_error is not None and r.samples), default=None),
     )
 
