@@ -20,6 +20,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import DocumentError, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
@@ -183,7 +184,7 @@ class DocumentChecker:
             display.line, display.latex, Verdict.UNREADABLE, display.erratum, cell=display.cell, section=display.section
         )
         if not display.closed:
-            return replace(record, message=f"the display opened by {display.opening} never ends")
+            return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
         self.names.state.section = display.section
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
@@ -191,28 +192,29 @@ class DocumentChecker:
                     return self._with_array_corrected(table, display)
                 return self._judge(record, display, self.names.reader.read(display.latex))
         except ReadError as error:
-            return replace(record, message=f"{_place(display, original_offset(display.latex, error.offset))}: {error}")
+            return replace(record, findings=(_unreadable(display, error),))
         except TooComplex as error:
-            return replace(record, verdict=Verdict.UNCHECKED, message=f"too large to decide: {error}")
+            return replace(
+                record, verdict=Verdict.UNCHECKED, findings=(say(Kind.TOO_LARGE, problem=finding_of(error)),)
+            )
         except RecursionError:
-            return replace(record, verdict=Verdict.UNCHECKED, message="too large to decide: nested too deeply")
+            return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NESTED_TOO_DEEPLY),))
         except AngleFraction:
             raise
         except Exception as error:  # a fault of ours must not cost the other displays their verdicts
-            fault = f"internal error, please report it: {type(error).__name__}: {error}"
-            return replace(record, message=fault)
+            return replace(record, findings=(say(Kind.INTERNAL_ERROR, type=type(error).__name__, reason=str(error)),))
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
         if not outcomes:
-            return replace(record, verdict=Verdict.DEFINED, message="states no equation")
+            return replace(record, verdict=Verdict.DEFINED, findings=(say(Kind.NO_EQUATION),))
         verdict = worst([outcome.verdict for outcome in outcomes])
         leading = [outcome for outcome in outcomes if outcome.verdict is verdict]
         errors = [outcome.max_error for outcome in outcomes if outcome.max_error is not None]
         record = replace(
             record,
             verdict=verdict,
-            message="; ".join(dict.fromkeys(outcome.message for outcome in leading if outcome.message)),
+            findings=tuple(finding.at(outcome.equation) for outcome in leading for finding in outcome.findings),
             samples=max((outcome.samples for outcome in outcomes), default=0),
             max_error=max(errors, default=None),
             counterexample=extra,
@@ -223,9 +225,7 @@ class DocumentChecker:
                 with self.ring.budget.of(SECONDS_TO_EXPLAIN):
                     record = self.diagnostician.diagnose(record, normalise_unicode(display.latex), refuted)
             except TooComplex:
-                record = replace(
-                    record, message=record.message or "the two sides differ; what is wrong is too large to tell"
-                )
+                record = replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
             if self.correct:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
         return record
@@ -257,10 +257,14 @@ class DocumentChecker:
         return outcomes, extra
 
 
-def _place(display: Display, offset: int) -> str:
+def _unreadable(display: Display, error: ReadError) -> Finding:
+    """Say at which line and column of the document a display cannot be read."""
+    offset = original_offset(display.latex, error.offset)
     before = display.latex[:offset]
     pieces = [piece for piece in display.pieces if piece.at <= offset]
     line = pieces[-1].line if pieces else display.line + before.count("\n") + ("\n" in display.latex)
     column = offset - (before.rfind("\n") + 1) + 1
-    where = f"line {line}" if display.cell is None else f"cell {display.cell}, line {line}"
-    return f"{where}, column {column} of the display"
+    place = {"line": line, "at": column, "problem": finding_of(error)}
+    if display.cell is None:
+        return say(Kind.UNREADABLE, **place)
+    return say(Kind.UNREADABLE_IN_CELL, cell=display.cell, **place)

@@ -14,6 +14,7 @@ from armproof.verification.equations.given_values import Given
 from armproof.verification.equations.inequalities import check_relation
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.naming.signs import named_sign
@@ -114,27 +115,20 @@ class Statements:
         chosen = 1 if good[1] and not good[0] else 0
         outcomes = self._clear_chain(chains[chosen], equation, line, define)
         whole = isinstance(unclear[0].readings[chosen], n.Quotient)
-        choice = (
-            "all that follows the slash taken as the denominator"
-            if whole
-            else "the slash dividing by the next factor alone"
-        )
-        note = (
-            f"'{unclear[0].text}' read with {choice}" if any(good) else f"neither reading of '{unclear[0].text}' holds"
-        )
+        choice = Kind.SLASH_OVER_ALL if whole else Kind.SLASH_OVER_NEXT
         for outcome in outcomes:
-            outcome.message = f"{outcome.message}; {note}" if outcome.message else note
+            outcome.also(say(choice if any(good) else Kind.SLASH_UNCLEAR, text=unclear[0].text))
         return outcomes
 
     def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         sign = named_sign(chain)
         if sign is not None and self.names.defines_sign(sign):
             self.names.state.signs.values.update({sign: 1} if define else {})
-            return [Outcome(Verdict.DEFINED, f"{sign} is a sign, either one", equation)]
+            return [Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation)]
         if any(relation != "=" for relation in chain.relations):
             return [check_relation(self.checker, chain, equation)]
         if self.given.is_configuration(chain):
-            return [Outcome(Verdict.DEFINED, "a configuration, not a claim", equation)]
+            return [Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation)]
         if any(isinstance(member, n.Cases) for member in chain.members):
             return self._cases(chain, equation, line, define)
         general = self.general.check(chain, equation, line, define)
@@ -192,4 +186,5 @@ def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
 
 
 def _is_condition(outcome: Outcome) -> bool:
-    return outcome.verdict is Verdict.DEFINED and ("condition" in outcome.message or "configuration" in outcome.message)
+    given = (Kind.CONDITION, Kind.CONFIGURATION)
+    return outcome.verdict is Verdict.DEFINED and any(finding.kind in given for finding in outcome.findings)

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from armproof.verification.diagnosis.discrepancy import Discrepancy
+from armproof.verification.findings import Finding, Kind
+from armproof.verification.findings.finding import write_all
 
 
 class Verdict(StrEnum):
@@ -46,8 +47,13 @@ class WrongEntry:
     column: int | None
     printed: str
     correct: str
-    change: str = ""
+    finding: Finding | None = None  # the small change that mends it
     span: tuple[int, int] | None = None
+
+    @property
+    def change(self) -> str:
+        """The small change that mends it, in words; empty where none does."""
+        return str(self.finding) if self.finding is not None else ""
 
     def as_json(self) -> dict[str, Any]:
         """Return the entry as the report's JSON writes it."""
@@ -65,6 +71,33 @@ class Correction:
     text: str
 
 
+Rows = tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A true and a printed pose or vector of the arm, in frame 0.
+
+    Attributes:
+        kind: "pose" (4×4: both sides), or "axis", "difference", "velocity" and "angular velocity" (3×1: at the frame).
+        frame: the frame whose pose it is, or from whose origin the vector is drawn.
+    """
+
+    kind: str
+    frame: str
+    true: Rows
+    printed: Rows
+
+
+@dataclass(frozen=True)
+class Discrepancy:
+    """The printed and the true value of each wrong entry of one equation at the counterexample, (printed, true)."""
+
+    equation: int
+    values: tuple[tuple[float, float], ...] = ()
+    drawn: Drawn | None = None
+
+
 @dataclass(frozen=True)
 class Record:
     """The verdict of one display, or of one DH table.
@@ -77,7 +110,7 @@ class Record:
     latex: str
     verdict: Verdict
     erratum: bool = False
-    message: str = ""
+    findings: tuple[Finding, ...] = ()  # why
     entries: tuple[WrongEntry, ...] = ()
     counterexample: Mapping[str, float] = field(default_factory=dict)
     samples: int = 0
@@ -86,6 +119,15 @@ class Record:
     section: str = ""
     discrepancy: Discrepancy | None = None  # the sides at the counterexample, for a drawing
     corrections: tuple[Correction, ...] | None = None
+
+    @property
+    def message(self) -> str:
+        """The findings in words."""
+        return write_all(self.findings)
+
+    def says(self, kind: Kind) -> bool:
+        """Whether one of the findings is of a kind."""
+        return any(finding.kind is kind for finding in self.findings)
 
     @property
     def passes(self) -> bool:
@@ -103,6 +145,7 @@ class Record:
             "verdict": self.verdict.value,
             "erratum": self.erratum,
             "message": self.message,
+            "findings": [finding.as_json() for finding in self.findings],
             "entries": [entry.as_json() for entry in self.entries],
             "counterexample": dict(self.counterexample),
             "samples": self.samples,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ from armproof.models.arm import Arm
 from armproof.verification.naming.quantities import numbered_frames
 
 if TYPE_CHECKING:
-    from armproof.course.feedback import Formula, Quantity, Task
+    from armproof.course.feedback import Feedback, Formula, Quantity, Task
 
 WRONG = 4
 TRIED = 24  # slips, until there are enough that get words of their own
@@ -113,19 +113,20 @@ def _wrong_answers(task: Task, draft: Draft, arm: Arm) -> Iterator[tuple[str, st
     """Yield slips in the right answer and what is said of them, those with a sentence of their own first."""
     from armproof.course.feedback import Outcome
 
-    found: dict[str, str] = {}
+    found: dict[str, Feedback] = {}
     for number, latex in enumerate(slips(draft.latex, arm)):
-        if number >= TRIED or _own(found.values()) >= WRONG:
+        if number >= TRIED or sum(not _is_general(feedback) for feedback in found.values()) >= WRONG:
             break
         feedback = task.check(latex)
-        if feedback.outcome is Outcome.WRONG and feedback.message and feedback.message not in found.values():
-            found[latex] = feedback.message
-    yield from sorted(found.items(), key=lambda item: _is_general(item[1]))[:WRONG]
+        said = {feedback.message for feedback in found.values()}
+        if feedback.outcome is Outcome.WRONG and feedback.message and feedback.message not in said:
+            found[latex] = feedback
+    own_first = sorted(found.items(), key=lambda item: _is_general(item[1]))
+    yield from ((latex, feedback.message) for latex, feedback in own_first[:WRONG])
 
 
-def _own(messages: Sequence[str] | Any) -> int:
-    return sum(not _is_general(message) for message in messages)
+def _is_general(feedback: Feedback) -> bool:
+    """Whether a mistake was not recognised: only where the answer is wrong is said."""
+    from armproof.course.feedback.wording import GENERAL
 
-
-def _is_general(message: str) -> bool:
-    return "the others are right" in message or "is not equal" in message
+    return any(finding.kind in GENERAL for finding in feedback.findings)

@@ -14,7 +14,7 @@ import numpy as np
 from armproof.course.feedback.answer import as_latex, is_number
 from armproof.course.feedback.errors import AnswerError, LessonError
 from armproof.course.feedback.outcome import Feedback, Outcome, Row
-from armproof.course.feedback.wording import ASKED, place, sentence, without_asked
+from armproof.course.feedback.wording import ASKED, place, told, without_asked
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.budget import Budget
@@ -22,10 +22,11 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document
-from armproof.verification.equations.equality import TABLE_ANGLES
 from armproof.verification.errors import ReadError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.findings import Kind
+from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, one_of
 from armproof.verification.report.html.figures import Figure, painter_of
@@ -65,7 +66,7 @@ class Claim:
             return Feedback(Outcome.WRONG, problem)
         record = self.record(latex)
         if record.verdict is Verdict.PROVED:
-            if record.message == TABLE_ANGLES:
+            if record.says(Kind.TABLE_ANGLES):
                 return Feedback(
                     Outcome.WRONG, "that is so for the angles of the table; the joint variable differs by its offset"
                 )
@@ -73,16 +74,18 @@ class Claim:
         if record.verdict is Verdict.CONFIRMED:
             return Feedback(Outcome.CONFIRMED, record.message or f"equal at {record.samples:,} configurations")
         if record.verdict is Verdict.REFUTED:
+            findings = told(record.findings, record.entries)
             return Feedback(
                 Outcome.WRONG,
-                sentence(record.message, record.entries),
+                write_all(findings, Audience.STUDENT),
                 self._rows(record),
                 record.counterexample,
                 self._picture(record),
+                findings=findings,
             )
         if record.verdict is Verdict.DEFINED:
             return Feedback(Outcome.ERROR, f"the answer is made of names that mean nothing here; {self._letters()}")
-        return Feedback(Outcome.ERROR, f"{without_asked(record.message)}; {self._letters()}")
+        return Feedback(Outcome.ERROR, f"{write_all(without_asked(record.findings))}; {self._letters()}")
 
     @property
     def letters(self) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from typing import Any
 from markupsafe import Markup
 
 from armproof.course.feedback.html import block, captioned, small_print, table
+from armproof.verification.findings import Finding
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError
 from armproof.verification.latex.greek import GREEK, one_of
@@ -87,6 +88,7 @@ class Feedback:
         printed: what the function printed.
         task, lesson: to what it is the answer.
         seconds: how long the check took.
+        findings: what the message says of a wrong formula or function.
     """
 
     outcome: Outcome
@@ -100,6 +102,7 @@ class Feedback:
     task: str = ""
     lesson: str = ""
     seconds: float = 0.0
+    findings: tuple[Finding, ...] = ()
 
     @property
     def is_right(self) -> bool:

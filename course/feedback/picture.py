@@ -11,13 +11,12 @@ from armproof.course.feedback.errors import AnswerError
 from armproof.models.arm import Arm
 from armproof.models.errors import ArmproofError
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.diagnosis.discrepancy import Discrepancy, Drawn, Rows
 from armproof.verification.functions.arguments import constants_of, read_layout
 from armproof.verification.functions.asked import read_asked
 from armproof.verification.functions.guarded_call import Guard
 from armproof.verification.functions.returned import NotAttempted, fit, read_returned
 from armproof.verification.report.html.figures import Figure, painter_of
-from armproof.verification.verdict import Record, Verdict
+from armproof.verification.verdict import Discrepancy, Drawn, Record, Rows, Verdict
 
 SECONDS = 0.5
 

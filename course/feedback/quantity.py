@@ -15,10 +15,11 @@ from armproof.course.feedback.errors import AnswerError
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import OF_FUNCTION, Feedback, Row
 from armproof.course.feedback.picture import call_at, draw_answer
-from armproof.course.feedback.wording import ASKED, place, sentence
+from armproof.course.feedback.wording import ASKED, place, told
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
+from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.asked import read_asked
 from armproof.verification.functions.function_check import FunctionVerdict
@@ -113,13 +114,13 @@ class Quantity:
     def _judge_function(self, function: Callable[..., Any]) -> Feedback:
         check = check_function(self.loaded, function, dict(self.quantity))
         rows = tuple(Row(place(row.row, row.column), row.expected, row.obtained, row.unit) for row in check.table)
-        message = (
-            check.message if check.verdict is not FunctionVerdict.REFUTED else sentence(check.message, check.entries)
-        )
+        is_wrong = check.verdict is FunctionVerdict.REFUTED
+        findings = told(check.findings, check.entries) if is_wrong else check.findings
+        message = write_all(findings, Audience.STUDENT if is_wrong else Audience.REPORT)
         picture = None
         if not check.is_right and check.counterexample:
             picture = draw_answer(self.loaded, self.quantity, function, check.counterexample)
         return Feedback(
             OF_FUNCTION[check.verdict], message, rows, check.counterexample, picture,
-            check.notes, check.error, check.printed,
+            check.notes, check.error, check.printed, findings=findings,
         )  # fmt: skip

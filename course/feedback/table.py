@@ -17,6 +17,7 @@ from armproof.verification.check import check_document
 from armproof.verification.document import Document
 from armproof.verification.document import Table as Printed
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader
 from armproof.verification.naming.names import Names, read_names
@@ -77,7 +78,7 @@ class Table:
         front = {"arm": self.arm, "symbols": dict(self.symbols)}
         result = check_document(Document(Path("answer"), front, (), (Printed(1, header, cells),)), confirm=False)
         if not result.tables:
-            return Record(1, "", Verdict.UNREADABLE, message="the rows are no Denavit–Hartenberg table")
+            return Record(1, "", Verdict.UNREADABLE, findings=(say(Kind.NO_TABLE),))
         return result.tables[0]
 
     def _in_degrees(self, answer: Any) -> str:

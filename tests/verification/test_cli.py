@@ -18,6 +18,7 @@ from armproof.verification import check as checking
 from armproof.verification.cli import app
 from armproof.verification.cli.documents import check_paths
 from armproof.verification.cli.progress import Progress
+from armproof.verification.findings import Kind, say
 from armproof.verification.report.github import github_report
 from armproof.verification.report.json_ import json_report
 from armproof.verification.report.lines import to_ascii
@@ -298,7 +299,13 @@ def test_github_gets_one_annotation_a_finding(armproof, write, tmp_path: Path, m
 
 
 def test_github_commands_escape_what_would_end_them():
-    record = Record(3, "x", Verdict.REFUTED, message="100%\nof ::error", entries=(WrongEntry(1, None, None, "a", "b"),))
+    record = Record(
+        3,
+        "x",
+        Verdict.REFUTED,
+        findings=(say(Kind.PROBLEM, reason="100%\nof ::error"),),
+        entries=(WrongEntry(1, None, None, "a", "b"),),
+    )
     [command, *_] = github_report([DocumentResult("a:b.md", "", (record,))])
     assert (
         command == "::error file=a%3Ab.md,line=3,title=Armproof%3A refuted::100%25%0Aof ::error%0Aprinted a, correct b"

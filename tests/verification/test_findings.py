@@ -34,7 +34,7 @@ def test_a_finding_within_a_finding_is_written_and_kept_as_data() -> None:
 def test_what_is_said_twice_is_written_once() -> None:
     one, other = say(Kind.NOT_BOUND, name="a").at(1), say(Kind.NOT_BOUND, name="a").at(2)
     assert write_all([one, other, say(Kind.WRONG_SIGN)]) == "'a' is not bound; wrong sign"
-    assert one.says(other) and one != other and not one.says(say(Kind.NOT_BOUND, name="b"))
+    assert one.holds(other) and one != other and not one.holds(say(Kind.NOT_BOUND, name="b"))
 
 
 def test_an_error_carries_its_finding() -> None:

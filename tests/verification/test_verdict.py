@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import pytest
 
+from armproof.verification.findings import Kind, say
 from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry, summary, worst
 
 ALL = list(Verdict)
@@ -65,6 +66,7 @@ def test_a_record_is_written_as_the_design_says(judge: Callable[..., Record]) ->
         "verdict",
         "erratum",
         "message",
+        "findings",
         "entries",
         "counterexample",
         "samples",
@@ -95,7 +97,7 @@ def test_a_cell_of_a_notebook_is_named() -> None:
 
 def test_a_wrong_entry_leaves_out_what_it_does_not_have() -> None:
     assert WrongEntry(2, None, None, "a", "b").as_json() == {"equation": 2, "printed": "a", "correct": "b"}
-    entry = WrongEntry(1, 3, 4, "a", "b", "wrong sign", (0, 1))
+    entry = WrongEntry(1, 3, 4, "a", "b", say(Kind.WRONG_SIGN), (0, 1))
     assert entry.as_json() == {
         "equation": 1,
         "row": 3,

@@ -21,6 +21,7 @@ from armproof.verification.conditions.system import Condition, System, Undecided
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError, NoValue
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
@@ -39,7 +40,7 @@ def check_implication(
     checker: ChainChecker, implication: Implication, equation: int
 ) -> tuple[Outcome, dict[str, float]]:
     """Return the verdict of premises ⇒ (⇔, ⇐) conclusions, and a configuration that refutes it."""
-    outcome = Outcome(Verdict.PROVED, "", equation)
+    outcome = Outcome(Verdict.PROVED, (), equation)
     try:
         before = read_condition(checker, implication.before)
         behind = read_condition(checker, implication.behind)
@@ -49,17 +50,17 @@ def check_implication(
             try:
                 found = Entailment(checker, *pairs[side]).counterexample()
             except Undecided as problem:  # the other direction may yet be refuted
-                outcome.verdict, outcome.message = Verdict.UNCHECKED, str(problem)
+                outcome.verdict, outcome.findings = Verdict.UNCHECKED, (finding_of(problem),)
                 continue
             if found is not None:
                 first, second = (("left", "right"), ("right", "left"))[side]
                 outcome.verdict = Verdict.REFUTED
-                outcome.message = f"the {first} side holds and the {second} does not at the configuration given"
+                outcome.findings = (say(Kind.DOES_NOT_FOLLOW, holds=first, fails=second),)
                 return outcome, found
     except NoValue as problem:
-        outcome.verdict, outcome.message = Verdict.REFUTED, str(problem)
+        outcome.verdict, outcome.findings = Verdict.REFUTED, (finding_of(problem),)
     except EvaluationError as problem:
-        outcome.verdict, outcome.message = Verdict.UNCHECKED, str(problem)
+        outcome.verdict, outcome.findings = Verdict.UNCHECKED, (finding_of(problem),)
     return outcome, {}
 
 

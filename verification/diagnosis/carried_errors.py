@@ -11,20 +11,21 @@ from armproof.verification.equations.alignment import equal_matrices
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.state import PrintedError
 from armproof.verification.verdict import WrongEntry
 
 
-def consequence_of(checker: ChainChecker, outcome: Outcome, entries: list[WrongEntry]) -> str:
-    """Say if an error repeats one printed before, or follows from it; empty where it stands for itself."""
+def consequence_of(checker: ChainChecker, outcome: Outcome, entries: list[WrongEntry]) -> Finding | None:
+    """Return that an error repeats one printed before, or follows from it; None where it stands for itself."""
     key, errors = _subject(checker, outcome), checker.names.state.errors
     for error in errors:
         same = error.key == key and all(error.cells.get((e.row or 0, e.column or 0)) == e.printed for e in entries)
         if key and same and entries:
-            return f"the same error as in line {error.line}"
+            return say(Kind.SAME_ERROR, line=error.line)
     followed = _follows(checker, errors, outcome)
-    return f"follows from line {followed}" if followed else ""
+    return say(Kind.FOLLOWS, line=followed) if followed else None
 
 
 def printed_error(checker: ChainChecker, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:

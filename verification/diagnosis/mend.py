@@ -19,6 +19,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation, Writer
 
@@ -34,8 +35,8 @@ class Mender:
         self.probe = probe
         self.learnt = learnt
 
-    def mend(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, str]:
-        """Return the cell with the one small change that makes it right, and that change in words; else two empty texts.
+    def mend(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, Finding | None]:
+        """Return the cell with the one small change that makes it right, and that change; else an empty text and None.
 
         The edits are tried on the probe's samples first; what agrees there is decided exactly.
         """
@@ -44,7 +45,7 @@ class Mender:
             with np.errstate(all="ignore"):  # what has no value at a probe agrees with nothing there
                 target = probe.from_exact(true)
         except EvaluationError:
-            return "", ""
+            return "", None
         scale = 1.0 + np.abs(target)
         letters = self.learnt.letters(cell)
         with np.errstate(all="ignore"):
@@ -58,25 +59,25 @@ class Mender:
                     if isinstance(value, Scalar) and exactly_equal(true, value):
                         text = Writer(latex, cell, notation).write(edit.node)
                         if self._reads_as(text, true):
-                            return text, edit.words
+                            return text, edit.finding
                 except (ArmproofError, NotImplementedError):
                     continue
         return self._missing_term(latex, cell, true, notation)
 
-    def _missing_term(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, str]:
+    def _missing_term(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, Finding | None]:
         """Return the cell with one term added, where just one is missing."""
         try:
             printed = as_scalar(Evaluator(self.names, self.exact).evaluate(cell))
             if not isinstance(printed, Scalar) or printed.as_fraction() is not None or true.is_zero():
-                return "", ""
+                return "", None
             missing = write_bounded(true - printed, notation)
         except EvaluationError:
-            return "", ""
+            return "", None
         if re.search(r".[ ][-+] ", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", missing)) or "frac" in missing:
-            return "", ""
+            return "", None
         text = latex[cell.span[0] : cell.span[1]].strip()
         joined = f"{text} - {missing[1:]}" if missing.startswith("-") else f"{text} + {missing}"
-        return (joined, f"the term {missing} is missing") if self._reads_as(joined, true) else ("", "")
+        return (joined, say(Kind.MISSING_TERM, term=missing)) if self._reads_as(joined, true) else ("", None)
 
     def _agrees(self, edit: Edit, target: np.ndarray, scale: np.ndarray, probe: SampledAlgebra) -> bool:
         try:

@@ -1,4 +1,4 @@
-"""The place of an entry: its tree in a matrix written out, and entries that stand in each other's places."""
+"""The place of an entry: its tree in a matrix written out, and the entry that stands in another's place."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.equations.alignment import Pair, exactly_equal
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare
 
@@ -57,25 +57,13 @@ def _cell_of_blocks(node: n.Matrix, row: int, column: int) -> n.Node | None:
     return None
 
 
-def swapped_cells(outcome: Outcome) -> str:
-    """Say if the two wrong entries are each other's."""
-    pair = outcome.pair
-    if pair is None or len(outcome.wrong) != 2 or outcome.sampled_only:
-        return ""
-    (r, c), (s, d) = outcome.wrong
-    true, printed = pair.true.rows, pair.printed.rows
-    if exactly_equal(true[r][c], printed[s][d]) and exactly_equal(true[s][d], printed[r][c]):
-        return f"entries ({r + 1}, {c + 1}) and ({s + 1}, {d + 1}) are swapped"
-    return ""
-
-
-def moved_cell(pair: Pair, row: int, column: int) -> str:
-    """Say if the printed entry is the true one of another place: swapped cells or a transposed matrix."""
+def moved_cell(pair: Pair, row: int, column: int) -> Finding | None:
+    """Return that the printed entry is the true one of another place: swapped cells or a transposed matrix."""
     printed = pair.printed.rows[row][column]
     if not isinstance(printed, Scalar) or printed.as_fraction() is not None:
-        return ""
+        return None
     for r, cells in enumerate(pair.true.rows):
         for c, true in enumerate(cells):
             if (r, c) != (row, column) and exactly_equal(true, printed):
-                return f"what is printed belongs in entry ({r + 1}, {c + 1})"
-    return ""
+                return say(Kind.OF_ANOTHER_ENTRY, other_row=r + 1, other_column=c + 1)
+    return None

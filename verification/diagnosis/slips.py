@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import SWAPPED, bare_head
 
@@ -20,7 +21,7 @@ class Edit:
 
     node: n.Node
     kind: str
-    words: str
+    finding: Finding
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Letters:
 
 def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Yield every tree that one small change makes of `root`, the most likely slips first."""
-    yield Edit(_negated(root), "sign", "wrong sign")
+    yield Edit(_negated(root), "sign", say(Kind.WRONG_SIGN))
     yield from _on_all(root, _signs)
     yield from _on_all(root, _functions)
     yield from _functions_throughout(root)
@@ -58,11 +59,11 @@ def _negated(node: n.Node) -> n.Node:
 
 def _on_all(root: n.Node, rule: object) -> Iterator[Edit]:
     for node in n.walk(root):
-        for changed, kind, words in rule(node):  # type: ignore[operator]
-            yield Edit(n.substitute(root, node, changed), kind, words)
+        for changed, kind, finding in rule(node):  # type: ignore[operator]
+            yield Edit(n.substitute(root, node, changed), kind, finding)
 
 
-Change = tuple[n.Node, str, str]
+Change = tuple[n.Node, str, Finding]
 
 
 def _signs(node: n.Node) -> Iterator[Change]:
@@ -71,14 +72,14 @@ def _signs(node: n.Node) -> Iterator[Change]:
     flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
     for k, (sign, term) in enumerate(node.terms):
         terms = (*node.terms[:k], (flipped[sign], term), *node.terms[k + 1 :])
-        yield replace(node, terms=terms), "sign", f"wrong sign of term {k + 1}"
+        yield replace(node, terms=terms), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
 
 
 def _functions(node: n.Node) -> Iterator[Change]:
     if isinstance(node, n.Call) and node.function in ("cos", "sin"):
         other = "sin" if node.function == "cos" else "cos"
-        words = "sine for cosine" if node.function == "sin" else "cosine for sine"
-        yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", words
+        finding = say(Kind.SINE_FOR_COSINE if node.function == "sin" else Kind.COSINE_FOR_SINE)
+        yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", finding
 
 
 def _functions_throughout(root: n.Node) -> Iterator[Edit]:
@@ -90,7 +91,7 @@ def _functions_throughout(root: n.Node) -> Iterator[Edit]:
     for call in calls:
         [(changed, kind, _)] = _functions(call)
         exchanged = n.substitute(exchanged, call, changed)
-    yield Edit(exchanged, kind, "sine and cosine are exchanged throughout")
+    yield Edit(exchanged, kind, say(Kind.EXCHANGED_THROUGHOUT))
 
 
 def _products_of_functions(node: n.Node) -> Iterator[Change]:
@@ -107,8 +108,8 @@ def _products_of_functions(node: n.Node) -> Iterator[Change]:
             factors = (*node.factors[:k], joined, *node.factors[k + 1 : m], *node.factors[m + 1 :])
             operators = (*node.operators[: m - 1], *node.operators[m:])
             grown = joined if len(factors) == 1 else replace(node, factors=factors, operators=operators)
-            name = "cosine" if one.function == "cos" else "sine"
-            yield grown, "function", f"a product of {name}s where the {name} of the sum of angles belongs"
+            kind = Kind.PRODUCT_OF_COSINES if one.function == "cos" else Kind.PRODUCT_OF_SINES
+            yield grown, "function", say(kind)
 
 
 def _sum_of_angles(one: n.Node, other: n.Node) -> n.JointAngles | None:
@@ -128,21 +129,21 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
         for joint in letters.joints:
             if joint not in present:
                 terms = (*node.terms[:k], (sign, joint), *node.terms[k + 1 :])
-                yield replace(node, terms=terms), "index", f"index {index} where {joint} belongs"
+                yield replace(node, terms=terms), "index", say(Kind.WRONG_INDEX, printed=index, correct=joint)
         if rest:
-            yield replace(node, terms=rest), "index", f"index {index} does not belong"
+            yield replace(node, terms=rest), "index", say(Kind.EXTRA_INDEX, index=index)
             if k:
                 yield (
                     replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])),
                     "index",
-                    f"wrong sign of angle {index}",
+                    say(Kind.WRONG_SIGN_OF_ANGLE, index=index),
                 )
     for joint in letters.joints:
         if joint not in present:
             yield (
                 replace(node, terms=tuple(sorted((*node.terms, (1, joint)), key=lambda t: t[1]))),
                 "index",
-                f"index {joint} is missing",
+                say(Kind.MISSING_INDEX, index=joint),
             )
 
 
@@ -151,11 +152,14 @@ def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
         yield from _angle_sums(node, letters)
     if not isinstance(node, n.Name):
         return
-    for family, kind, what in ((letters.angles, "index", "angle"), (letters.lengths, "length", "length")):
+    for family, kind, slip in (
+        (letters.angles, "index", Kind.WRONG_ANGLE),
+        (letters.lengths, "length", Kind.WRONG_LENGTH),
+    ):
         if any(other.key == node.key for other in family):
             for other in family:
                 if other.key != node.key:
-                    yield replace(other, span=node.span), kind, f"{what} {_show(node)} where {_show(other)} belongs"
+                    yield replace(other, span=node.span), kind, say(slip, printed=_show(node), correct=_show(other))
 
 
 def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
@@ -169,7 +173,7 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
         if angle.key not in present:
             longer = n.Sum((*terms, ("+", angle)), span=argument.span)
             style = {"letter": "letter()", "macro": "macro()"}.get(node.style, node.style)
-            yield replace(node, arguments=(longer,), style=style), "index", f"angle {_show(angle)} is missing"
+            yield replace(node, arguments=(longer,), style=style), "index", say(Kind.MISSING_ANGLE, angle=_show(angle))
 
 
 def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
@@ -183,7 +187,7 @@ def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
     for i, a in enumerate(keys):
         for b in keys[i + 1 :]:
             swapped = _rename(root, {a: named[b], b: named[a]})
-            yield Edit(swapped, "length", f"lengths {_show(named[a])} and {_show(named[b])} are swapped")
+            yield Edit(swapped, "length", say(Kind.SWAPPED_LENGTHS, one=_show(named[a]), other=_show(named[b])))
 
 
 def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
@@ -200,7 +204,7 @@ def _dropped_factors(node: n.Node) -> Iterator[Change]:
         factors = (*node.factors[:k], *node.factors[k + 1 :])
         operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
         smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
-        yield smaller, "factor", f"the {_nth(k + 1)} factor does not belong"
+        yield smaller, "factor", say(Kind.EXTRA_FACTOR, factor=k + 1)
 
 
 def _dropped_terms(node: n.Node) -> Iterator[Change]:
@@ -208,7 +212,7 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
         return
     for k in range(len(node.terms)):
         terms = (*node.terms[:k], *node.terms[k + 1 :])
-        yield replace(node, terms=terms), "term", f"the {_nth(k + 1)} term does not belong"
+        yield replace(node, terms=terms), "term", say(Kind.EXTRA_TERM, term=k + 1)
 
 
 def _numbers(root: n.Node) -> Iterator[Edit]:
@@ -219,13 +223,15 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
         if isinstance(node, n.Number) and node.value and id(node) not in exponents:
             for value in (node.value * 2, node.value / 2, node.value + 1):
                 yield Edit(
-                    n.substitute(root, node, n.Number(value, span=node.span)), "number", f"the number {node.text}"
+                    n.substitute(root, node, n.Number(value, span=node.span)),
+                    "number",
+                    say(Kind.WRONG_NUMBER, number=node.text),
                 )
     for power in powers:
         assert isinstance(power.exponent, n.Number)
         higher = n.Number(power.exponent.value + 1, str(power.exponent.value + 1), span=power.exponent.span)
         for changed in (power.base, replace(power, exponent=higher)):
-            yield Edit(n.substitute(root, power, changed), "number", "the power")
+            yield Edit(n.substitute(root, power, changed), "number", say(Kind.WRONG_POWER))
 
 
 def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
@@ -236,7 +242,7 @@ def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
             isinstance(node, n.Call) and node.function in ("cos", "sin")
         ):
             square = n.Power(node, n.Number(Fraction(2), "2"), span=node.span)
-            yield Edit(n.substitute(root, node, square), "number", "a square is missing")
+            yield Edit(n.substitute(root, node, square), "number", say(Kind.MISSING_SQUARE))
 
 
 def _formulas(node: n.Node) -> Iterator[n.Node]:
@@ -291,14 +297,8 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
             before = target.factors if isinstance(target, n.Product) and "×" not in target.operators else (target,)
             operators = target.operators if isinstance(target, n.Product) and len(before) > 1 else ()
             grown = n.Product((factor, *before), ("", *operators), span=target.span)
-            yield Edit(n.substitute(root, target, grown), "factor", f"a factor {shown} is missing")
+            yield Edit(n.substitute(root, target, grown), "factor", say(Kind.MISSING_FACTOR, factor=shown))
 
 
 def _show(name: n.Name) -> str:
     return name.text or name.key
-
-
-def _nth(number: int) -> str:
-    """Return 1 as "first": "factor 2" would be read as the number."""
-    names = ("first", "second", "third", "fourth", "fifth", "sixth")
-    return names[number - 1] if number <= len(names) else f"{number}th"

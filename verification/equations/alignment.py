@@ -13,6 +13,7 @@ from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.algebra.values import Identity, as_scalar, identity, is_zero
 from armproof.verification.errors import EvaluationError, ShapeError
+from armproof.verification.findings import Finding, Kind, say
 
 
 @dataclass(frozen=True)
@@ -24,13 +25,13 @@ class Pair:
 
     true: Matrix
     printed: Matrix
-    note: str = ""
+    note: Finding | None = None
     is_scalar: bool = False
     true_rows: tuple[int, ...] | None = None
 
 
-ROTATION = "the rotation"
-HOMOGENEOUS = "homogeneous coordinates"
+ROTATION = say(Kind.ROTATION_ALONE)
+HOMOGENEOUS = say(Kind.HOMOGENEOUS)
 
 
 class ShapeMismatch(ShapeError):
@@ -47,7 +48,7 @@ def align(true: Value, printed: Value, algebra: Algebra) -> Iterator[Pair]:
         matrix, scalar = (true, printed) if isinstance(true, Matrix) else (printed, true)
         if not is_zero(scalar):
             sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed, true)]
-            raise ShapeMismatch(f"the printed value is {sizes[0]}, it should be {sizes[1]}")
+            raise ShapeMismatch(say(Kind.WRONG_SIZE_OF_VALUE, printed=sizes[0], correct=sizes[1]))
         zeros = matrix.map(lambda cell: scalar)
         yield Pair(matrix, zeros) if isinstance(true, Matrix) else Pair(zeros, matrix)
         return
@@ -59,7 +60,7 @@ def align(true: Value, printed: Value, algebra: Algebra) -> Iterator[Pair]:
         found = True
         yield pair
     if not found:
-        raise ShapeMismatch(f"the printed matrix is {printed.size}, it should be {true.size}")
+        raise ShapeMismatch(say(Kind.WRONG_SIZE, printed=printed.size, correct=true.size))
 
 
 def _plain(true: Value, printed: Value, algebra: Algebra) -> tuple[Value, Value]:
@@ -67,11 +68,11 @@ def _plain(true: Value, printed: Value, algebra: Algebra) -> tuple[Value, Value]
         if isinstance(value, Identity):
             if isinstance(other, Matrix):
                 return identity(algebra, other.shape[0], value.scale)
-            raise ShapeMismatch("an identity matrix stands where a scalar is expected")
+            raise ShapeMismatch(say(Kind.IDENTITY_FOR_SCALAR))
         if isinstance(value, list):
             other_is_row = isinstance(other, Matrix) and other.shape[0] == 1
             if any(isinstance(cell, Matrix | Identity | list) for cell in value):
-                raise EvaluationError("a list of matrices cannot be compared")
+                raise EvaluationError(say(Kind.LIST_OF_MATRICES))
             return Matrix((tuple(value),)) if other_is_row else column(value)
         return as_scalar(value)
 
@@ -81,7 +82,7 @@ def _plain(true: Value, printed: Value, algebra: Algebra) -> tuple[Value, Value]
 def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
     (m, k), (r, c) = true.shape, printed.shape
     if (m, k) == (c, r) and 1 in (m, k) and r == 1:  # a vector printed as a row
-        yield Pair(true.transpose, printed, "the vector is printed as a row")
+        yield Pair(true.transpose, printed, say(Kind.AS_ROW))
     if (m, k, r, c) == (3, 1, 4, 1):  # homogeneous coordinates of a point or a direction
         last = printed.rows[3][0]
         if _is_constant(last, 1) or _is_constant(last, 0):
@@ -90,28 +91,26 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
         yield Pair(true.block(range(3), [0]), printed)
     if (m, k) == (4, 4):
         if (r, c) == (3, 4):
-            yield Pair(true.block(range(3), range(4)), printed, "the rows above 0 0 0 1")
+            yield Pair(true.block(range(3), range(4)), printed, say(Kind.UPPER_ROWS))
         if (r, c) == (3, 3):
             if all(is_zero(true.rows[i][3]) for i in range(3)):
                 yield Pair(true.block(range(3), range(3)), printed, ROTATION)
             elif _is_planar(true):
-                yield Pair(
-                    true.block([0, 1, 3], [0, 1, 3]), printed, "the planar transform, without its z row and column"
-                )
+                yield Pair(true.block([0, 1, 3], [0, 1, 3]), printed, say(Kind.PLANAR_TRANSFORM))
     if (m, k, r, c) == (3, 3, 2, 2) and _is_constant(true.rows[2][2], 1) and _is_planar_rotation(true):
-        yield Pair(true.block([0, 1], [0, 1]), printed, "the planar rotation, without its z row and column")
+        yield Pair(true.block([0, 1], [0, 1]), printed, say(Kind.PLANAR_ROTATION))
     if (m, k, r, c) == (3, 3, 4, 4) and _is_constant(printed.rows[3][3], 1):
         zero = printed.rows[3][3] * 0
         padded = (*((*row, zero) for row in true.rows), (zero, zero, zero, zero + 1))
         yield Pair(Matrix(padded), printed, ROTATION)
     if m == 6 and c == k and r < 6:
         for rows in _jacobian_rows(true, r):
-            note = f"rows {', '.join(str(i + 1) for i in rows)} of the geometric Jacobian"
+            note = say(Kind.JACOBIAN_ROWS, rows=[i + 1 for i in rows])
             yield Pair(true.block(rows, range(k)), printed, note, true_rows=rows)
     if (m, k) == (3, 1) and (r, c) in ((2, 1), (1, 2)) and is_zero(true.rows[2][0]):
-        yield Pair(true.block([0, 1], [0]), printed if c == 1 else printed.transpose, "the plane's two components")
+        yield Pair(true.block([0, 1], [0]), printed if c == 1 else printed.transpose, say(Kind.PLANAR_VECTOR))
     if m == 3 and r == 2 and k == c and k > 1 and all(is_zero(cell) for cell in true.rows[2]):
-        yield Pair(true.block([0, 1], range(k)), printed, "the plane's two rows")
+        yield Pair(true.block([0, 1], range(k)), printed, say(Kind.PLANAR_ROWS))
 
 
 def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:

@@ -16,6 +16,7 @@ from armproof.verification.equations.numeric_matrices import (
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
+from armproof.verification.findings import Kind, say
 from armproof.verification.verdict import Verdict
 
 
@@ -39,8 +40,8 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
         return False
     outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
     outcome.samples, outcome.max_error = int(holding.sum()), float(scaled[..., holding].max())
-    branch = "" if everywhere else ", on one branch of its arc functions"
-    outcome.message = f"to the {decimals} decimals printed{branch}"
+    kind = Kind.TO_DECIMALS if everywhere else Kind.TO_DECIMALS_ON_A_BRANCH
+    outcome.findings = (say(kind, decimals=decimals),)
     return True
 
 
@@ -74,11 +75,11 @@ def at_a_configuration(members: Members, true: Member, printed: Member, outcome:
     )
     outcome.pair = Pair(true.value, printed.value)
     if found.wrong and len(found.wrong) <= FEW:
-        outcome.wrong, outcome.message, outcome.sampled_only = found.wrong, "at the configuration given before", True
+        outcome.wrong, outcome.findings, outcome.sampled_only = found.wrong, (say(Kind.WRONG_THERE),), True
     elif found.wrong or found.open:
         outcome.verdict = Verdict.UNCHECKED
-        outcome.message = "numbers at a configuration, or for lengths, that no display before states"
+        outcome.findings = (say(Kind.NUMBERS_OF_NOWHERE),)
     else:
         outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, found.largest
-        outcome.message = "to the decimals printed, at the configuration given before"
+        outcome.findings = (say(Kind.TO_DECIMALS_THERE),)
     return outcome

@@ -13,6 +13,7 @@ from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import partition
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare_key, has_branches, has_dots, squared_name
 from armproof.verification.verdict import Verdict
@@ -41,18 +42,14 @@ class Definitions:
     def define(self, true: Member, member: Member, equation: int) -> Outcome:
         """Give the unbound names of a member their meaning by what is known, or say what is not bound."""
         if isinstance(member.problem, OutsideAlgebra):
-            return self.route.confirm_only(
-                true.node, member.node, equation, has_branches(member.node), f"{member.problem} is not exact"
-            )
+            return self.route.confirm_only(true.node, member.node, equation, has_branches(member.node), member.problem)
         if isinstance(member.problem, NoValue):
             located = self._define_entries(true, member, equation, False)
             if located is not None and located.verdict is Verdict.REFUTED:
-                return replace(located, message=str(member.problem))
-            return Outcome(Verdict.REFUTED, str(member.problem), equation, true, member)
+                return replace(located, findings=(finding_of(member.problem),))
+            return Outcome(Verdict.REFUTED, (finding_of(member.problem),), equation, true, member)
         if has_dots(member.node):
-            return Outcome(
-                Verdict.DEFINED, "an ellipsis stands for terms: a pattern, not a claim", equation, true, member
-            )
+            return Outcome(Verdict.DEFINED, (say(Kind.PATTERN),), equation, true, member)
         if isinstance(member.problem, UnboundName):
             key = bare_key(member.node)
             if key is not None:
@@ -62,19 +59,22 @@ class Definitions:
                         self.names.state.rounded[key] = decimals
                     if isinstance(member.node, n.Name):
                         self.names.add_frame(member.node)
-                return Outcome(Verdict.DEFINED, f"gives {key} its meaning", equation, true, member, defines=(key,))
+                return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=key),), equation, true, member, defines=(key,))
             if (root := squared_name(member.node)) is not None:
                 if self.defines:
                     square_root = n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)
                     self.names.define(root, self.members.meaning(square_root), self.line)
-                return Outcome(Verdict.DEFINED, f"gives {root} its meaning", equation, true, member, defines=(root,))
+                return Outcome(
+                    Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,)
+                )
             pattern = self._define_entries(true, member, equation, self.defines)
             if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
                 return pattern
             slip = self.readings.slipped_index(true, member, equation)
             if slip is not None or pattern is not None:
                 return slip or pattern  # type: ignore[return-value]
-        return Outcome(Verdict.UNCHECKED, str(member.problem), equation, true, member)
+        assert member.problem is not None
+        return Outcome(Verdict.UNCHECKED, (finding_of(member.problem),), equation, true, member)
 
     def _define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
@@ -114,11 +114,17 @@ class Definitions:
                     self.names.define(key, self.members.meaning(true.node, block), self.line, by_place=True)
         if wrong:
             pair = Pair(value, value) if len(blocks) == len(value.rows) * len(value.rows[0]) else None
-            return Outcome(Verdict.REFUTED, "" if pair else "a block differs", equation, true, member, pair, wrong)
+            findings = () if pair else (say(Kind.WRONG_BLOCK),)
+            return Outcome(Verdict.REFUTED, findings, equation, true, member, pair, wrong)
         if unknown is not None:
-            return Outcome(Verdict.UNCHECKED, str(unknown), equation, true, member)
+            return Outcome(Verdict.UNCHECKED, (finding_of(unknown),), equation, true, member)
         return Outcome(
-            Verdict.DEFINED, f"gives {', '.join(first)} their meaning", equation, true, member, defines=tuple(first)
+            Verdict.DEFINED,
+            (say(Kind.DEFINES_ENTRIES, names=list(first)),),
+            equation,
+            true,
+            member,
+            defines=tuple(first),
         )
 
     def labels(self, chain: n.Chain, first_equation: int) -> list[Outcome]:
@@ -139,21 +145,20 @@ class Definitions:
     def nothing_known(self, members: list[Member], equation: int) -> list[Outcome]:
         """Nothing has a value: a bare new name on one side is a definition in words or symbols, else unchecked."""
         if any(has_dots(m.node) for m in members):
-            return [Outcome(Verdict.DEFINED, "an ellipsis stands for terms: a pattern, not a claim", equation)]
+            return [Outcome(Verdict.DEFINED, (say(Kind.PATTERN),), equation)]
         outside = [m for m in members if isinstance(m.problem, OutsideAlgebra)]
         if len(outside) >= 2 and len(outside) == len(members):
             first, *others = outside
             return [
-                self.route.confirm_only(
-                    first.node, m.node, equation + k, has_branches(m.node), f"{m.problem} is not exact"
-                )
+                self.route.confirm_only(first.node, m.node, equation + k, has_branches(m.node), m.problem)
                 for k, m in enumerate(others)
+                if m.problem is not None
             ]
         shape = next((m.problem for m in members if isinstance(m.problem, NoValue)), None)
         if shape is not None:
-            return [Outcome(Verdict.REFUTED, str(shape), equation)]
+            return [Outcome(Verdict.REFUTED, (finding_of(shape),), equation)]
         if len(members) == 1:
-            return [Outcome(Verdict.DEFINED, "states no equation", equation)]
+            return [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]
         bare = next(
             (key for m in members if (key := bare_key(m.node)) is not None and isinstance(m.problem, UnboundName)), None
         )
@@ -164,6 +169,8 @@ class Definitions:
             (m.problem for m in members if m.problem is not None and not isinstance(m.problem, UnboundName)), None
         )
         if bare is not None and other is None:
-            return [Outcome(Verdict.DEFINED, f"gives {bare} its meaning in terms of names without a value", equation + k)
-                    for k in range(len(members) - 1)]  # fmt: skip
-        return [Outcome(Verdict.UNCHECKED, str(other or unbound), equation)]
+            given = (say(Kind.DEFINES_WITHOUT_VALUE, name=bare),)
+            return [Outcome(Verdict.DEFINED, given, equation + k) for k in range(len(members) - 1)]
+        problem = other or unbound
+        findings = (finding_of(problem),) if problem is not None else ()
+        return [Outcome(Verdict.UNCHECKED, findings, equation)]

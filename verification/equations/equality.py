@@ -26,12 +26,10 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.jacobian_parts import jacobian_name
 from armproof.verification.verdict import Verdict
-
-# What a proof says that takes θ_2 for the angle of the table, θ_2 − π/2, and not for the joint variable.
-TABLE_ANGLES = "with the joint angles read as those of the DH table, offsets included"
 
 
 class Equality:
@@ -45,16 +43,16 @@ class Equality:
 
     def compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
         """Return whether a printed member equals the true one, and where it does not."""
-        outcome = Outcome(Verdict.REFUTED, "", equation, true, printed)
+        outcome = Outcome(Verdict.REFUTED, (), equation, true, printed)
         if (numbers := at_a_configuration(self.members, true, printed, outcome)) is not None:
             return numbers
         try:
             pairs = list(align(true.value, printed.value, self.exact))
         except ShapeMismatch as mismatch:
-            outcome.message = str(mismatch)
+            outcome.findings = (finding_of(mismatch),)
             return self._compare_blocks(true, printed, outcome)
         except EvaluationError as problem:
-            return replace(outcome, verdict=Verdict.UNCHECKED, message=str(problem))
+            return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding_of(problem),))
         pairs = [self._with_last_coordinate(true.node, pair) for pair in pairs]
         best: tuple[Pair, list[tuple[int, int]]] | None = None
         if true.rank < 4:  # only a quantity of the arm may be met in another shape
@@ -62,7 +60,7 @@ class Equality:
             pairs = [pair for pair in pairs if not pair.note or (rotations and pair.note == ROTATION)]
             if not pairs:
                 sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
-                outcome.message = f"the printed matrix is {sizes[0]}, it should be {sizes[1]}"
+                outcome.findings = (say(Kind.WRONG_SIZE, printed=sizes[0], correct=sizes[1]),)
                 return outcome
         for pair in pairs:
             if branches:
@@ -70,7 +68,7 @@ class Equality:
             else:
                 wrong = different_entries(pair, exactly_equal)
             if not wrong:
-                outcome.verdict, outcome.pair, outcome.message = Verdict.PROVED, pair, pair.note
+                outcome.verdict, outcome.pair, outcome.findings = Verdict.PROVED, pair, _noted(pair)
                 if pair.true_rows is not None and (name := jacobian_name(true.node, self.names)) is not None:
                     self.names.state.shown[name.key] = tuple(row + 1 for row in pair.true_rows)
                 return self.route.confirm(outcome, branches)
@@ -78,10 +76,10 @@ class Equality:
                 best = (pair, wrong)
         assert best is not None
         outcome.pair, outcome.wrong = best
-        outcome.message = best[0].note
+        outcome.findings = _noted(best[0])
         if self._holds_of_table_angles(outcome):
             outcome.verdict, outcome.wrong = Verdict.PROVED, []
-            outcome.message = TABLE_ANGLES
+            outcome.findings = (say(Kind.TABLE_ANGLES),)
             return outcome
         if holds_to_its_decimals(self.route, outcome, branches):
             return outcome
@@ -115,7 +113,7 @@ class Equality:
             for block, cell in cells
             if not self.equals_block(block.of(true.value), cell.value)
         ]
-        outcome.message = "a block differs" if outcome.wrong else ""
+        outcome.findings = (say(Kind.WRONG_BLOCK),) if outcome.wrong else ()
         outcome.verdict = Verdict.REFUTED if outcome.wrong else Verdict.PROVED
         return outcome
 
@@ -158,6 +156,10 @@ class Equality:
                 if not prod(factors).is_zero():
                     wrong.append((r, c))
         return wrong
+
+
+def _noted(pair: Pair) -> tuple[Finding, ...]:
+    return (pair.note,) if pair.note is not None else ()
 
 
 def _distance(a: Any, b: Any) -> Any:

@@ -11,6 +11,7 @@ from armproof.verification.equations.alignment import align, different_entries, 
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare
@@ -106,7 +107,7 @@ class GeneralStatements:
 
     def _noted(self, outcome: Outcome, convention: str) -> Outcome:
         if outcome.verdict is Verdict.PROVED:
-            outcome.message = f"the {convention} link matrix"
+            outcome.findings = (say(Kind.LINK_MATRIX, convention=convention),)
         return outcome
 
     def _wrong_entries(self, node: n.Node, members: tuple[n.Node, ...]) -> int:

@@ -12,6 +12,7 @@ from armproof.verification.algebra.values import Identity, as_scalar, is_zero
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
@@ -20,22 +21,22 @@ def check_relation(checker: ChainChecker, chain: n.Chain, equation: int) -> Outc
     """Return the verdict of a chain with ≤, <, ≠, ≈, ∈: sizes and inequalities on samples, conditions as definitions."""
     relation = next(r for r in chain.relations if r != "=")
     left, right = chain.members[0], chain.members[-1]
-    outcome = Outcome(Verdict.DEFINED, "a condition, not a claim", equation)
+    outcome = Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
     if relation == "∈":
         size = _size_of_space(right)
         member = checker.member(left)
         if size is None or not member.known or not isinstance(member.value, Matrix):
             return outcome
         if member.value.shape == size:
-            outcome.verdict, outcome.message = Verdict.PROVED, "the size"
+            outcome.verdict, outcome.findings = Verdict.PROVED, (say(Kind.IN_SPACE),)
         else:
-            wanted = f"{member.value.size}, not {size[0]}×{size[1]}"
-            outcome.verdict, outcome.message = Verdict.REFUTED, f"the matrix is {wanted}"
+            other = say(Kind.NOT_IN_SPACE, size=member.value.size, space=f"{size[0]}×{size[1]}")
+            outcome.verdict, outcome.findings = Verdict.REFUTED, (other,)
         return outcome
     members = [checker.member(node) for node in chain.members]
     if relation == "≠":
         if all(m.known for m in members) and _identical(members[0].value, members[-1].value):
-            outcome.verdict, outcome.message = Verdict.REFUTED, "the two sides are equal for every configuration"
+            outcome.verdict, outcome.findings = Verdict.REFUTED, (say(Kind.ALWAYS_EQUAL),)
         return outcome
     if isinstance(left, n.Name) or isinstance(right, n.Name):
         return outcome  # a bound on a variable: a condition
@@ -87,9 +88,9 @@ def _sampled_inequality(checker: ChainChecker, chain: n.Chain, outcome: Outcome)
         return outcome
     outcome.samples = int(good.size)
     if good.all():
-        outcome.verdict, outcome.message = Verdict.CONFIRMED, "an inequality holds at every sample"
+        outcome.verdict, outcome.findings = Verdict.CONFIRMED, (say(Kind.INEQUALITY_HOLDS),)
     else:
-        outcome.verdict, outcome.message = Verdict.REFUTED, "the inequality fails at some configurations"
+        outcome.verdict, outcome.findings = Verdict.REFUTED, (say(Kind.INEQUALITY_FAILS),)
     return outcome
 
 
@@ -104,5 +105,5 @@ def _sampled_approximation(checker: ChainChecker, chain: n.Chain, outcome: Outco
         return outcome
     outcome.samples = checker.sampled().samples
     outcome.verdict = Verdict.CONFIRMED if close else Verdict.REFUTED
-    outcome.message = "an approximation, to about a hundredth"
+    outcome.findings = (say(Kind.APPROXIMATION),)
     return outcome

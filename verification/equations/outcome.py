@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import NoValue
+from armproof.verification.findings import Finding
 from armproof.verification.verdict import Verdict
 
 
@@ -15,7 +16,7 @@ class Outcome:
     """What became of one equation of a display."""
 
     verdict: Verdict
-    message: str = ""
+    findings: tuple[Finding, ...] = ()
     equation: int = 1
     true: Member | None = None
     printed: Member | None = None
@@ -25,6 +26,10 @@ class Outcome:
     max_error: float | None = None
     sampled_only: bool = False
     defines: tuple[str, ...] = ()
+
+    def also(self, finding: Finding) -> None:
+        """Add a finding to those of the equation."""
+        self.findings = (*self.findings, finding)
 
     @property
     def is_mismatch(self) -> bool:

@@ -12,6 +12,7 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import UnboundName
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
 from armproof.verification.naming.trees import bare_key, has_branches
@@ -87,7 +88,7 @@ class Readings:
             and (key := bare_key(implied.node)) not in (*self.names.quantities, *self.names.state.definitions)
         ):
             self.names.define(str(key), self.members.meaning(other.node), line)
-            return replace(outcome, verdict=Verdict.DEFINED, message=f"{key} is a number here, not the arm's vector")
+            return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.NUMBER_HERE, name=str(key)),))
         rate = next((side.node for side in sides if isinstance(side.node, n.Name) and side.node.dots), None)
         matrices = [side for side in sides if isinstance(side.value, Matrix)]
         if (
@@ -97,7 +98,7 @@ class Readings:
             or any(isinstance(b, n.Matrix) for side in sides for b in n.walk(side.node))
         ):
             return outcome
-        return replace(outcome, verdict=Verdict.DEFINED, message=f"{rate.key} is a vector here, a component elsewhere")
+        return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VECTOR_HERE, name=rate.key),))
 
     def with_fewer_rows(self, chain: n.Chain, check: Callable[[n.Chain], list[Outcome]]) -> list[Outcome] | None:
         """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
@@ -116,7 +117,7 @@ class Readings:
             outcomes = check(read)
             if not any(outcome.is_mismatch for outcome in outcomes):
                 for outcome in outcomes:
-                    outcome.message = outcome.message or f"J is read as its rows {', '.join(map(str, rows))}"
+                    outcome.findings = outcome.findings or (say(Kind.READ_AS_ROWS, rows=list(rows)),)
                 if all(outcome.verdict is not Verdict.REFUTED for outcome in outcomes):
                     return outcomes
                 fitting = fitting or outcomes
@@ -140,6 +141,6 @@ class Readings:
                     read = n.substitute(read, below, replace(below, sub=length.partition("_")[2]))
             mended = self.members.evaluate(read)
             if mended.known and self.equality.compare(true, mended, equation, False).verdict is Verdict.PROVED:
-                message = f"the arm has no {name.key}; with {length} the equation holds"
-                return Outcome(Verdict.REFUTED, message, equation, true, member)
+                slip = say(Kind.NO_SUCH_LENGTH, name=name.key, length=length)
+                return Outcome(Verdict.REFUTED, (slip,), equation, true, member)
         return None

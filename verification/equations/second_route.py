@@ -11,6 +11,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare, is_arc
 from armproof.verification.verdict import Verdict
@@ -46,12 +47,12 @@ class SecondRoute:
             wrong = np.argwhere((scaled[..., finite] > TOLERANCE).any(axis=-1))
             outcome.verdict = Verdict.REFUTED
             outcome.wrong = [(int(r), int(c)) for r, c in wrong]
-            outcome.message = "holds up to the sign of a square root or the branch of an arc function only"
+            outcome.findings = (say(Kind.UP_TO_A_SIGN),)
             outcome.sampled_only = True
         elif self._rests_on_lengths(outcome, branches):
             outcome.verdict = Verdict.REFUTED
             outcome.wrong = [(r, c) for r, row in enumerate(scaled) for c in range(len(row))]
-            outcome.message = "the sign of a square root is right for the lengths of this arm only"
+            outcome.findings = (say(Kind.FOR_THESE_LENGTHS),)
             outcome.sampled_only = True
         return outcome
 
@@ -77,21 +78,23 @@ class SecondRoute:
             outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
         elif not self.on_a_branch(outcome, scaled, finite) and signs:
             outcome.sampled_only = True
-            outcome.message = "the two sides differ, square roots being taken as positive"
+            outcome.findings = (say(Kind.ROOTS_POSITIVE),)
         return outcome
 
-    def confirm_only(self, true: n.Node, printed: n.Node, equation: int, branches: bool, reason: str) -> Outcome:
+    def confirm_only(
+        self, true: n.Node, printed: n.Node, equation: int, branches: bool, problem: EvaluationError
+    ) -> Outcome:
         """Compare on samples alone what the exact algebra does not hold."""
-        outcome = Outcome(Verdict.UNCHECKED, reason, equation, Member(true), Member(printed))
+        reason = say(Kind.NOT_EXACT, what=finding_of(problem))
+        outcome = Outcome(Verdict.UNCHECKED, (reason,), equation, Member(true), Member(printed))
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
             return outcome
         scaled, finite = errors
         if finite.sum() < 10:
-            outcome.message = f"{reason}; fewer than 10 configurations have a value"
+            outcome.also(say(Kind.FEW_VALUES))
             return outcome
         outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
-        outcome.message = reason
         if outcome.max_error <= TOLERANCE:
             outcome.verdict = Verdict.CONFIRMED
         elif not self.on_a_branch(outcome, scaled, finite):
@@ -109,10 +112,7 @@ class SecondRoute:
         holding = (scaled <= TOLERANCE).all(axis=(0, 1)) & finite
         outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
         outcome.samples, outcome.max_error = int(holding.sum()), float(scaled[..., holding].max())
-        outcome.message = (
-            f"on one branch of its square roots and arc functions: at {counts[0]} of {counts[1]} random configurations; "
-            "at the others another sign or half-turn is meant"
-        )
+        outcome.findings = (say(Kind.ON_A_BRANCH, holding=int(counts[0]), configurations=int(counts[1])),)
         return True
 
     def is_solved_for(self, node: n.Node) -> bool:

@@ -54,8 +54,10 @@ class Finding:
 
     @property
     def is_told(self) -> bool:
-        """Whether a student is told it."""
-        return self.kind.student != ""
+        """Whether a student is told it, and all that it holds."""
+        return self.kind.student != "" and all(
+            term.is_told for term in self.terms.values() if isinstance(term, Finding)
+        )
 
     def at(self, equation: int | None = None, row: int | None = None, column: int | None = None) -> Finding:
         """Return the finding with its place; what is known of it already stays."""
@@ -67,9 +69,11 @@ class Finding:
         """Return the finding with another text for one in its terms."""
         return replace(self, terms={name: _renamed(term, old, new) for name, term in self.terms.items()})
 
-    def says(self, other: Finding) -> bool:
-        """Whether this finding says what another does, wherever it stands."""
-        return self.kind is other.kind and dict(self.terms) == dict(other.terms)
+    def holds(self, other: Finding) -> bool:
+        """Whether this finding, or one within it, says what another does, wherever it stands."""
+        if self.kind is other.kind and dict(self.terms) == dict(other.terms):
+            return True
+        return any(term.holds(other) for term in self.terms.values() if isinstance(term, Finding))
 
     def as_json(self) -> dict[str, Any]:
         """Return the finding as the report's JSON writes it."""
@@ -100,8 +104,13 @@ def write(finding: Finding, audience: Audience = Audience.REPORT) -> str:
 
 def write_all(findings: Iterable[Finding], audience: Audience = Audience.REPORT) -> str:
     """Return findings in words, each sentence once."""
-    written = (write(finding, audience) for finding in findings)
-    return "; ".join(dict.fromkeys(text for text in written if text))
+    return "; ".join(write(finding, audience) for finding in distinct(findings, audience))
+
+
+def distinct(findings: Iterable[Finding], audience: Audience = Audience.REPORT) -> list[Finding]:
+    """Return the findings that have words, each sentence once."""
+    found = {write(finding, audience): finding for finding in reversed(list(findings))}
+    return [finding for text, finding in reversed(found.items()) if text]
 
 
 def pieces(finding: Finding, audience: Audience = Audience.REPORT) -> Iterator[tuple[str, Piece]]:

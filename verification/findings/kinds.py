@@ -12,7 +12,7 @@ from enum import StrEnum, unique
 
 # Terms that are words of the language, not names: they are translated as the templates are.
 WORDS = frozenset(
-    "classic modified left right linear angular revolute prismatic fixed low high degrees radians millimetres kilometres".split()
+    "classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres".split()
 )
 
 
@@ -179,7 +179,7 @@ class Kind(StrEnum):
     # -- a matrix as a whole: what was printed or computed instead ------------------------------------------------------
     ALONE = "alone", "{cause}, in {place} alone"
     TRANSPOSED = "transposed", "the matrix is transposed"
-    SIGN_OF_WHOLE = "sign_of_whole", "the sign of the whole is wrong"
+    SIGN_OF_WHOLE = "sign_of_whole", "wrong sign of the whole"
     DOUBLED = "doubled", "the whole is doubled"
     INVERTED = "inverted", "the inverse is printed"
     INVERSE_PRINTED = (
@@ -204,6 +204,8 @@ class Kind(StrEnum):
     COLUMNS_SWAPPED = "columns_swapped", "columns {one} and {other} are swapped"
     SIGN_OF_ROW = "sign_of_row", "the sign of row {number} is wrong"
     SIGN_OF_COLUMN = "sign_of_column", "the sign of column {number}, the {axis} axis, is wrong"
+    POSE_OF_OTHER_FRAME = "pose_of_other_frame", "this is the pose of frame {other}, not {frame}"
+    POSE_IN_OTHER_FRAME = "pose_in_other_frame", "this is the pose in frame {other}, not {reference}"
     OF_OTHER_FRAME = "of_other_frame", "this is that of frame {other}, not {frame}"
     IN_OTHER_FRAME = "in_other_frame", "it is expressed in frame {other}, not {reference}"
     IN_OTHER_AXES = "in_other_axes", "it is expressed in the axes of frame {other}, not {reference}"
@@ -262,7 +264,7 @@ class Kind(StrEnum):
     )
     COLUMN_THE_OTHER_WAY = (
         "column_the_other_way",
-        "column {number}: joint `{joint}` is taken the other way, the sign of its column is wrong",
+        "column {number}: joint `{joint}` is taken the other way",
     )
     COLUMN_MISSING = "column_missing", "column {number} is missing: zeros stand in its place"
     COLUMNS_REVERSED = "columns_reversed", "the columns stand in the wrong order, from tool to base"
@@ -363,7 +365,7 @@ class Kind(StrEnum):
     )
     JOINT_THE_OTHER_WAY = (
         "joint_the_other_way",
-        "joint `{joint}` is taken the other way: the sign of `{joint}` is wrong",
+        "joint `{joint}` is taken the other way",
     )
     SINE_COSINE_OF_JOINT = "sine_cosine_of_joint", "sine and cosine of `{joint}` are exchanged"
     JOINT_AS_DEGREES = "joint_as_degrees", "`{joint}` is taken as degrees: it is in radians already"
@@ -448,14 +450,209 @@ class Kind(StrEnum):
     LINK_SINE_COSINE = "link_sine_cosine", "sine and cosine of its angle θ are exchanged"
     LINK_NOT_TURNED = "link_not_turned", "its translation is not turned: Trans and Rot stand in the wrong order"
 
+    # -- tables ---------------------------------------------------------------------------------------------------------
+    TABLE_ENTRY = "table_entry", "row {row}: {parameter} is ${printed}$, should be ${correct}$"
+    TABLE_ENTRY_BECAUSE = (
+        "table_entry_because",
+        "row {row}: {parameter} is ${printed}$, should be ${correct}$: {change}",
+    )
+    WRONG_VARIABLE = "wrong_variable", "row {row}: the variable is ${printed}$, should be ${correct}$"
+    WRONG_ORIGIN = "wrong_origin", "row {row}: ${printed}$ should be ${correct}$: {change}"
+    JOINT_IS_NOT = "joint_is_not", "row {row}: the joint is {joint_kind}, not {printed}"
+    JOINT_IS = "joint_is", "the joint is {joint_kind}"
+    OTHER_VARIABLE = "other_variable", "the variable of another joint"
+    PARAMETERS_SWAPPED = "parameters_swapped", "{one} and {other} are swapped"
+    INDEX_NOT_ON_ARM = "index_not_on_arm", "the index: the arm has no ${name}$"
+    THE_SIGN = "the_sign", "the sign"
+    A_SIGN = "a_sign", "a sign"
+    A_FACTOR = "a_factor", "a factor"
+    THE_INDEX = "the_index", "the index"
+    THE_OFFSET = "the_offset", "the constant offset"
+    THE_HEADER = "the_header", "the header"
+    THE_AXIS = "the_axis", "the axis"
+    THE_NAME = "the_name", "the joint's name"
+    THE_PARENT = "the_parent", "the parent link"
+    THE_CHILD = "the_child", "the child link"
+    THE_ANGLE = "the_angle", "the angle"
+    ANOTHER_ANGLE = "another_angle", "another angle"
+    ANOTHER_LENGTH = "another_length", "another length"
+    DEGREES_FOR_RADIANS = "degrees_for_radians", "it is in degrees, the header says radians"
+    ROUNDED = "rounded", "a rounded number, which no equation can match"
+    IS_MISSING = "is_missing", "it is missing"
+    SHOULD_VANISH = "should_vanish", "it should vanish"
+    LETTER_FOR_LETTER = "letter_for_letter", "${printed}$ for ${correct}$"
+    LETTER_MISSING = "letter_missing", "${letter}$ is missing"
+    LETTER_EXTRA = "letter_extra", "${letter}$ does not belong"
+    OTHER_FRAMES = (
+        "other_frames",
+        "the table gives `{pose}` of the arm, but by other frames from row {number} on: "
+        "a {convention} DH table whose frames between are not the arm's",
+    )
+    HEADERS_OF_OTHER_CONVENTION = (
+        "headers_of_other_convention",
+        "the rows hold in the {convention} convention, the headers say {stated}",
+    )
+    FRAMES_OF_OTHER_CONVENTION = (
+        "frames_of_other_convention",
+        "the arm's frames are {convention} DH frames, the headers say {stated}",
+    )
+    HEADERS_SWAPPED = "headers_swapped", "columns {one} and {other} swapped: the headers"
+    ROWS_SHIFTED = (
+        "rows_shifted",
+        "a and α stand one row too {direction}, as in a table of the {convention} convention",
+    )
+    ROW_WITHOUT_DH_FRAMES = (
+        "row_without_dh_frames",
+        "row {number}: frames {reference} and {frame} of the arm are not {convention} DH frames",
+    )
+    AND_MORE = "and_more", "and {count} more"
+    NO_DH_FRAMES = (
+        "no_dh_frames",
+        "the frames of arm '{arm}' are DH frames of neither convention: the rows cannot be checked one by one",
+    )
+    MOVES_WITH = "moves_with", "the last row's frame moves with frame {frame} for every configuration"
+    MOVES_WITH_BUT_AT = (
+        "moves_with_but_at",
+        "the last row's frame moves with frame {frame} for every configuration, with its origin in that of frame {origin}",
+    )
+    SO_MENDED = "so_mended", "so mended, the last row's frame moves with frame {frame}"
+    AT_NO_LAST_FRAME = "at_no_last_frame", "and the last row's frame lies at none of the arm's last frames"
+    GENERAL_LINK = "general_link", "names the parameters of a general link"
+    NO_ARM_FOR_TABLE = "no_arm_for_table", "the front matter names no arm to check the table against"
+    DH_CONVENTION = "dh_convention", "{convention} DH"
+    HEADERS_OPEN = "headers_open", "the headers leave the convention open"
+    HEADERS_CONTRADICT = "headers_contradict", "the headers contradict each other"
+    HOLDS_IN_BOTH = "holds_in_both", "the rows hold in both conventions"
+    HOLDS_IN_CONVENTION = "holds_in_convention", "the rows hold in the {convention} one"
+    LENGTH_ALONG_X = "length_along_x", "{holds}, {letter} the length along x"
+    ROW_OPEN = "row_open", "row {number}: {parameter}: {problem}"
+    ROW_OPEN_BUT = (
+        "row_open_but",
+        "row {number}: {parameter}: {problem}; the entry holds if it means ${meaning}$: bind it under 'symbols'",
+    )
+    ROW_WITHOUT_FRAME = "row_without_frame", "row {number} has no frame on the arm to be checked against"
+    JOINTS_WITHOUT_ROW = "joints_without_row", "{rows} rows for an arm of {joints} joints: none for {without}"
+    ROWS_BEYOND_ARM = (
+        "rows_beyond_arm",
+        "{rows} rows for an arm of {joints} joints, which has no frame for row {beyond}",
+    )
+    ROWS_IN_ORDER = "rows_in_order", "the labels name no frames of the arm: the rows are taken in order"
+    LENGTHS_IN_NUMBERS = "lengths_in_numbers", "lengths in numbers are compared with those of the model"
+    EMPTY_AS_ZERO = "empty_as_zero", "an empty entry is read as 0"
+    READ_IN_DEGREES = "read_in_degrees", "the angle {angle} is read in degrees"
+    VARIABLE_WITHOUT_JOINT = "variable_without_joint", "'{cell}' names the variable of a row that has no joint"
+    UNREADABLE_CELL = "unreadable_cell", "row {row}, column {column}: '{cell}' cannot be read: {problem}"
+    ROW_LENGTH = "row_length", "row {number} has {count} entries, the header has {width}"
+    NO_TABLE = "no_table", "the rows are no Denavit–Hartenberg table"
+    NO_COORDINATE = "no_coordinate", "row {row}, column {column}: '{cell}' is no coordinate"
+    NO_AXIS = "no_axis", "'{cell}' is no axis; write x, -z or 0 0 1"
+    ORIGINS = "origins", "the origins of {count} joints of the model"
+    NO_SUCH_JOINT = "no_such_joint", "row {number}: no joint '{name}' in the model; its joints are {joints}"
+    NO_ROW_FOR = "no_row_for", "no row for {joints}"
+
+    # -- inverse kinematics ---------------------------------------------------------------------------------------------
+    NO_DERIVATION = "no_derivation", "{reason}"
+    RETURNS = "returns", "FK(IK(x)) = x {how} on its one branch"
+    RETURNS_ON_BRANCHES = "returns_on_branches", "FK(IK(x)) = x {how} on each of {count} branches ({signs})"
+    ALL_ON_IT = "all_on_it", "every configuration is on it: there is no other solution"
+    SAMPLES_ON_IT = "samples_on_it", "every configuration of the samples is on it: there is no other solution"
+    ALL_ON_BRANCHES = "all_on_branches", "every configuration is on one of them: there are no other solutions"
+    SAMPLES_ON_BRANCHES = (
+        "samples_on_branches",
+        "every configuration of the samples is on one of them: there are no other solutions",
+    )
+    FEWER_WHERE = "fewer_where", "fewer where {places}, none where that is negative"
+    DEGENERATE_WHERE = "degenerate_where", "no value, or a joint free, where {places}"
+    VANISHES = "vanishes", "${formula} = 0$"
+    HOLDS = "holds", "${formula}$"
+    EITHER = "either", "{one} or {other}"
+    NOT_PROVED_EXACTLY = "not_proved_exactly", "FK(IK(x)) = x is not proved exactly: {problem}"
+    NOT_PROVED_EXACTLY_FOR = "not_proved_exactly_for", "FK(IK(x)) = x is not proved exactly for {labels}"
+    MAYBE_INCOMPLETE = (
+        "maybe_incomplete",
+        "that there are no other solutions is not proved exactly: {problem}",
+    )
+    MISSES_TARGET = (
+        "misses_target",
+        "FK(IK(x)) is not x {where}: {slot} is off by {error:.3g} at the first example",
+    )
+    ON_ANY_BRANCH = "on_any_branch", "on any branch"
+    ON_THE_BRANCH = "on_the_branch", "on the branch {signs}"
+    ON_ITS_BRANCH = "on_its_branch", ""
+    LOSES_JOINT = (
+        "loses_joint",
+        "no branch gives back `{joint}` (line {line}) at {lost} of {configurations} random configurations, "
+        "though the joints before it are right",
+    )
+    INVERSE_FOR_THESE_LENGTHS = (
+        "inverse_for_these_lengths",
+        "right for the lengths of this arm only; for others {others}",
+    )
+
+    # -- functions ------------------------------------------------------------------------------------------------------
+    PROVED_FOR_JOINTS = "proved_for_joints", "proved for all joint values"
+    PROVED_FOR_LENGTHS = "proved_for_lengths", "proved for all joint values and all lengths"
+    PROVED_AT_LENGTHS = "proved_at_lengths", "proved for all joint values, at the arm's lengths {values}"
+    VALUE = "value", "`{name}` = {value:g}"
+    EQUAL_AT = "equal_at", "equal at {count:,} configurations"
+    NOT_THE_FORMULA = (
+        "not_the_formula",
+        "not exactly the arm's formula: a rounded constant or a difference quotient",
+    )
+    OF_QUANTITY = "of_quantity", "{label}: {what}"
+    RESULT_SIZE = "result_size", "the result is {printed}, it should be {correct}"
+    RESULT_SIZE_BECAUSE = "result_size_because", "{mismatch}: {cause}"
+    RESULT_DIFFERS = "result_differs", "the result differs from the arm's"
+    ANOTHER_SHAPE = "another_shape", "the result has another shape at some configurations"
+    SHAPES_DIFFER = "shapes_differ", "the function returns results of different shapes at different q"
+    NOT_FINITE = "not_finite", "the result holds entries that are not finite (NaN or infinity)"
+    WRONG_SOMEWHERE = (
+        "wrong_somewhere",
+        "the result is wrong at {wrong} of {configurations} configurations, such as the one given, and right elsewhere",
+    )
+    NOT_FINITE_SOMEWHERE = (
+        "not_finite_somewhere",
+        "the result is not finite at {wrong} of {configurations} configurations, such as the one given, "
+        "and right elsewhere",
+    )
+    CUT_TO_INTEGERS = (
+        "cut_to_integers",
+        "every entry is cut to a whole number: an array made of integers cuts what is assigned to it; make it of floats",
+    )
+    WRONG_DEFAULT = "wrong_default", "the formula is right, but the default value of {lengths}"
+    DEFAULT = "default", "`{length}` is {printed}, the arm's is {correct:g}"
+    AND_THAT_OF = "and_that_of", "{one}; that of {other}"
+    ROUNDED_ENTRIES = "rounded_entries", "the entries are rounded to {digits} decimals"
+    RIGHT_TO_DECIMALS = (
+        "right_to_decimals",
+        "right to about {digits} decimals only: a rounded constant (3.14 for π), "
+        "or a difference quotient with too large a step",
+    )
+    UNSTEADY = (
+        "unsteady",
+        "two calls at the same q give different results: random numbers, or values kept between calls",
+    )
+    NO_NUMBERS = "no_numbers", "{reason}"
+    NOT_ATTEMPTED = "not_attempted", "{reason}"
+    NOT_IMPLEMENTED = "not_implemented", "the function raises NotImplementedError"
+    DID_NOT_END = (
+        "did_not_end",
+        "the function did not end within {seconds:g} s{where}: a loop that never ends? "
+        "A function that is slow is given more time with 'seconds'",
+    )
+    CALLS_ITSELF = "calls_itself", "the function calls itself without end{where}"
+    RAISED = "raised", "{type}{where}: {reason}"
+    IN_LINE = "in_line", " in line {line}"
+    AT_VALUES = "at_values", "{what} (at {values})"
+
     # -- the parts of a matrix ------------------------------------------------------------------------------------------
+    EMPTY = "empty", "empty"
     THE_MATRIX = "the_matrix", "the matrix"
     THE_ROTATION = "the_rotation", "the rotation"
     THE_ORIGIN = "the_origin", "the origin"
     THE_LAST_ROW = "the_last_row", "the last row"
     THE_PART = "the_part", "the {part} part"
     THE_PART_OF_COLUMN = "the_part_of_column", "the {part} part of column {number}"
-    THE_PART_OF_COLUMNS = "the_part_of_columns", "the {part} part of columns {numbers}"
     THE_COLUMN = "the_column", "column {number}"
     THE_COLUMNS = "the_columns", "columns {numbers}"
     BOTH = "both", "{one} and {other}"

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.functions.arguments import Layout, constants_of
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError, Guard
@@ -26,10 +27,10 @@ class Stopped(Exception):
     """
 
     def __init__(
-        self, verdict: FunctionVerdict, message: str, error: CallError | None = None, is_exhausted: bool = False
+        self, verdict: FunctionVerdict, finding: Finding, error: CallError | None = None, is_exhausted: bool = False
     ) -> None:
-        super().__init__(message)
-        self.verdict, self.message, self.error, self.is_exhausted = verdict, message, error, is_exhausted
+        super().__init__(finding)
+        self.verdict, self.finding, self.error, self.is_exhausted = verdict, finding, error, is_exhausted
 
 
 class FunctionCaller:
@@ -67,9 +68,11 @@ class FunctionCaller:
         try:
             return read_returned(call.value, self.count)
         except NotAttempted as stub:
-            raise Stopped(FunctionVerdict.NOT_ATTEMPTED, str(stub)) from None
+            raise Stopped(FunctionVerdict.NOT_ATTEMPTED, finding_of(stub)) from None
         except NotNumbers as problem:
-            raise Stopped(FunctionVerdict.ERROR, str(problem), at_definition(self.function, str(problem))) from None
+            raise Stopped(
+                FunctionVerdict.ERROR, finding_of(problem), at_definition(self.function, str(problem))
+            ) from None
 
     def many(self, q: np.ndarray) -> list[np.ndarray]:
         """Return the results at configurations, an array (N, …) a quantity; at the first ones where the time is up."""
@@ -84,7 +87,7 @@ class FunctionCaller:
         for items in zip(*results, strict=True):
             if len({item.shape for item in items}) > 1:
                 raise Stopped(
-                    FunctionVerdict.ERROR, "the function returns results of different shapes at different q",
+                    FunctionVerdict.ERROR, say(Kind.SHAPES_DIFFER),
                     at_definition(self.function, "results of different shapes"),
                 )  # fmt: skip
         return [np.array(items) for items in zip(*results, strict=True)]
@@ -111,20 +114,19 @@ class FunctionCaller:
 
     def _stopped(self, error: CallError, q: np.ndarray, is_exhausted: bool) -> Stopped:
         if error.type == "NotImplementedError":
-            return Stopped(FunctionVerdict.NOT_ATTEMPTED, "the function raises NotImplementedError")
-        where = f" in line {error.line}" if error.line else ""
+            return Stopped(FunctionVerdict.NOT_ATTEMPTED, say(Kind.NOT_IMPLEMENTED))
+        where = say(Kind.IN_LINE, line=error.line) if error.line else ""
         if error.is_timeout:
-            message = (
-                f"the function did not end within {self.guard.seconds:g} s{where}: a loop that never ends? "
-                "A function that is slow is given more time with 'seconds'"
-            )
+            finding = say(Kind.DID_NOT_END, seconds=self.guard.seconds, where=where)
         elif error.type == "RecursionError":
-            message = f"the function calls itself without end{where}"
+            finding = say(Kind.CALLS_ITSELF, where=where)
         else:
-            message = f"{error.type}{where}: {error.message}"
-        values = ", ".join(f"{joint.symbol} = {value:g}" for joint, value in zip(self.arm.joints, q, strict=True))
-        place = "" if error.is_timeout and self._calls == 1 else f" (at {values})"
-        return Stopped(FunctionVerdict.ERROR, message + place, error, is_exhausted)
+            finding = say(Kind.RAISED, type=error.type, where=where, reason=error.message)
+        if not (error.is_timeout and self._calls == 1):
+            pairs = zip(self.arm.joints, q, strict=True)
+            values = [say(Kind.VALUE, name=joint.symbol, value=float(value)) for joint, value in pairs]
+            finding = say(Kind.AT_VALUES, what=finding, values=values)
+        return Stopped(FunctionVerdict.ERROR, finding, error, is_exhausted)
 
 
 def at_definition(function: Callable[..., Any], message: str) -> CallError:

@@ -12,6 +12,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.verification.diagnosis.causes.probes import probes
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.functions.arguments import ArgumentError, read_layout
 from armproof.verification.functions.asked import Asked, QuestionError, read_asked
 from armproof.verification.functions.caller import FunctionCaller, Stopped, at_definition
@@ -22,7 +23,7 @@ from armproof.verification.functions.judgement import judge
 from armproof.verification.functions.part import Part, read_part
 from armproof.verification.functions.proof import Proof, prove
 
-UNSTEADY = "two calls at the same q give different results: random numbers, or values kept between calls"
+UNSTEADY = say(Kind.UNSTEADY)
 
 
 def check_function(
@@ -64,13 +65,13 @@ def check_function(
     try:
         layout = read_layout(loaded, function)
     except ArgumentError as problem:
-        return replace(blank, message=str(problem), error=at_definition(function, str(problem)))
+        return replace(blank, findings=(finding_of(problem),), error=at_definition(function, str(problem)))
     with Guard(seconds) as guard:
         caller = FunctionCaller(loaded, function, layout, guard, len(asked))
         try:
             found = _check(loaded, caller, asked, blank, (samples, seed))
         except Stopped as stop:
-            found = replace(blank, verdict=stop.verdict, message=stop.message, error=stop.error)
+            found = replace(blank, verdict=stop.verdict, findings=(stop.finding,), error=stop.error)
     verdicts = found.verdicts or (found.verdict,) * len(asked)
     notes = (*found.notes, *caller.notes)
     return replace(found, verdicts=verdicts, notes=notes, printed=guard.printed, seconds=time.perf_counter() - started)
@@ -87,7 +88,7 @@ def _check(
     ]
     steady = _is_steady(caller, at.q[0], returned)
     if not steady:
-        caller.notes[UNSTEADY] = None
+        caller.notes[str(UNSTEADY)] = None
     proof = None
     if steady and not any(part.mismatch for part in parts):
         traced = caller.trace()
@@ -101,7 +102,7 @@ def _check(
     if found.verdict is not FunctionVerdict.REFUTED:
         return found
     found = _explained(arm, caller, parts, proof, found)
-    return found if steady else replace(found, message=UNSTEADY)
+    return found if steady else replace(found, findings=(UNSTEADY,))
 
 
 def _explained(
@@ -111,7 +112,7 @@ def _explained(
         return explain(arm, caller, parts, proof, found)
     except Exception as fault:  # a fault of ours must not cost the verdict
         caller.notes[f"internal error, please report it: {type(fault).__name__}: {fault}"] = None
-        return replace(found, message="the result differs from the arm's")
+        return replace(found, findings=(say(Kind.RESULT_DIFFERS),))
 
 
 def _is_steady(caller: FunctionCaller, q: np.ndarray, returned: list[np.ndarray]) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from armproof.models.arm import Arm
 from armproof.verification.diagnosis.causes import find_cause
 from armproof.verification.diagnosis.causes.case import Case, Explanation
 from armproof.verification.diagnosis.causes.probes import partners, probes
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.arguments import constants_of
 from armproof.verification.functions.caller import FunctionCaller, Stopped
 from armproof.verification.functions.function_check import FunctionCheck
@@ -26,12 +28,14 @@ def explain(
     arm: Arm, caller: FunctionCaller, parts: list[Part], proof: Proof | None, found: FunctionCheck
 ) -> FunctionCheck:
     """Return a refuted check with its message, its wrong entries and its table."""
-    words: list[str] = []
+    findings: list[Finding] = []
     entries: list[WrongEntry] = []
     for part in parts:
         if part.wrong or part.mismatch:
             said, found_entries = _explain_part(arm, caller, part, proof)
-            words.append(f"{part.asked.label}: {said}" if len(parts) > 1 else said)
+            if len(parts) > 1:
+                said[:1] = [say(Kind.OF_QUANTITY, label=part.asked.label, what=said[0])]
+            findings.extend(said)
             entries.extend(found_entries)
     telling = most_telling(arm, caller, parts)
     outside = [
@@ -41,24 +45,26 @@ def explain(
         caller.notes[f"at the configuration shown, {', '.join(outside)} lies outside its limits"] = None
     return replace(
         found,
-        message="; ".join(dict.fromkeys(words)),
+        findings=tuple(findings),
         entries=tuple(entries),
         counterexample=telling.configuration,
         table=telling.table,
     )
 
 
-def _explain_part(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) -> tuple[str, list[WrongEntry]]:
-    """Return what is wrong with a part in words: its cause as a whole, or what mends its entries one by one."""
+def _explain_part(
+    arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None
+) -> tuple[list[Finding], list[WrongEntry]]:
+    """Return what is wrong with a part: its cause as a whole, or what mends its entries one by one."""
     cause = _whole(arm, caller, part, proof)
-    unsettled = not cause.words or (not cause.is_whole and len(part.wrong) <= MENDED)
+    unsettled = cause.finding is None or (not cause.is_whole and len(part.wrong) <= MENDED)
     seek = unsettled and part.elsewhere is None
     entries = _entries(part, proof, seek)
-    mended = seek and all(entry.change for entry in entries)
+    mended = seek and all(entry.finding for entry in entries)
     doubtful = not cause.is_whole and 0 < len(entries) <= FEW and _is_constant(part)
-    if cause.words and not (mended or doubtful):
-        return cause.words, entries
-    return "; ".join(dict.fromkeys(summary(entries))), entries
+    if cause.finding is not None and not (mended or doubtful):
+        return [cause.finding], entries
+    return list(summary(entries)), entries
 
 
 def _is_constant(part: Part) -> bool:
@@ -74,13 +80,13 @@ def _entries(part: Part, proof: Proof | None, mend: bool) -> list[WrongEntry]:
 
 
 def _whole(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) -> Explanation:
-    """Say what the result as a whole is instead; without words where nothing is found."""
+    """Say what the result as a whole is instead; nothing where none is found."""
     if not np.isfinite(part.obtained).all():
-        return Explanation("the result holds entries that are not finite (NaN or infinity)")
+        return Explanation(say(Kind.NOT_FINITE))
     if part.elsewhere is not None:
         return Explanation(_only_elsewhere(part))
-    if words := (_whole_numbers(part) if proof is None else "") or _wrong_default(arm, caller, part):
-        return Explanation(words)
+    if finding := (_whole_numbers(part) if proof is None else None) or _wrong_default(arm, caller, part):
+        return Explanation(finding)
     if len(part.obtained) < len(probes(arm).q):  # a slow function
         return Explanation(part.mismatch or _nearly(part))
     try:
@@ -88,8 +94,10 @@ def _whole(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) ->
     except Stopped:  # where more is asked of the function than was, it raises
         cause = Explanation()
     if part.mismatch:
-        return Explanation(f"{part.mismatch}: {cause.words}" if cause.words else part.mismatch)
-    return cause if cause.words else Explanation(_nearly(part))
+        if cause.finding is None:
+            return Explanation(part.mismatch)
+        return Explanation(say(Kind.RESULT_SIZE_BECAUSE, mismatch=part.mismatch, cause=cause.finding))
+    return cause if cause.finding is not None else Explanation(_nearly(part))
 
 
 def _case(arm: Arm, caller: FunctionCaller, part: Part) -> Case:
@@ -99,60 +107,55 @@ def _case(arm: Arm, caller: FunctionCaller, part: Part) -> Case:
     )  # fmt: skip
 
 
-def _only_elsewhere(part: Part) -> str:
+def _only_elsewhere(part: Part) -> Finding:
     other = part.elsewhere
     assert other is not None and other.q is not None
     errors = scaled_errors(other.obtained, other.true).max(axis=(1, 2))
     wrong = int(np.sum(errors > 1e-6))
-    kind = "not finite" if not np.isfinite(other.obtained).all() else "wrong"
-    return (
-        f"the result is {kind} at {wrong} of {len(errors)} configurations, such as the one given, and right elsewhere"
-    )
+    kind = Kind.WRONG_SOMEWHERE if np.isfinite(other.obtained).all() else Kind.NOT_FINITE_SOMEWHERE
+    return say(kind, wrong=wrong, configurations=len(errors))
 
 
-def _whole_numbers(part: Part) -> str:
+def _whole_numbers(part: Part) -> Finding | None:
     """Entries cut to whole numbers: an array of integers does that to what is assigned to it."""
     if (
         part.mismatch
         or not (part.obtained == np.trunc(part.obtained)).all()
         or (part.true == np.trunc(part.true)).all()
     ):
-        return ""
+        return None
     if np.abs(part.obtained - np.trunc(part.true)).max() > 0:
-        return ""
-    return (
-        "every entry is cut to a whole number: an array made of integers cuts what is assigned to it; make it of floats"
-    )
+        return None
+    return say(Kind.CUT_TO_INTEGERS)
 
 
-def _wrong_default(arm: Arm, caller: FunctionCaller, part: Part) -> str:
+def _wrong_default(arm: Arm, caller: FunctionCaller, part: Part) -> Finding | None:
     """The formula may be right, and the default value of a length another than the arm's."""
     if part.mismatch or not caller.layout.defaults:
-        return ""
+        return None
     try:
         values = caller.with_lengths_of_the_arm().many(probes(arm).q)[part.number - 1]
     except Stopped:
-        return ""
+        return None
     again = read_part(part.number, part.asked, part.true, values)
     if again.mismatch or again.wrong:
-        return ""
+        return None
     other = [
-        f"{symbol} is {caller.layout.defaults[symbol]}, the arm's is {value:g}"
+        say(Kind.DEFAULT, length=symbol, printed=str(caller.layout.defaults[symbol]), correct=value)
         for symbol, value in constants_of(arm).items()
         if symbol in caller.layout.defaults and caller.layout.defaults[symbol] != value
     ]
-    return f"the formula is right, but the default value of {'; that of '.join(other)}"
+    if not other:
+        return None
+    return say(Kind.WRONG_DEFAULT, lengths=reduce(lambda a, b: say(Kind.AND_THAT_OF, one=a, other=b), other))
 
 
-def _nearly(part: Part) -> str:
+def _nearly(part: Part) -> Finding | None:
     """Say so where all entries are right to a few digits."""
     error = float(scaled_errors(part.obtained, part.true).max())
     if error > 5e-3:
-        return ""
+        return None
     for digits in range(1, 6):
         if np.abs(np.round(part.true, digits) - part.obtained).max() < 1e-12:
-            return f"the entries are rounded to {digits} decimals"
-    return (
-        f"right to about {-int(np.floor(np.log10(error))) - 1} decimals only: a rounded constant (3.14 for π), "
-        "or a difference quotient with too large a step"
-    )
+            return say(Kind.ROUNDED_ENTRIES, digits=digits)
+    return say(Kind.RIGHT_TO_DECIMALS, digits=-int(np.floor(np.log10(error))) - 1)

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from armproof.verification.findings import Finding
+from armproof.verification.findings.finding import write_all
 from armproof.verification.functions.guarded_call import CallError
 from armproof.verification.verdict import WrongEntry
 
@@ -49,7 +51,7 @@ class FunctionCheck:
         arm: the name of the arm.
         quantities: what the function was to compute, as it was asked for.
         verdict: the worst of its quantities'.
-        message: one sentence: for which values it is proved, or the likely mistake.
+        findings: for which values it is proved, or the likely mistake.
         verdicts: one a quantity.
         entries: each wrong entry as a formula, printed and correct, where the function could be traced; `equation` is
             the number of the quantity.
@@ -67,7 +69,7 @@ class FunctionCheck:
     arm: str
     quantities: tuple[str, ...]
     verdict: FunctionVerdict
-    message: str = ""
+    findings: tuple[Finding, ...] = ()
     verdicts: tuple[FunctionVerdict, ...] = ()
     entries: tuple[WrongEntry, ...] = ()
     counterexample: Mapping[str, float] = field(default_factory=dict)
@@ -79,6 +81,11 @@ class FunctionCheck:
     notes: tuple[str, ...] = ()
     exact: bool = False
     seconds: float = 0.0
+
+    @property
+    def message(self) -> str:
+        """The findings in words."""
+        return write_all(self.findings)
 
     @property
     def is_right(self) -> bool:
@@ -98,6 +105,7 @@ class FunctionCheck:
             "quantities": list(self.quantities),
             "verdict": self.verdict.value,
             "message": self.message,
+            "findings": [finding.as_json() for finding in self.findings],
             "verdicts": [verdict.value for verdict in self.verdicts],
             "entries": [entry.as_json() for entry in self.entries],
             "counterexample": dict(self.counterexample),

@@ -10,6 +10,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import FAMILIES
 from armproof.verification.diagnosis.causes.probes import Configurations, samples
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.arguments import constants_of
 from armproof.verification.functions.caller import FunctionCaller, Stopped
 from armproof.verification.functions.function_check import FunctionCheck, FunctionVerdict
@@ -40,29 +41,29 @@ def judge(
             continue
         proved = proof is not None and proof.proved[part.number - 1]
         part.verdict = FunctionVerdict.PROVED if proved else FunctionVerdict.CONFIRMED
-        part.message = _claim(arm, caller, part, proof) if proved else _confirmed(count, proof)
+        part.findings = (_claim(arm, caller, part, proof),) if proved else _confirmed(count, proof)
     verdicts = tuple(part.verdict for part in parts)
     worst = max(verdicts, key=_WEIGHT.index)
-    message = "; ".join(dict.fromkeys(part.message for part in parts if part.verdict is worst and part.message))
-    return replace(blank, verdict=worst, message=message, verdicts=verdicts, samples=count, max_error=largest)
+    findings = tuple(finding for part in parts if part.verdict is worst for finding in part.findings)
+    return replace(blank, verdict=worst, findings=findings, verdicts=verdicts, samples=count, max_error=largest)
 
 
-def _confirmed(count: int, proof: Proof | None) -> str:
+def _confirmed(count: int, proof: Proof | None) -> tuple[Finding, ...]:
     """Say at how many configurations a part is right, and why it is not proved although its formula is known."""
-    reason = "" if proof is None else "; not exactly the arm's formula: a rounded constant or a difference quotient"
-    return f"equal at {count:,} configurations{reason}"
+    equal = say(Kind.EQUAL_AT, count=count)
+    return (equal,) if proof is None else (equal, say(Kind.NOT_THE_FORMULA))
 
 
-def _claim(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) -> str:
+def _claim(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) -> Finding:
     """Say for which values a part is proved."""
     assert proof is not None
     symbols = proof.bench.lengths_in(part.asked.quantity)
     if not symbols:
-        return "proved for all joint values"
+        return say(Kind.PROVED_FOR_JOINTS)
     if set(symbols) <= set(caller.layout.lengths) and proof.for_all_lengths[part.number - 1]:
-        return "proved for all joint values and all lengths"
-    values = ", ".join(f"{symbol} = {constants_of(arm)[symbol]:g}" for symbol in symbols)
-    return f"proved for all joint values, at the arm's lengths {values}"
+        return say(Kind.PROVED_FOR_LENGTHS)
+    values = [say(Kind.VALUE, name=symbol, value=constants_of(arm)[symbol]) for symbol in symbols]
+    return say(Kind.PROVED_AT_LENGTHS, values=values)
 
 
 def _sample(
@@ -104,7 +105,7 @@ def _compare(part: Part, at: Configurations, results: list[np.ndarray]) -> float
     """Compare the results with the plant's; return the largest error."""
     true = at.true(part.asked.quantity)[: len(results)]
     if len({result.shape for result in results}) > 1:
-        part.mismatch = "the result has another shape at some configurations"
+        part.mismatch = say(Kind.ANOTHER_SHAPE)
         return 0.0
     again = read_part(part.number, part.asked, true, np.array(results))
     if again.mismatch:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.asked import Asked
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.returned import fit, shape_words
@@ -26,9 +27,9 @@ class Part:
     true: np.ndarray
     obtained: np.ndarray
     note: str = ""
-    mismatch: str = ""
+    mismatch: Finding | None = None
     verdict: FunctionVerdict = FunctionVerdict.REFUTED
-    message: str = ""
+    findings: tuple[Finding, ...] = ()
     wrong: list[tuple[int, int]] = field(default_factory=list)
     elsewhere: Part | None = None
     q: np.ndarray | None = None
@@ -50,7 +51,7 @@ def read_part(number: int, asked: Asked, true: np.ndarray, returned: np.ndarray)
     fitted = [fit(values, shape) for values in returned]
     if any(one is None for one in fitted):
         wanted = "a number" if shape == (1, 1) else "×".join(map(str, shape))
-        mismatch = f"the result is {shape_words(returned[0])}, it should be {wanted}"
+        mismatch = say(Kind.RESULT_SIZE, printed=shape_words(returned[0]), correct=wanted)
         return Part(number, asked, true, returned, mismatch=mismatch)
     first = fitted[0]
     assert first is not None

@@ -9,14 +9,19 @@ from typing import Any
 import numpy as np
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.findings import Kind
 
 
 class NotNumbers(ArmproofError):
     """A function returned something that is no number, vector or matrix."""
 
+    kind = Kind.NO_NUMBERS
+
 
 class NotAttempted(ArmproofError):
     """A function is a stub: it returns nothing."""
+
+    kind = Kind.NOT_ATTEMPTED
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
@@ -14,6 +13,7 @@ from armproof.verification.diagnosis.counterexample import Probe
 from armproof.verification.diagnosis.learnt_notation import LearntNotation
 from armproof.verification.diagnosis.mend import Mender
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.bench import Bench
 from armproof.verification.functions.part import Part
 from armproof.verification.functions.proof import Proof
@@ -44,7 +44,7 @@ def _entries(
 ) -> Iterator[WrongEntry]:
     for index, (r, c) in enumerate(part.wrong):
         row, column = (None, None) if part.is_scalar else (r + 1, c + 1)
-        printed = correct = change = ""
+        printed, correct, change = "", "", None
         if index < (WRITTEN if mend else WRITTEN_ANYWAY):
             try:
                 value, right = proof.entry(part.number, r, c), true[r][c]
@@ -67,10 +67,10 @@ class EntryWriter:
         learnt = LearntNotation(self.bench.names)
         return Mender(self.bench.checker, Probe(self.bench.checker), learnt)
 
-    def describe(self, value: Scalar, true: Scalar, mend: bool) -> tuple[str, str, str]:
-        """Return the formula obtained, the right one, and the change in words where it is a small one."""
+    def describe(self, value: Scalar, true: Scalar, mend: bool) -> tuple[str, str, Finding | None]:
+        """Return the formula obtained, the right one, and the change where it is a small one."""
         printed, correct = write_bounded(value, self.notation), self._correct(true)
-        mended, change = self._mend(printed, true) if mend else ("", "")
+        mended, change = self._mend(printed, true) if mend else ("", None)
         return printed, mended or correct, change
 
     def _correct(self, true: Scalar) -> str:
@@ -83,45 +83,45 @@ class EntryWriter:
             kept[true] = text
         return kept[true]
 
-    def _mend(self, printed: str, true: Scalar) -> tuple[str, str]:
+    def _mend(self, printed: str, true: Scalar) -> tuple[str, Finding | None]:
         try:
             node = self.bench.names.reader.read_expression(printed)
             return self._mender.mend(printed, node, true, self.notation)
         except (ArmproofError, NotImplementedError):
-            return "", ""
+            return "", None
 
 
-def summary(entries: list[WrongEntry]) -> Iterator[str]:
-    """Yield in words what is wrong with a few entries."""
-    changes = {entry.change for entry in entries}
-    if len(entries) > 1 and len(changes) == 1 and "" not in changes:
-        yield f"{_glossed(changes.pop())}, in each of the wrong entries, {_places(entries)}"
+def summary(entries: list[WrongEntry]) -> Iterator[Finding]:
+    """Yield what is wrong with a few entries."""
+    changes = [entry.finding for entry in entries]
+    first = changes[0] if changes else None
+    if len(entries) > 1 and first is not None and all(change == first for change in changes):
+        yield say(Kind.IN_EACH, change=_glossed(first), places=_places(entries))
         return
     if len(entries) > MENDED:
-        yield f"{len(entries)} entries are wrong: {_places(entries)}"
+        yield say(Kind.WRONG_ENTRIES_AT, count=len(entries), places=_places(entries))
         return
     for entry in entries:
-        where = "" if entry.row is None else f"entry ({entry.row}, {entry.column}): "
-        if entry.change:
-            yield f"{where}{_glossed(entry.change)}"
+        if entry.finding is not None:
+            finding = _glossed(entry.finding)
         elif entry.printed and entry.correct:
-            yield f"{where}is {entry.printed}, should be {entry.correct}"
+            finding = say(Kind.WRONG_ENTRY, printed=entry.printed, correct=entry.correct)
         else:
-            yield f"entry ({entry.row}, {entry.column}) is wrong" if entry.row else "the value is wrong"
+            finding = say(Kind.ONE_WRONG_ENTRY if entry.row else Kind.WRONG_VALUE)
+        yield finding.at(row=entry.row, column=entry.column)
 
 
-def _glossed(change: str) -> str:
+def _glossed(change: Finding) -> Finding:
     """Return a change with what it tells of the angles: a missing one makes an absolute angle of a relative one."""
-    if re.fullmatch(r"(index|angle) \S+ is missing", change):
-        return f"{change}: an angle is taken as absolute where the sum of relative angles belongs"
-    return change
+    is_missing = change.kind in (Kind.MISSING_INDEX, Kind.MISSING_ANGLE)
+    return say(Kind.ABSOLUTE_ANGLE, change=change) if is_missing else change
 
 
-def _places(entries: list[WrongEntry]) -> str:
+def _places(entries: list[WrongEntry]) -> Finding:
     rows, columns = ({getattr(entry, kind) for entry in entries} for kind in ("row", "column"))
     if len(columns) == 1:
-        return f"all in column {columns.pop()}"
+        return say(Kind.ALL_IN_COLUMN, number=columns.pop())
     if len(rows) == 1:
-        return f"all in row {rows.pop()}"
-    shown = ", ".join(f"({entry.row}, {entry.column})" for entry in entries[:6])
-    return shown + (", …" if len(entries) > 6 else "")
+        return say(Kind.ALL_IN_ROW, number=rows.pop())
+    places = [say(Kind.PLACE, row=entry.row, column=entry.column) for entry in entries[:6]]
+    return say(Kind.MORE_PLACES if len(entries) > 6 else Kind.PLACES, places=places)

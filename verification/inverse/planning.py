@@ -7,6 +7,7 @@ from typing import Any
 
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
+from armproof.verification.findings import Kind
 from armproof.verification.inverse.derivation import Derivation, SolvingAlgebra, Step
 from armproof.verification.inverse.resolution import Resolution
 
@@ -15,6 +16,8 @@ MOST_SIGNS = 6  # independent signs: 64 branches
 
 class NoDerivation(DocumentError):
     """The displays of a document do not solve for every joint."""
+
+    kind = Kind.NO_DERIVATION
 
 
 def plan(start: Derivation, order: tuple[str, ...], algebra: SolvingAlgebra) -> Derivation:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import partial
+from functools import partial, reduce
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
@@ -13,6 +13,8 @@ from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Finding, Kind, finding_of, say
+from armproof.verification.findings.finding import write_all
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.completeness import find_lost_step
 from armproof.verification.inverse.conditions import Conditions, read_conditions
@@ -44,7 +46,7 @@ class Proof:
         general: whether that holds for every target, and not only for those that the arm reaches (then the solution has to
             be compared with the target where that may be none of the arm's).
         conditions: where the number of solutions changes.
-        message: all of it in words.
+        findings: all that is known, and what stood in the way.
         counterexample: a configuration, with its branch, that shows what is wrong.
         samples, max_error: targets of the plant of doubles, and how far the worst branch misses them.
     """
@@ -55,10 +57,15 @@ class Proof:
     complete: bool
     general: bool
     conditions: Conditions
-    message: str
+    findings: tuple[Finding, ...]
     counterexample: Mapping[str, float] = field(default_factory=dict)
     samples: int = 0
     max_error: float | None = None
+
+    @property
+    def message(self) -> str:
+        """The findings in words."""
+        return write_all(self.findings)
 
 
 def prove(inverse: InverseKinematics) -> Proof:
@@ -74,17 +81,18 @@ def prove(inverse: InverseKinematics) -> Proof:
     complete, incomplete = _prove_completeness(derivation)
     if not (sound and complete) and (wrong := refute_for_other_lengths(inverse)) is not None:
         return refuted(*wrong, len(trial.q), error)
-    message = _describe(derivation, conditions, sound, complete, "; ".join(filter(None, (unsound, incomplete))))
+    problems = (problem for problem in (unsound, incomplete) if problem is not None)
+    findings = (*_describe(derivation, conditions, sound, complete), *problems)
     verdict = Verdict.PROVED if sound and complete else Verdict.CONFIRMED
-    return Proof(verdict, derivation.branches, sound, complete, general, conditions, message, {}, len(trial.q), error)
+    return Proof(verdict, derivation.branches, sound, complete, general, conditions, findings, {}, len(trial.q), error)
 
 
 # -- exactly ---------------------------------------------------------------------------------------------------------
 
 
-def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, bool, str]:
+def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, bool, Finding | None]:
     """Return whether FK(IK(x)) = x is proved, whether for every target, and what stood in the way."""
-    problem = ""
+    problem: Finding | None = None
     every_sign = dict.fromkeys(derivation.signs, 0)
     budget = Budget(SECONDS)
     for values, eager, general in _attempts(derivation, compiled):
@@ -92,12 +100,12 @@ def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, 
         try:
             missed = _with_fractions(attempt)
         except EvaluationError as error:
-            problem = f"FK(IK(x)) = x is not proved exactly: {error}"
+            problem = say(Kind.NOT_PROVED_EXACTLY, problem=finding_of(error))
             continue
         if not missed:
-            return True, general, ""
-        labels = ", ".join(derivation.target.slots[index].label for index in missed)
-        problem = f"FK(IK(x)) = x is not proved exactly for {labels}"
+            return True, general, None
+        labels = [derivation.target.slots[index].label for index in missed]
+        problem = say(Kind.NOT_PROVED_EXACTLY_FOR, labels=labels)
     return False, False, problem
 
 
@@ -136,12 +144,12 @@ def _substitute(
     return returns_target(derivation, values, signs, ring, eager)
 
 
-def _prove_completeness(derivation: Derivation) -> tuple[bool, str]:
+def _prove_completeness(derivation: Derivation) -> tuple[bool, Finding | None]:
     try:
         lost = _with_fractions(lambda known: find_lost_step(derivation, known, Budget(SECONDS)))
     except EvaluationError as error:
-        return False, f"that there are no other solutions is not proved exactly: {error}"
-    return lost is None, "" if lost is None else f"that there are no other solutions is not proved exactly: {lost}"
+        return False, say(Kind.MAYBE_INCOMPLETE, problem=finding_of(error))
+    return lost is None, None if lost is None else say(Kind.MAYBE_INCOMPLETE, problem=lost)
 
 
 def _with_fractions(attempt: Callable[[Mapping[str, int]], T]) -> T:
@@ -155,24 +163,23 @@ def _with_fractions(attempt: Callable[[Mapping[str, int]], T]) -> T:
     raise EvaluationError("fractions of angles with too many denominators")
 
 
-# -- in words ----------------------------------------------------------------------------------------------------------
+# -- what is known -----------------------------------------------------------------------------------------------------
 
 
-def _describe(derivation: Derivation, conditions: Conditions, sound: bool, complete: bool, problem: str) -> str:
-    count = len(derivation.branches)
-    several = f"on each of {count} branches ({', '.join(derivation.signs)})" if count > 1 else "on its one branch"
-    parts = [f"FK(IK(x)) = x {'proved' if sound else 'confirmed'} {several}"]
-    parts.append(
-        f"every configuration {'is' if complete else 'of the samples is'} on one of them: there are no other solutions"
-        if count > 1
-        else f"every configuration {'is' if complete else 'of the samples is'} on it: there is no other solution"
-    )
+def _describe(derivation: Derivation, conditions: Conditions, sound: bool, complete: bool) -> Iterator[Finding]:
+    count, how = len(derivation.branches), "proved" if sound else "confirmed"
+    if count > 1:
+        yield say(Kind.RETURNS_ON_BRANCHES, how=how, count=count, signs=list(derivation.signs))
+        yield say(Kind.ALL_ON_BRANCHES if complete else Kind.SAMPLES_ON_BRANCHES)
+    else:
+        yield say(Kind.RETURNS, how=how)
+        yield say(Kind.ALL_ON_IT if complete else Kind.SAMPLES_ON_IT)
     if conditions.edges:
-        parts.append(f"fewer where {_or(conditions.edges, ' = 0')}, none where that is negative")
+        yield say(Kind.FEWER_WHERE, places=_either(Kind.VANISHES, conditions.edges))
     if conditions.degenerate:
-        parts.append(f"no value, or a joint free, where {_or(conditions.degenerate)}")
-    return "; ".join([*parts, *([problem] if problem else [])])
+        yield say(Kind.DEGENERATE_WHERE, places=_either(Kind.HOLDS, conditions.degenerate))
 
 
-def _or(texts: tuple[str, ...], end: str = "") -> str:
-    return " or ".join(" ".join(f"{text}{end}".split()) for text in texts)
+def _either(kind: Kind, formulas: tuple[str, ...]) -> Finding:
+    places = [say(kind, formula=" ".join(formula.split())) for formula in formulas]
+    return reduce(lambda one, other: say(Kind.EITHER, one=one, other=other), places)

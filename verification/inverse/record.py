@@ -7,6 +7,7 @@ from dataclasses import replace
 from armproof.models.arm import Arm
 from armproof.verification.document import Document
 from armproof.verification.errors import DocumentError, EvaluationError
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.inverse.document import read_derivation
 from armproof.verification.inverse.kinematics import InverseKinematics
 from armproof.verification.inverse.planning import NoDerivation
@@ -28,20 +29,20 @@ def check_inverse(document: Document, arm: Arm | None) -> Record | None:
     try:
         inverse = InverseKinematics(read_derivation(document, read_names(arm, document.front)))
     except NoDerivation as error:
-        return replace(record, message=str(error))
+        return replace(record, findings=(finding_of(error),))
     except DocumentError as error:
         raise DocumentError(f"{document.at(error.key or 'inverse')}: {error}") from None
     try:
         proof = inverse.proof
     except EvaluationError as error:
-        return replace(record, message=str(error))
+        return replace(record, findings=(finding_of(error),))
     except Exception as error:  # a fault of ours must not cost the displays their verdicts
-        fault = f"internal error, please report it: {type(error).__name__}: {error}"
-        return replace(record, verdict=Verdict.UNREADABLE, message=fault)
+        fault = say(Kind.INTERNAL_ERROR, type=type(error).__name__, reason=str(error))
+        return replace(record, verdict=Verdict.UNREADABLE, findings=(fault,))
     return replace(
         record,
         verdict=proof.verdict,
-        message=proof.message,
+        findings=proof.findings,
         counterexample=proof.counterexample,
         samples=proof.samples,
         max_error=proof.max_error,

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import reduce
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.trial import TOLERANCE, Trial, try_branches
 
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 OTHER_LENGTHS = 4  # choices of lengths that are tried where the proof is not exact
 
 
-def refute(derivation: Derivation, trial: Trial) -> tuple[str, dict[str, float]] | None:
+def refute(derivation: Derivation, trial: Trial) -> tuple[tuple[Finding, ...], dict[str, float]] | None:
     """Return what is wrong, and a configuration that shows it, or None."""
     steps = derivation.steps
     lost = np.flatnonzero(trial.step < len(steps))
@@ -28,40 +30,37 @@ def refute(derivation: Derivation, trial: Trial) -> tuple[str, dict[str, float]]
     if len(missed):
         failing = sorted({int(k) for k in missed[:, 1]})
         slot = derivation.target.slots[int(trial.slot[row, branch])].label
-        names = " and ".join(describe_branch(derivation.branches[k]) for k in failing)
-        names = "on any branch" if len(failing) == len(derivation.branches) > 1 else names
-        found.append(
-            f"FK(IK(x)) is not x {names}: {slot} is off by {trial.error[row, branch]:.3g} at the first example"
-        )
+        if len(failing) == len(derivation.branches) > 1:
+            where = say(Kind.ON_ANY_BRANCH)
+        else:
+            branches = [describe_branch(derivation.branches[k]) for k in failing]
+            where = reduce(lambda one, other: say(Kind.BOTH, one=one, other=other), branches)
+        error = float(trial.error[row, branch])
+        found.append(say(Kind.MISSES_TARGET, where=where, slot=slot, error=error))
     if len(lost):
         step = steps[int(trial.step[lost[0]])]
-        share = f"{len(lost)} of {len(trial.q)}"
-        found.append(
-            f"no branch gives back {step.joint} (line {step.formula.line}) at {share} random configurations, though the "
-            f"joints before it are right"
-        )
+        share = {"lost": len(lost), "configurations": len(trial.q)}
+        found.append(say(Kind.LOSES_JOINT, joint=step.joint, line=step.formula.line, **share))
         if not len(missed):
             row = int(lost[0])
     arm = derivation.names.arm
     assert arm is not None
-    return "; ".join(found), {joint.symbol: float(value) for joint, value in zip(arm.joints, trial.q[row], strict=True)}
+    return tuple(found), {joint.symbol: float(value) for joint, value in zip(arm.joints, trial.q[row], strict=True)}
 
 
-def refute_for_other_lengths(inverse: InverseKinematics) -> tuple[str, dict[str, float]] | None:
+def refute_for_other_lengths(inverse: InverseKinematics) -> tuple[tuple[Finding, ...], dict[str, float]] | None:
     """Return what is wrong for other lengths than the model's, and where, or None."""
     generator = np.random.default_rng(len(inverse.arm.lengths))
     for _ in range(OTHER_LENGTHS if inverse.arm.lengths else 0):
         lengths = {name: float(generator.uniform(0.2, 1.2)) for name in inverse.arm.lengths}
         wrong = refute(inverse.derivation, try_branches(inverse.compiled(lengths), by_plant=False))
         if wrong is not None:
-            return f"right for the lengths of this arm only; for others {wrong[0]}", {**wrong[1], **lengths}
+            first, *others = wrong[0]
+            return (say(Kind.INVERSE_FOR_THESE_LENGTHS, others=first), *others), {**wrong[1], **lengths}
     return None
 
 
-def describe_branch(signs: Mapping[str, int]) -> str:
-    """Return "on the branch theta_2 +, rho −", or "" where there is one branch."""
-    return (
-        "on the branch " + ", ".join(f"{name} {'+' if sign > 0 else '−'}" for name, sign in signs.items())
-        if signs
-        else ""
-    )
+def describe_branch(signs: Mapping[str, int]) -> Finding:
+    """Return "on the branch theta_2 +, rho −", or a finding without words where there is one branch."""
+    named = [f"{name} {'+' if sign > 0 else '−'}" for name, sign in signs.items()]
+    return say(Kind.ON_THE_BRANCH, signs=named) if signs else say(Kind.ON_ITS_BRANCH)

@@ -98,7 +98,7 @@ def describe_record(record: Record, kind: str) -> Iterator[Line]:
         yield (("        ", ""), (_short(record.message), ""))
     for entry in record.entries:
         cell = f"{_cell(entry, record)}   " if _cell(entry, record) else ""
-        change = ((f"   ({entry.change})", FAINT),) if entry.change and entry.change not in record.message else ()
+        change = ((f"   ({entry.change})", FAINT),) if _is_news(entry, record) else ()
         yield ((f"        {cell}printed  ", ""), (_short(entry.printed), BAD))
         yield ((f"        {'':{len(cell)}}correct  ", ""), (_short(entry.correct), GOOD), *change)
     if record.counterexample:
@@ -111,6 +111,11 @@ def _cell(entry: WrongEntry, record: Record) -> str:
     equation = [f"equation {entry.equation}"] if record.latex.count("=") > 1 else []
     place = [] if entry.row is None else [f"row {entry.row}", f"column {entry.column}"]
     return ", ".join(equation + place)
+
+
+def _is_news(entry: WrongEntry, record: Record) -> bool:
+    """Whether an entry's change is not said by the findings already."""
+    return entry.finding is not None and not any(finding.holds(entry.finding) for finding in record.findings)
 
 
 def _short(text: str) -> str:

@@ -9,6 +9,7 @@ from fractions import Fraction
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.findings import Finding, Kind, say
 
 Angle = tuple[Scalar, Scalar]  # the cosine and the sine
 
@@ -26,14 +27,14 @@ def in_radians(value: Scalar) -> Scalar:
     return value - degrees + ring.rational(degrees / 180) * ring.generator(("pi", ""))
 
 
-def to_radians(value: Scalar, unit: str) -> tuple[Scalar, str]:
+def to_radians(value: Scalar, unit: str) -> tuple[Scalar, Finding | None]:
     """Return an angle in radians, and a note where its constant is taken to be in degrees without the header saying so."""
     constant = rational_part(value)
     if unit == "deg":
-        return in_radians(value), ""
+        return in_radians(value), None
     if not constant or unit == "rad" or constant % 15 or abs(constant) > 360:
-        return value, ""
-    return in_radians(value), f"the angle {constant} is read in degrees"
+        return value, None
+    return in_radians(value), say(Kind.READ_IN_DEGREES, angle=str(constant))
 
 
 def within_a_turn(angle: Scalar, more: Fraction) -> Scalar:

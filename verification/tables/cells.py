@@ -10,6 +10,7 @@ from armproof.verification.algebra.protocol import Algebra
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import GREEK, one_of
 from armproof.verification.naming.names import Names
@@ -73,7 +74,8 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
     try:
         return Cell(text.strip(), tuple(names.reader.read_expression(part) for part in spelt.split("=")))
     except ReadError as error:
-        raise UnreadableCell(f"row {row}, column {column + 1}: '{text.strip()}' cannot be read: {error}") from None
+        place = {"row": row, "column": column + 1, "cell": text.strip()}
+        raise UnreadableCell(say(Kind.UNREADABLE_CELL, **place, problem=finding_of(error))) from None
 
 
 def read_kind(text: str) -> str:
@@ -88,5 +90,5 @@ def read_axis(text: str) -> tuple[float, ...]:
         return tuple(float(f"{letter.group(1)}{int(letter.group(2) == axis)}") for axis in "xyz")
     parts = tuple(float(part) for part in re.findall(r"[-+]?\d*\.?\d+", spelt))
     if len(parts) != 3:
-        raise EvaluationError(f"'{text}' is no axis; write x, -z or 0 0 1")
+        raise EvaluationError(say(Kind.NO_AXIS, cell=text))
     return parts

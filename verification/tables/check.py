@@ -7,6 +7,7 @@ from dataclasses import replace
 from armproof.verification.document import Display, Table
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.tables.array import read_array
 from armproof.verification.tables.cells import UnreadableCell
 from armproof.verification.tables.columns import read_columns
@@ -45,11 +46,11 @@ def _check_upright(checker: ChainChecker, table: Table) -> Record | None:
             return DHTableCheck(checker, table, columns, record).record()
         return check_origins(checker, table, record)
     except UnreadableCell as problem:
-        return replace(record, verdict=Verdict.UNREADABLE, message=str(problem))
+        return replace(record, verdict=Verdict.UNREADABLE, findings=(finding_of(problem),))
     except (TooComplex, RecursionError) as problem:
-        return replace(record, message=f"too large to decide: {problem}")
+        return replace(record, findings=(say(Kind.TOO_LARGE, problem=finding_of(problem)),))
     except EvaluationError as problem:
-        return replace(record, message=str(problem))
+        return replace(record, findings=(finding_of(problem),))
 
 
 def _turned(table: Table) -> Table | None:

@@ -10,6 +10,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Finding
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.cells import Cell
 from armproof.verification.tables.columns import Columns
@@ -34,7 +35,7 @@ class RowVerdict:
     right: RightRow | None = None
     values: dict[str, Scalar] = field(default_factory=dict)
     wrong: list[str] = field(default_factory=list)
-    problems: dict[str, str] = field(default_factory=dict)  # parameter → why it has no value
+    problems: dict[str, Finding] = field(default_factory=dict)  # parameter → why it has no value
     unbound: dict[str, str] = field(default_factory=dict)  # parameter → the one name that the cell consists of
 
     @property

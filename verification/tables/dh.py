@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
@@ -10,6 +10,7 @@ from armproof.models.arm import Arm
 from armproof.models.exact.numbers import exact_number
 from armproof.verification.document import Table
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.tables.beyond import check_beyond_frames
 from armproof.verification.tables.cells import Cell, UnreadableCell, read_cell
 from armproof.verification.tables.claim import Claim, Row
@@ -31,16 +32,15 @@ class DHTableCheck:
         self.checker, self.names = checker, checker.names
         self.table, self.columns = table, columns
         self.unchecked = unchecked
-        self.notes: list[str] = []
+        self.notes: list[Finding] = []
 
     def record(self) -> Record:
         """Return the record of the table; raises UnreadableCell, EvaluationError."""
         cells = self._cells()
         if self._is_general(cells):
-            message = "names the parameters of a general link"
-            return replace(self.unchecked, verdict=Verdict.DEFINED, message=message)
+            return replace(self.unchecked, verdict=Verdict.DEFINED, findings=(say(Kind.GENERAL_LINK),))
         if self.names.arm is None:
-            return replace(self.unchecked, message="the front matter names no arm to check the table against")
+            return replace(self.unchecked, findings=(say(Kind.NO_ARM_FOR_TABLE),))
         found = self._find_reading(self.names.arm, cells)
         if not found.is_right and not any(r.fits_frames for r in self._readings(found.claim, CONVENTIONS)):
             wrong = WrongEntries(found, self.table.rows)
@@ -58,7 +58,7 @@ class DHTableCheck:
         for number, texts in enumerate(self.table.rows, start=1):
             if len(texts) != len(self.table.header):
                 width = len(self.table.header)
-                raise UnreadableCell(f"row {number} has {len(texts)} entries, the header has {width}")
+                raise UnreadableCell(say(Kind.ROW_LENGTH, number=number, count=len(texts), width=width))
             row = {column: read_cell(self.names, texts[column], number, column) for column in sorted(parameters)}
             if variable is not None and variable not in row:
                 with suppress(UnreadableCell):
@@ -82,13 +82,13 @@ class DHTableCheck:
         claim = Claim(self.names, arm, self.checker.exact, self.columns, rows)
         found = self._best(claim)
         if passed_over:
-            self.notes.append("the labels name no frames of the arm: the rows are taken in order")
+            self.notes.append(say(Kind.ROWS_IN_ORDER))
         if not found.is_right and self._has_lengths_in_numbers(rows):
             rational = self.checker.exact.rational
             lengths = {symbol: rational(exact_number(value)) for symbol, value in arm.lengths.items()}
             measured = self._best(replace(claim, lengths=lengths))
             if measured.score > found.score or not found.fits_frames:
-                self.notes.append("lengths in numbers are compared with those of the model")
+                self.notes.append(say(Kind.LENGTHS_IN_NUMBERS))
                 return measured
         return found
 
@@ -121,52 +121,54 @@ class DHTableCheck:
         single = [*([] if whole and whole.is_all else wrong.of_rows()), *wrong.of_kinds()]
         faults = [*([whole] if whole else []), *single]
         if faults:
-            more = [f"and {len(single) - MOST_WORDS} more"] if len(single) > MOST_WORDS else []
-            words = [fault.words for fault in faults[: MOST_WORDS + bool(whole)]]
+            more = [say(Kind.AND_MORE, count=len(single) - MOST_WORDS)] if len(single) > MOST_WORDS else []
+            findings = [fault.finding for fault in faults[: MOST_WORDS + bool(whole)]]
             return replace(
                 self.unchecked,
                 verdict=Verdict.REFUTED,
-                message="; ".join([*words, *more, *self._remarks(found)]),
+                findings=(*findings, *more, *self._remarks(found)),
                 entries=tuple(entry for fault in faults for entry in fault.entries),
                 counterexample=counterexample(found.otherwise if found.is_right and whole else found),
             )
         if left_open := self._left_open(found, wrong):
-            return replace(self.unchecked, message="; ".join([*left_open, *self._remarks(found)]))
-        message = "; ".join([self._convention(found), *self._remarks(found)])
-        proved = replace(self.unchecked, verdict=Verdict.PROVED, message=message)
+            return replace(self.unchecked, findings=(*left_open, *self._remarks(found)))
+        holds = (*self._convention(found), *self._remarks(found))
+        proved = replace(self.unchecked, verdict=Verdict.PROVED, findings=holds)
         return confirm_rows(found, proved, self.checker.sampled()) if self.checker.confirm else proved
 
-    def _convention(self, found: TableReading) -> str:
-        khalil = f", {self.columns.headers[found.reading.a].role} the length along x" if self.columns.is_khalil else ""
+    def _convention(self, found: TableReading) -> Iterator[Finding]:
         if self.columns.stated:
-            return f"{found.convention} DH{khalil}"
-        why = "contradict each other" if self.columns.contradictory else "leave the convention open"
-        holds = "both conventions" if found.otherwise.is_right else f"the {found.convention} one"
-        return f"the headers {why}; the rows hold in {holds}{khalil}"
+            holds = say(Kind.DH_CONVENTION, convention=found.convention)
+        else:
+            yield say(Kind.HEADERS_CONTRADICT if self.columns.contradictory else Kind.HEADERS_OPEN)
+            kind = Kind.HOLDS_IN_BOTH if found.otherwise.is_right else Kind.HOLDS_IN_CONVENTION
+            holds = say(kind, convention=found.convention)
+        letter_of_a = self.columns.headers[found.reading.a].role
+        yield say(Kind.LENGTH_ALONG_X, holds=holds, letter=letter_of_a) if self.columns.is_khalil else holds
 
-    def _left_open(self, found: TableReading, wrong: WrongEntries) -> list[str]:
+    def _left_open(self, found: TableReading, wrong: WrongEntries) -> list[Finding]:
         """Say why rows could not be judged."""
         said = []
         for verdict in found.verdicts:
-            row = f"row {verdict.row.number}"
+            row = verdict.row.number
             for parameter, problem in verdict.problems.items():
                 right = found.right_value(verdict, parameter)
-                hint = ""
+                terms = {"number": row, "parameter": letter(found, parameter), "problem": problem}
                 if parameter in verdict.unbound and right is not None and not found.claim.lengths:
-                    meaning = wrong.notation.value(right)
-                    hint = f"; the entry holds if it means {meaning}: bind it under 'symbols'"
-                said.append(f"{row}: {letter(found, parameter)}: {problem}{hint}")
+                    said.append(say(Kind.ROW_OPEN_BUT, **terms, meaning=wrong.notation.value(right)))
+                else:
+                    said.append(say(Kind.ROW_OPEN, **terms))
             if verdict.row.frames is None and not verdict.problems and not verdict.is_identity:
-                said.append(f"{row} has no frame on the arm to be checked against")
+                said.append(say(Kind.ROW_WITHOUT_FRAME, number=row))
         return said
 
-    def _remarks(self, found: TableReading) -> list[str]:
+    def _remarks(self, found: TableReading) -> list[Finding]:
         """Say which joints have no row, which rows no frame, and what was taken for granted."""
-        counts = f"{len(found.rows)} rows for an arm of {len(found.arm.joints)} joints"
+        counts = {"rows": len(found.rows), "joints": len(found.arm.joints)}
         with_row = {row.frames.joint for row in found.rows if row.frames is not None}
         without = [joint.symbol for joint in found.arm.joints if joint.index not in with_row]
-        beyond = [str(row.number) for row in found.rows if row.frames is None]
-        said = [f"{counts}: none for {', '.join(without)}"] if without else []
+        beyond = [row.number for row in found.rows if row.frames is None]
+        said = [say(Kind.JOINTS_WITHOUT_ROW, **counts, without=without)] if without else []
         if beyond and not without:
-            said = [f"{counts}, which has no frame for row {', '.join(beyond)}"]
+            said = [say(Kind.ROWS_BEYOND_ARM, **counts, beyond=beyond)]
         return [*said, *self.notes, *found.notes]

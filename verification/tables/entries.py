@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.tables.cells import read_kind
 from armproof.verification.tables.claim import Row, RowVerdict
@@ -35,8 +36,8 @@ class WrongEntries:
         for verdict in self.found.verdicts:
             number, frames = verdict.row.number, verdict.row.frames
             if frames is not None and verdict.right is None:
-                pair = f"frames {frames.reference} and {frames.frame} of the arm"
-                yield Fault(f"row {number}: {pair} are not {self.found.convention} DH frames")
+                pair = {"reference": frames.reference, "frame": frames.frame}
+                yield Fault(say(Kind.ROW_WITHOUT_DH_FRAMES, number=number, **pair, convention=self.found.convention))
             for parameter in verdict.wrong:
                 yield self.wrong_entry(verdict, parameter, self.found.right_value(verdict, parameter))
 
@@ -56,9 +57,17 @@ class WrongEntries:
         cell, number = verdict.row.cells[column], verdict.row.number
         correct = self._correct(right, parameter, column)
         change = self._change(verdict, parameter, right)
-        said = f"row {number}: {letter(self.found, parameter)} is {cell.text or 'empty'}, should be {correct}"
+        terms = {
+            "parameter": letter(self.found, parameter),
+            "printed": cell.text or say(Kind.EMPTY),
+            "correct": correct,
+        }
+        if change is None:
+            said = say(Kind.TABLE_ENTRY, **terms)
+        else:
+            said = say(Kind.TABLE_ENTRY_BECAUSE, **terms, change=change)
         entry = WrongEntry(1, number, column + 1, cell.text, correct, change)
-        return Fault(said + (f": {change}" if change else ""), (entry,))
+        return Fault(said.at(row=number, column=column + 1), (entry,))
 
     def _correct(self, right: Scalar | None, parameter: str, column: int) -> str:
         if right is None:
@@ -80,22 +89,22 @@ class WrongEntries:
 
     # -- in words ----------------------------------------------------------------------------------------------------
 
-    def _change(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> str:
+    def _change(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> Finding | None:
         printed = verdict.values.get(parameter)
         if printed is None:
             return self._change_of_name(verdict, parameter, right)
         if swapped := self._swapped_with(verdict, parameter, printed):
-            return f"{letter(self.found, parameter)} and {letter(self.found, swapped)} are swapped"
+            return say(Kind.PARAMETERS_SWAPPED, one=letter(self.found, parameter), other=letter(self.found, swapped))
         try:
             change = change_of_angle if parameter in ANGLES else change_of_length
-            return change(printed, right) if right is not None else ""
+            return change(printed, right) if right is not None else None
         except EvaluationError:
-            return ""
+            return None
 
-    def _change_of_name(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> str:
+    def _change_of_name(self, verdict: RowVerdict, parameter: str, right: Scalar | None) -> Finding:
         name = verdict.unbound[parameter]
         same = right is not None and any(letter_of(symbol) == letter_of(name) for symbol in symbols_of(right))
-        return f"the index: the arm has no {key_as_latex(name)}" if same else verdict.problems[parameter]
+        return say(Kind.INDEX_NOT_ON_ARM, name=key_as_latex(name)) if same else verdict.problems[parameter]
 
     def _swapped_with(self, verdict: RowVerdict, parameter: str, printed: Scalar) -> str | None:
         """The other entry of the row, where two stand in each other's place."""
@@ -115,8 +124,9 @@ class WrongEntries:
         if said and said != kind:
             number, initial = str(int(kind == "prismatic")), kind[0].upper()
             correct = number if printed in "01" else initial if len(printed) == 1 else kind
-            entry = WrongEntry(1, row.number, column + 1, text, correct, f"the joint is {kind}")
-            yield Fault(f"row {row.number}: the joint is {kind}, not {said}", (entry,))
+            entry = WrongEntry(1, row.number, column + 1, text, correct, say(Kind.JOINT_IS, joint_kind=kind))
+            wrong = say(Kind.JOINT_IS_NOT, joint_kind=kind, printed=said)
+            yield Fault(wrong.at(row=row.number, column=column + 1), (entry,))
 
     def _wrong_variable(self, row: Row, joint: int, column: int) -> Iterator[Fault]:
         cell, arm = row.cells.get(column), self.found.arm
@@ -125,5 +135,6 @@ class WrongEntries:
         symbol, own = self.found.claim.names.known_symbol(cell.name.key), arm.joints[joint - 1].symbol
         if symbol != own and symbol in {other.symbol for other in arm.joints}:
             correct = self.notation.symbol(own)
-            entry = WrongEntry(1, row.number, column + 1, cell.text, correct, "the variable of another joint")
-            yield Fault(f"row {row.number}: the variable is {cell.text}, should be {correct}", (entry,))
+            entry = WrongEntry(1, row.number, column + 1, cell.text, correct, say(Kind.OTHER_VARIABLE))
+            wrong = say(Kind.WRONG_VARIABLE, printed=cell.text, correct=correct)
+            yield Fault(wrong.at(row=row.number, column=column + 1), (entry,))

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from itertools import combinations
 
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.greek import GREEK
 from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.row import PARAMETERS
@@ -15,12 +16,12 @@ from armproof.verification.verdict import WrongEntry
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong: words, and the wrong entries (a wrong header has no row and column).
+    """One thing that is wrong, and the wrong entries (a wrong header has no row and column).
 
     `is_all`: there is nothing else wrong with the entries.
     """
 
-    words: str
+    finding: Finding
     entries: tuple[WrongEntry, ...] = ()
     is_all: bool = False
 
@@ -41,10 +42,8 @@ def _other_frames(found: TableReading) -> Fault | None:
     for reading in [found] if found.convention == found.claim.columns.stated else [found, found.otherwise]:
         first = next((v.row for v in reading.verdicts if v.row.frames is not None and not v.holds), None)
         if first is not None and (frame := same_tool(reading)) is not None:
-            return Fault(
-                f"the table gives {{}}^{found.arm.frames[0]}T_{frame} of the arm, but by other frames "
-                f"from row {first.number} on: a {reading.convention} DH table whose frames between are not the arm's"
-            )
+            pose = f"{{}}^{found.arm.frames[0]}T_{frame}"
+            return Fault(say(Kind.OTHER_FRAMES, pose=pose, number=first.number, convention=reading.convention))
     return None
 
 
@@ -55,9 +54,8 @@ def _other_convention(found: TableReading) -> Fault | None:
         return None
     headers = [found.claim.columns.headers[k].text for k in (found.reading.a, found.reading.alpha)]
     entries = tuple(_wrong_header(text, _with_index(text, convention)) for text in headers)
-    if found.is_right:
-        return Fault(f"the rows hold in the {convention} convention, the headers say {stated}", entries)
-    return Fault(f"the arm's frames are {convention} DH frames, the headers say {stated}", entries)
+    kind = Kind.HEADERS_OF_OTHER_CONVENTION if found.is_right else Kind.FRAMES_OF_OTHER_CONVENTION
+    return Fault(say(kind, convention=convention, stated=stated), entries)
 
 
 def _swapped_headers(found: TableReading) -> Fault | None:
@@ -69,9 +67,8 @@ def _swapped_headers(found: TableReading) -> Fault | None:
             continue
         texts = headers[columns[one]].text, headers[columns[other]].text
         entries = (_wrong_header(*texts), _wrong_header(*reversed(texts)))
-        return Fault(
-            f"columns {letter(found, one)} and {letter(found, other)} swapped: the headers", entries, is_all=True
-        )
+        swapped = say(Kind.HEADERS_SWAPPED, one=letter(found, one), other=letter(found, other))
+        return Fault(swapped, entries, is_all=True)
     return None
 
 
@@ -89,12 +86,12 @@ def _shifted(found: TableReading) -> Fault | None:
             for parameter in ("a", "alpha")
         ):
             other = found.otherwise.convention
-            return Fault(f"a and α stand one row too {words}, as in a table of the {other} convention")
+            return Fault(say(Kind.ROWS_SHIFTED, direction=words, convention=other))
     return None
 
 
 def _wrong_header(printed: str, correct: str) -> WrongEntry:
-    return WrongEntry(1, None, None, printed, correct, "the header")
+    return WrongEntry(1, None, None, printed, correct, say(Kind.THE_HEADER))
 
 
 def _with_index(header: str, convention: str) -> str:

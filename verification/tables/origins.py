@@ -16,6 +16,7 @@ from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.document import Table
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.tables.angles import Angle, angle_as_scalar, constant_angle, roll_pitch_yaw, to_radians
 from armproof.verification.tables.cells import Cell, UnreadableCell, read_axis, read_cell, read_kind
@@ -68,8 +69,8 @@ class _OriginTable:
         self.units = {role: read_header(table.header[k]).unit for role, k in columns.items()}
         assert checker.names.arm is not None
         self.lengths = {s: self.ring.rational(exact_number(v)) for s, v in checker.names.arm.lengths.items()}
-        self.problems: list[str] = []
-        self.notes: dict[str, None] = {}
+        self.problems: list[Finding] = []
+        self.notes: dict[str, Finding] = {}
         self.rows = [row for number, texts in enumerate(table.rows, 1) if (row := self._row(number, texts))]
         self.cells = {
             (row.number, role): self._cell(row, role) for row in self.rows for role in (*XYZ, *RPY) if role in columns
@@ -81,14 +82,14 @@ class _OriginTable:
         """Return the record of the table."""
         entries = [entry for row in self.rows for entry in self._wrong_entries(row)]
         without = [name for name in self.origins if name not in {row.joint for row in self.rows}]
-        said = [f"row {e.row}: {e.printed or 'empty'} should be {e.correct}: {e.change}" for e in entries]
-        said += [*self.problems, *self.notes]
-        said += [f"no row for {', '.join(without)}"] if without else []
+        said = [_wrong(entry) for entry in entries]
+        said += [*self.problems, *self.notes.values()]
+        said += [say(Kind.NO_ROW_FOR, joints=without)] if without else []
         if entries or self.problems:
             verdict = Verdict.REFUTED if entries else Verdict.UNCHECKED
-            return replace(unchecked, verdict=verdict, message="; ".join(said), entries=tuple(entries))
-        holds = f"the origins of {len(self.rows)} joints of the model"
-        return replace(unchecked, verdict=Verdict.PROVED, message="; ".join([holds, *said]))
+            return replace(unchecked, verdict=verdict, findings=tuple(said), entries=tuple(entries))
+        holds = say(Kind.ORIGINS, count=len(self.rows))
+        return replace(unchecked, verdict=Verdict.PROVED, findings=(holds, *said))
 
     # -- reading -----------------------------------------------------------------------------------------------------
 
@@ -96,15 +97,16 @@ class _OriginTable:
         texts = {role: cells[column] for role, column in self.columns.items()}
         joint = _find_joint(self.origins, texts["joint"], texts.get("child", ""))
         if joint is None:
-            known = ", ".join(self.origins)
-            self.problems.append(f"row {number}: no joint '{texts['joint']}' in the model; its joints are {known}")
+            unknown = say(Kind.NO_SUCH_JOINT, number=number, name=texts["joint"], joints=list(self.origins))
+            self.problems.append(unknown)
             return None
         return _Row(number, texts, joint, self.origins[joint])
 
     def _cell(self, row: _Row, role: str) -> Cell:
         cell = read_cell(self.names, row.texts[role], row.number, self.columns[role])
         if cell.kind == "variable":
-            raise UnreadableCell(f"row {row.number}, column {self.columns[role] + 1}: '{cell.text}' is no coordinate")
+            place = {"row": row.number, "column": self.columns[role] + 1}
+            raise UnreadableCell(say(Kind.NO_COORDINATE, **place, cell=cell.text))
         return replace(cell, trees=(n.Number(Fraction(0), "0"),)) if cell.kind == "blank" else cell
 
     # -- comparing ---------------------------------------------------------------------------------------------------
@@ -116,12 +118,12 @@ class _OriginTable:
             try:
                 wrong = self._judge(row, role)
             except EvaluationError as problem:
-                self.problems.append(f"row {row.number}: {role}: {problem}")
+                self.problems.append(say(Kind.ROW_OPEN, number=row.number, parameter=role, problem=finding_of(problem)))
                 continue
             if wrong is not None:
                 yield WrongEntry(1, row.number, self.columns[role] + 1, row.texts[role].strip(), *wrong)
 
-    def _judge(self, row: _Row, role: str) -> tuple[str, str] | None:
+    def _judge(self, row: _Row, role: str) -> tuple[str, Finding] | None:
         """Return the correct entry and what is wrong with the printed one, or None where it is right."""
         origin, printed = row.origin, spelt_name(row.texts[role])
         if role in XYZ:
@@ -131,15 +133,15 @@ class _OriginTable:
         if role == "axis":
             if origin.axis is None or np.allclose(origin.axis, read_axis(row.texts[role]), rtol=0.0, atol=1e-9):
                 return None
-            return " ".join(f"{part:g}" for part in origin.axis), "the axis"
+            return " ".join(f"{part:g}" for part in origin.axis), say(Kind.THE_AXIS)
         if role == "type":
             is_right = read_kind(row.texts[role]) == origin.kind
-            return None if is_right else (origin.kind, f"the joint is {origin.kind}")
-        names = {"joint": (row.joint, "the joint's name"), "parent": (origin.parent, "the parent link")}
-        name, what = names.get(role, (origin.child, "the child link"))
-        return None if printed == spelt_name(name) else (name, what)
+            return None if is_right else (origin.kind, say(Kind.JOINT_IS, joint_kind=origin.kind))
+        names = {"joint": (row.joint, Kind.THE_NAME), "parent": (origin.parent, Kind.THE_PARENT)}
+        name, what = names.get(role, (origin.child, Kind.THE_CHILD))
+        return None if printed == spelt_name(name) else (name, say(what))
 
-    def _length(self, row: _Row, role: str) -> tuple[str, str] | None:
+    def _length(self, row: _Row, role: str) -> tuple[str, Finding] | None:
         """Compare a coordinate: symbols with the symbol of the place, numbers with its number."""
         symbol = self.ring.from_entry(row.origin.xyz[XYZ.index(role)])
         number = self.algebra.substitute(symbol, self.lengths)
@@ -152,10 +154,10 @@ class _OriginTable:
             in_numbers = is_number and (len(values) > 1 or not self.has_letters)
             rights.append(self.notation.value(number / scale if in_numbers else symbol))
             if not (printed - right).is_zero():
-                changes.append(change_of_length(printed, right) or "another length")
+                changes.append(change_of_length(printed, right) or say(Kind.ANOTHER_LENGTH))
         return (" = ".join(rights), changes[0]) if changes else None
 
-    def _angle(self, row: _Row, role: str) -> tuple[str, str] | None:
+    def _angle(self, row: _Row, role: str) -> tuple[str, Finding] | None:
         entries = row.origin.rpy[RPY.index(role)]
         cosine, sine = self._right_angle(row, role)
         for value in self._values(row, role):
@@ -165,9 +167,9 @@ class _OriginTable:
             constants = [constant_angle(self.ring, name) for kind, name in generators(entries) if kind == "cos"]
             right = angle_as_scalar(self.ring, (cosine, sine), constants)
             if right is None:
-                return "another angle", "the angle"
+                return "another angle", say(Kind.THE_ANGLE)
             degrees = "" if self.units[role] == "deg" else None
-            return self.notation.value(right, degrees), change_of_angle(value, right) or "another angle"
+            return self.notation.value(right, degrees), change_of_angle(value, right) or say(Kind.ANOTHER_ANGLE)
         return None
 
     def _right_angle(self, row: _Row, role: str) -> Angle:
@@ -191,5 +193,11 @@ class _OriginTable:
         if role in XYZ:
             return values
         read = [to_radians(value, self.units[role]) for value in values]
-        self.notes.update(dict.fromkeys(note for _, note in read if note))
+        self.notes |= {repr(note): note for _, note in read if note is not None}
         return [value for value, _ in read]
+
+
+def _wrong(entry: WrongEntry) -> Finding:
+    """Return a wrong cell with what it should be, and why."""
+    terms = {"printed": entry.printed or say(Kind.EMPTY), "correct": entry.correct, "change": entry.finding}
+    return say(Kind.WRONG_ORIGIN, **terms).at(row=entry.row, column=entry.column)

@@ -14,6 +14,7 @@ from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.equations.alignment import Pair, entry_errors
 from armproof.verification.equations.second_route import TOLERANCE
 from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.findings import Kind, say
 from armproof.verification.tables.claim import RowVerdict
 from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.row import PARAMETERS, row_matrix
@@ -79,8 +80,7 @@ def _differences(found: TableReading, verdict: RowVerdict) -> list[Scalar]:
 def _confirmed(proved: Record, sampled: SampledAlgebra, pairs: list[tuple[Matrix, Matrix]]) -> Record:
     worst = max((_largest_error(sampled, true, printed) for true, printed in pairs), default=0.0)
     if worst > TOLERANCE:
-        message = "the proof and the double plant disagree"
-        return replace(proved, verdict=Verdict.REFUTED, message=message, max_error=worst)
+        return replace(proved, verdict=Verdict.REFUTED, findings=(say(Kind.PROOFS_DISAGREE),), max_error=worst)
     return replace(proved, samples=sampled.samples, max_error=worst)
 
 

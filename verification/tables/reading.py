@@ -10,6 +10,7 @@ from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.errors import EvaluationError, UnboundName
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.tables.angles import angle_as_scalar, constant_angle, to_radians
 from armproof.verification.tables.cells import Cell
 from armproof.verification.tables.claim import Claim, Row, RowVerdict
@@ -25,7 +26,7 @@ class TableReading:
     def __init__(self, claim: Claim, reading: Reading, given: list[RowVerdict] | None = None) -> None:
         self.claim, self.arm, self.rows = claim, claim.arm, claim.rows
         self.reading, self.convention = reading, reading.convention
-        self._notes: dict[str, None] = {}  # what was taken for granted
+        self._notes: dict[str, Finding] = {}  # what was taken for granted
         self._given = given
         self._variables = [joint.symbol for joint in claim.arm.joints]
 
@@ -53,9 +54,9 @@ class TableReading:
         return found
 
     @property
-    def notes(self) -> list[str]:
+    def notes(self) -> list[Finding]:
         """What was taken for granted."""
-        return list(self._notes) if self.verdicts else []
+        return list(self._notes.values()) if self.verdicts else []
 
     @property
     def score(self) -> int:
@@ -118,7 +119,7 @@ class TableReading:
             try:
                 values = self._values(parameter, cell, verdict)
             except EvaluationError as problem:
-                verdict.problems[parameter] = str(problem)
+                verdict.problems[parameter] = finding_of(problem)
                 if isinstance(problem, UnboundName) and cell.name is not None:
                     verdict.unbound[parameter] = problem.name
                 continue
@@ -130,7 +131,7 @@ class TableReading:
     def _values(self, parameter: str, cell: Cell, verdict: RowVerdict) -> list[Scalar]:
         algebra = self.claim.algebra
         if cell.kind == "blank":
-            self._notes["an empty entry is read as 0"] = None
+            self._note(say(Kind.EMPTY_AS_ZERO))
             return [algebra.ring.zero]
         if cell.kind == "variable":
             return [self._variable(parameter, cell, verdict)]
@@ -139,14 +140,19 @@ class TableReading:
         if parameter not in ANGLES:
             return [v * SCALES.get(unit, 1) if v.as_fraction() is not None else v for v in values]
         read = [to_radians(value, unit) for value in values]
-        self._notes.update(dict.fromkeys(note for _, note in read if note))
+        for _, note in read:
+            if note is not None:
+                self._note(note)
         return [value for value, _ in read]
+
+    def _note(self, note: Finding) -> None:
+        self._notes.setdefault(repr(note), note)
 
     def _variable(self, parameter: str, cell: Cell, verdict: RowVerdict) -> Scalar:
         """The value of a cell that only says that it is the variable: its offset is taken to be right."""
         own = self.claim.joint_symbol(verdict.row)
         if own is None:
-            raise EvaluationError(f"'{cell.text}' names the variable of a row that has no joint")
+            raise EvaluationError(say(Kind.VARIABLE_WITHOUT_JOINT, cell=cell.text))
         right = self.right_value(verdict, parameter)
         return self.claim.algebra.symbol(own) if right is None or is_free_of(right, [own]) else right
 

@@ -1,31 +1,32 @@
-"""What is wrong with a printed entry of a table, in words."""
+"""What is wrong with a printed entry of a table."""
 
 from __future__ import annotations
 
 import math
 
 from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.tables.angles import in_radians, rational_part
 
 ROUNDED = 5e-3  # rad: 1.57 for π/2
 
 
-def change_of_length(printed: Scalar, right: Scalar) -> str:
-    """Return what is wrong with a printed length, in words; empty where it is nothing short."""
-    return "the sign" if (printed + right).is_zero() else _change_of_terms(printed, right)
+def change_of_length(printed: Scalar, right: Scalar) -> Finding | None:
+    """Return what is wrong with a printed length; None where it is nothing short."""
+    return say(Kind.THE_SIGN) if (printed + right).is_zero() else _change_of_terms(printed, right)
 
 
-def change_of_angle(printed: Scalar, right: Scalar) -> str:
-    """Return what is wrong with a printed angle, in words; `right` as a sum of symbols and a multiple of π."""
+def change_of_angle(printed: Scalar, right: Scalar) -> Finding | None:
+    """Return what is wrong with a printed angle; `right` as a sum of symbols and a multiple of π."""
     if _same_angle(printed, -right):
-        return "the sign"
+        return say(Kind.THE_SIGN)
     if rational_part(printed) and _same_angle(in_radians(printed), right):
-        return "it is in degrees, the header says radians"
+        return say(Kind.DEGREES_FOR_RADIANS)
     if _is_rounded(printed - right):
-        return "a rounded number, which no equation can match"
+        return say(Kind.ROUNDED)
     if symbols_of(printed) and _signs(printed) == _signs(right):
-        return "the constant offset"
+        return say(Kind.THE_OFFSET)
     return _change_of_terms(printed, right)
 
 
@@ -42,23 +43,27 @@ def _is_rounded(difference: Scalar) -> bool:
     return abs(terms[()] + math.pi * terms[("pi", ""),]) < ROUNDED
 
 
-def _change_of_terms(printed: Scalar, right: Scalar) -> str:
+def _change_of_terms(printed: Scalar, right: Scalar) -> Finding | None:
     if printed.is_zero():
-        return "it is missing"
+        return say(Kind.IS_MISSING)
     if right.is_zero():
-        return "it should vanish"
+        return say(Kind.SHOULD_VANISH)
     one, other = symbols_of(printed), symbols_of(right)
     gone, more = sorted(other - one), sorted(one - other)
     if len(gone) == len(more) == 1:
         is_index = letter_of(gone[0]) == letter_of(more[0])
-        return "the index" if is_index else f"{key_as_latex(more[0])} for {key_as_latex(gone[0])}"
+        return (
+            say(Kind.THE_INDEX)
+            if is_index
+            else say(Kind.LETTER_FOR_LETTER, printed=key_as_latex(more[0]), correct=key_as_latex(gone[0]))
+        )
     if len(gone) == 1 and not more:
-        return f"{key_as_latex(gone[0])} is missing"
+        return say(Kind.LETTER_MISSING, letter=key_as_latex(gone[0]))
     if len(more) == 1 and not gone:
-        return f"{key_as_latex(more[0])} does not belong"
+        return say(Kind.LETTER_EXTRA, letter=key_as_latex(more[0]))
     if one == other and one:
-        return "a sign" if _signs(printed) != _signs(right) else "a factor"
-    return ""
+        return say(Kind.A_SIGN if _signs(printed) != _signs(right) else Kind.A_FACTOR)
+    return None
 
 
 def letter_of(symbol: str) -> str:

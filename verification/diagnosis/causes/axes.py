@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from armproof.verification.diagnosis.causes.case import Candidate, Case
+from armproof.verification.findings import Finding, Kind, say
 
 _CLOSE = 1e-9
 
@@ -106,30 +107,24 @@ def axis_candidates(case: Case) -> Iterator[Candidate]:
     ways = constructions(case, J)
     for search in (_by_formula, _by_neighbours, _by_z):
         for way in ways:
-            for words, built in search(way):
-                yield words, case.selected(np.where(reaches, built, 0.0))
+            for finding, built in search(way):
+                yield finding, case.selected(np.where(reaches, built, 0.0))
                 if not reaches.all():
-                    yield words, case.selected(built)
+                    yield finding, case.selected(built)
     yield from _by_kind(case, J)
 
 
 def _by_formula(way: Construction) -> Iterator[Candidate]:
     z, p, end, prismatic = way.axes(), way.origins(), way.end[:, None], way.prismatic
-    words = "the sign of the cross product is wrong: it is z × (p_n - p_i), not z × (p_i - p_n) or (p_n - p_i) × z"
-    yield words, stacked(np.cross(z, p - end), z, z, prismatic)
-    yield "z × p_i stands where z × (p_n - p_i) belongs", stacked(np.cross(z, p), z, z, prismatic)
-    words = "z × p_n stands where z × (p_n - p_i) belongs: the origin on the axis is not subtracted"
-    yield words, stacked(np.cross(z, np.broadcast_to(end, p.shape)), z, z, prismatic)
-    words = "p_n - p_i stands without its cross product with z: v is z × (p_n - p_i)"
-    yield words, stacked(end - p, z, z, prismatic)
+    yield say(Kind.SIGN_OF_CROSS_PRODUCT), stacked(np.cross(z, p - end), z, z, prismatic)
+    yield say(Kind.CROSS_OF_ORIGIN), stacked(np.cross(z, p), z, z, prismatic)
+    yield say(Kind.CROSS_OF_END), stacked(np.cross(z, np.broadcast_to(end, p.shape)), z, z, prismatic)
+    yield say(Kind.NO_CROSS_PRODUCT), stacked(end - p, z, z, prismatic)
     if prismatic.any():
-        words = "prismatic joints are treated as revolute ones: their columns are [z; 0]"
-        yield words, stacked(np.cross(z, end - p), z, z, np.zeros_like(prismatic))
+        yield say(Kind.PRISMATIC_AS_REVOLUTE), stacked(np.cross(z, end - p), z, z, np.zeros_like(prismatic))
         v = np.where(prismatic[:, None], z, np.cross(z, end - p))
-        words = "prismatic joints have no angular velocity: zeros belong in place of z"
-        yield words, stacked(v, z, z, np.zeros_like(prismatic))
-    words = "revolute joints are treated as prismatic ones: their columns are [z × (p_n - p_i); z]"
-    yield words, stacked(z, z, z, np.ones_like(prismatic))
+        yield say(Kind.PRISMATIC_TURNING), stacked(v, z, z, np.zeros_like(prismatic))
+    yield say(Kind.REVOLUTE_AS_PRISMATIC), stacked(z, z, z, np.ones_like(prismatic))
 
 
 def _by_neighbours(way: Construction) -> Iterator[Candidate]:
@@ -137,31 +132,38 @@ def _by_neighbours(way: Construction) -> Iterator[Candidate]:
     for shift in (1, -1):
         own, other, where = _names(way.convention, shift)
         z, p = way.axes(shift), way.origins(shift)
-        yield f"{other} stands where {own} is the joint's axis{where}", way.jacobian(z, p)
-        yield f"{other} stands where {own} is the joint's axis{where}", way.jacobian(z, way.origins())
+        finding = say(Kind.NEIGHBOURING_AXIS, other=other, own=own, where=where)
+        yield finding, way.jacobian(z, p)
+        yield finding, way.jacobian(z, way.origins())
         p_own, p_other = own.replace("z", "p"), other.replace("z", "p")
-        words = f"{p_other} stands where {p_own} is the origin on the joint's axis{where}"
-        yield words, way.jacobian(way.axes(), p)
+        finding = say(Kind.NEIGHBOURING_ORIGIN, other=p_other, own=p_own, where=where)
+        yield finding, way.jacobian(way.axes(), p)
 
 
-def _names(convention: str, shift: int) -> tuple[str, str, str]:
+def _names(convention: str, shift: int) -> tuple[str, str, Finding]:
     number = {"classic": -1, "modified": 0}.get(convention)
     if number is None:
-        return "z_i", "z_{i+1}" if shift > 0 else "z_{i-1}", ", of the neighbouring frame"
+        return "z_i", "z_{i+1}" if shift > 0 else "z_{i-1}", say(Kind.OF_THE_NEIGHBOUR)
     names = {-2: "z_{i-2}", -1: "z_{i-1}", 0: "z_i", 1: "z_{i+1}"}
-    return names[number], names[number + shift], f" ({convention} DH)"
+    return names[number], names[number + shift], say(Kind.OF_THE_CONVENTION, convention=convention)
 
 
 def _by_z(way: Construction) -> Iterator[Candidate]:
     """The z axis of every frame, on an arm whose joints turn about other axes of their frames."""
     if (way.local[:, :2] == 0).all() and (way.local[:, 2] == way.local[0, 2]).all():
         z = np.broadcast_to(way.axes()[:, :1], way.axes().shape)
-        yield "z_0 stands for the axis of every joint", way.jacobian(z, way.origins())
+        yield say(Kind.FIRST_AXIS_FOR_ALL), way.jacobian(z, way.origins())
         return
     upright = Construction(way.index, np.tile([0.0, 0.0, 1.0], (len(way.index), 1)), way.poses, way.end, way.prismatic)
-    words = "z of the frame is taken for the axis of every joint; on this arm some joints have another axis, or its opposite"
     for shift in (0, 1, -1):
-        yield words, way.jacobian(upright.axes(shift), way.origins(shift))
+        yield _taken_for_axis(way.convention, shift), way.jacobian(upright.axes(shift), way.origins(shift))
+
+
+def _taken_for_axis(convention: str, shift: int) -> Finding:
+    if not (shift and convention):
+        return say(Kind.Z_FOR_ALL)
+    own, other, where = _names(convention, shift)
+    return say(Kind.NEIGHBOURING_AXIS, other=other, own=own, where=where)
 
 
 def _by_kind(case: Case, J: np.ndarray) -> Iterator[Candidate]:
@@ -172,21 +174,21 @@ def _by_kind(case: Case, J: np.ndarray) -> Iterator[Candidate]:
             slid = J.copy()
             slid[:, :3, k], slid[:, 3:, k] = J[:, 3:, k], 0
             yield (
-                f"column {k + 1}: the revolute joint {joint.symbol} is treated as a prismatic one",
+                say(Kind.COLUMN_AS_PRISMATIC, number=k + 1, joint=joint.symbol),
                 case.selected(slid),
             )
             continue
-        name, z = f"column {k + 1}: the prismatic joint {joint.symbol}", J[:, :3, k]
+        z, place = J[:, :3, k], {"number": k + 1, "joint": joint.symbol}
         for sign in (1, -1):
             turning = J.copy()
             turning[:, 3:, k] = sign * z
-            yield f"{name} has no angular velocity: zeros belong in place of z", case.selected(turning)
+            yield say(Kind.COLUMN_TURNING, **place), case.selected(turning)
         for frame in case.arm.frames:
             point = case.kinematics.pose(frame, case.quantity.reference)[:, :3, 3]
             for sign in (1, -1):
                 turned = J.copy()
                 turned[:, :3, k], turned[:, 3:, k] = np.cross(sign * z, end - point), sign * z
-                yield f"{name} is treated as a revolute one: its column is [z; 0]", case.selected(turned)
+                yield say(Kind.COLUMN_AS_REVOLUTE, **place), case.selected(turned)
         still = J.copy()
         still[:, :3, k], still[:, 3:, k] = 0, z
-        yield f"{name} is treated as a revolute one: its column is [z; 0]", case.selected(still)
+        yield say(Kind.COLUMN_AS_REVOLUTE, **place), case.selected(still)

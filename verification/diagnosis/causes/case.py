@@ -4,35 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.quantities import numbered_frames
 
 TOLERANCE = 1e-7
-Candidate = tuple[str, np.ndarray]  # what the result is in words, and the values it would have: (N, rows, columns)
-Place = tuple[str, np.ndarray]  # a block of the matrix in words, and its mask (rows, columns)
+Candidate = tuple[Finding, np.ndarray]  # what the result is instead, and the values it would have: (N, rows, columns)
+Place = tuple[Finding, np.ndarray]  # a block of the matrix, and its mask (rows, columns)
 
 
 @dataclass(frozen=True)
 class Explanation:
-    """A mistake in words, empty where none was found; and in how many blocks it was not made, though it concerns them."""
+    """A mistake, None where none was found; and in how many blocks it was not made, though it concerns them."""
 
-    words: str = ""
+    finding: Finding | None = None
     exceptions: int = 0
 
     @property
     def is_whole(self) -> bool:
         """Whether the mistake was made in all that it concerns."""
-        return bool(self.words) and not self.exceptions
+        return self.finding is not None and not self.exceptions
 
     def or_better(self, other: Explanation) -> Explanation:
         """Return the other explanation if it has fewer exceptions, else this one."""
-        return other if other.words and (not self.words or other.exceptions < self.exceptions) else self
+        if other.finding is None or (self.finding is not None and other.exceptions >= self.exceptions):
+            return self
+        return other
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +48,7 @@ class Case:
         partners: the plant at n more configurations, of which the k-th shares with the first the value of joint k and no
             other; None where the result cannot be had there.
         obtained_there: returns the result at those.
+        is_printed: whether the result stands in a document; else a function computed it.
     """
 
     arm: Arm
@@ -54,6 +58,7 @@ class Case:
     obtained: np.ndarray
     partners: NumericKinematics | None = None
     obtained_there: Callable[[], np.ndarray] | None = None
+    is_printed: bool = False
 
     @property
     def q(self) -> np.ndarray:
@@ -103,15 +108,20 @@ class Case:
         if self.quantity.kind == "jacobian":
             place = np.array(self.quantity.rows or range(1, 7))[row]
             number = np.array(self.quantity.columns or range(1, columns + 1))[column]
-            parts = [("the linear part", place <= 3), ("the angular part", place > 3)]
+            parts = [("linear", place <= 3), ("angular", place > 3)]
             blocks = [
-                (f"{name} of column {k}", part & (number == k)) for k in np.unique(number) for name, part in parts
+                (say(Kind.THE_PART_OF_COLUMN, part=name, number=int(k)), part & (number == k))
+                for k in np.unique(number)
+                for name, part in parts
             ]
         elif self.quantity.kind == "pose" and not self.quantity.rows:
-            blocks = [("the rotation", (row < 3) & (column < 3)), ("the origin", (row < 3) & (column == 3)),
-                      ("the last row", row == 3)]  # fmt: skip
+            blocks = [
+                (say(Kind.THE_ROTATION), (row < 3) & (column < 3)),
+                (say(Kind.THE_ORIGIN), (row < 3) & (column == 3)),
+                (say(Kind.THE_LAST_ROW), row == 3),
+            ]
         else:
-            blocks = [("the matrix", np.ones((rows, columns), dtype=bool))]
+            blocks = [(say(Kind.THE_MATRIX), np.ones((rows, columns), dtype=bool))]
         return [(name, mask) for name, mask in blocks if mask.any()]
 
     @cached_property
@@ -129,33 +139,35 @@ class Case:
         best = Explanation()
         place = self._in_question if self.fits else np.ones(self.obtained.shape[1:], dtype=bool)
         first, limit = self.obtained[0][place], TOLERANCE * self.size[0][place]
-        for words, values in candidates:
+        for finding, values in candidates:
             if values.shape != self.obtained.shape or not (np.abs(values[0][place] - first) <= limit).all():
                 continue
             if (np.abs(values - self.obtained) <= TOLERANCE * self.size)[:, place].all():
-                best = best.or_better(self._with_exceptions(words, values))
+                best = best.or_better(self._with_exceptions(finding, values))
             if best.is_whole:
                 break
         return best
 
-    def _with_exceptions(self, words: str, values: np.ndarray) -> Explanation:
+    def _with_exceptions(self, finding: Finding, values: np.ndarray) -> Explanation:
         """Say in which blocks alone a candidate was obtained, where it would differ in others too."""
         if not self.fits:
-            return Explanation(words)
+            return Explanation(finding)
         differs = (np.abs(self.true - values) > TOLERANCE * self.size).any(axis=0)
         concerned = sum(bool((differs & mask).any()) for _, mask in self.blocks)
         wrong = [name for name, _ in self.wrong]
         if len(wrong) >= concerned:
-            return Explanation(words)
-        return Explanation(f"{words}, in {_together(wrong)} alone", concerned - len(wrong))
+            return Explanation(finding)
+        return Explanation(say(Kind.ALONE, cause=finding, place=_together(wrong)), concerned - len(wrong))
 
 
-def _together(names: list[str]) -> str:
-    parts = {name.partition(" of ")[0] for name in names}
-    columns = sorted({name.rpartition(" ")[2] for name in names if " of column " in name})
+def _together(blocks: list[Finding]) -> Finding:
+    """Return several blocks as one place: a part of a Jacobian, some of its columns, the rotation and the origin."""
+    parts = {block.terms["part"] for block in blocks if "part" in block.terms}
+    columns = sorted({block.terms["number"] for block in blocks if "number" in block.terms})
+    if len(blocks) == 1:
+        return blocks[0]
     if not columns:
-        return " and ".join(names)
-    if len(parts) == 1 and len(columns) > 1:
-        return parts.pop()
-    where = f"column {columns[0]}" if len(columns) == 1 else f"columns {', '.join(columns)}"
-    return where if len(parts) > 1 else f"{parts.pop()} of {where}"
+        return reduce(lambda one, other: say(Kind.BOTH, one=one, other=other), blocks)
+    if len(parts) == 1:
+        return say(Kind.THE_PART, part=parts.pop())
+    return say(Kind.THE_COLUMN, number=columns[0]) if len(columns) == 1 else say(Kind.THE_COLUMNS, numbers=columns)

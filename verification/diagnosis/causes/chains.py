@@ -11,7 +11,15 @@ import numpy as np
 from armproof.verification.diagnosis.causes.axes import constructions
 from armproof.verification.diagnosis.causes.case import Candidate, Case
 from armproof.verification.diagnosis.causes.frames import inverse
-from armproof.verification.diagnosis.causes.links import CONVENTIONS, build, convention_of, link_slips, parameters
+from armproof.verification.diagnosis.causes.links import (
+    build,
+    convention_of,
+    link_name,
+    link_slips,
+    other_convention,
+    parameters,
+)
+from armproof.verification.findings import Kind, say
 
 
 def chain_candidates(case: Case) -> Iterator[Candidate]:
@@ -32,15 +40,15 @@ def chain_candidates(case: Case) -> Iterator[Candidate]:
             yield case.selected(altered.jacobian(altered.axes(), altered.origins()))
 
     for convention in convention_of(links):
-        other = CONVENTIONS[1 - CONVENTIONS.index(convention)]
+        other = other_convention(convention)
         rebuilt = [build(other, p) for L in links if (p := parameters(convention, L)) is not None]
-        words = f"the link matrices are those of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}"
-        yield from ((words, J) for J in jacobians(_chained(poses[0], rebuilt)))
+        finding = say(Kind.LINKS_OF_OTHER_CONVENTION, other=other, convention=convention)
+        yield from ((finding, J) for J in jacobians(_chained(poses[0], rebuilt)))
     for k, true in enumerate(links):
         for slip, L in link_slips(true, convention_of(links)):
             before = poses[k] @ L @ inverse(poses[k + 1])
-            words = f"the link matrix ^{frames[k]}T_{frames[k + 1]} is wrong: {slip}"
-            yield from ((words, J) for J in jacobians([*poses[: k + 1], *(before @ pose for pose in poses[k + 1 :])]))
+            finding = say(Kind.WRONG_LINK, link=link_name(frames, k), slip=slip)
+            yield from ((finding, J) for J in jacobians([*poses[: k + 1], *(before @ pose for pose in poses[k + 1 :])]))
 
 
 def _chained(first: np.ndarray, links: list[np.ndarray]) -> list[np.ndarray]:

@@ -1,4 +1,4 @@
-"""The likely mistake behind a display whose matrix is wrong as a whole, found on samples as that of a function."""
+"""A display whose matrix is wrong as a whole, as a case on samples: its likely mistake is found as that of a function."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ import numpy as np
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.diagnosis.causes.case import Case, Explanation
-from armproof.verification.diagnosis.causes.find import find_cause
+from armproof.verification.diagnosis.causes.case import Case
 from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -21,27 +20,32 @@ _MOST_TERMS = 5000  # of a printed matrix that is sampled
 _KINDS = ("pose", "rotation", "origin", "axis", "jacobian")
 
 
-def display_cause(checker: ChainChecker, outcome: Outcome) -> Explanation:
-    """Return the likely mistake behind a refuted equation; without words where none explains it."""
+def display_case(checker: ChainChecker, outcome: Outcome) -> Case | None:
+    """Return a refuted equation on a quantity of the arm as a case; None where it is none, or too long."""
     arm, quantity = checker.names.arm, _quantity(checker, outcome)
     if arm is None or quantity is None or outcome.pair is None:
-        return Explanation()
+        return None
     printed, at, there = outcome.pair.printed, probes(arm), partners(arm)
     if sum(len(cell.numerator) + len(cell.denominator) for row in printed.rows for cell in row) > _MOST_TERMS:
-        return Explanation()
+        return None
     try:
         with np.errstate(all="ignore"):
             obtained = _at(checker.exact, printed, at)
             true = at.true(quantity)
             if obtained.shape != true.shape or not np.isfinite(obtained).all():
-                return Explanation()
-            return find_cause(
-                Case(
-                    arm, quantity, at.numeric, true, obtained, there.numeric, lambda: _at(checker.exact, printed, there)
-                )
+                return None
+            return Case(
+                arm,
+                quantity,
+                at.numeric,
+                true,
+                obtained,
+                there.numeric,
+                lambda: _at(checker.exact, printed, there),
+                is_printed=True,
             )
     except ArmproofError:
-        return Explanation()
+        return None
 
 
 def _quantity(checker: ChainChecker, outcome: Outcome) -> Quantity | None:

@@ -7,8 +7,8 @@ from itertools import chain
 from armproof.verification.diagnosis.causes.axes import axis_candidates
 from armproof.verification.diagnosis.causes.case import Case, Explanation
 from armproof.verification.diagnosis.causes.chains import chain_candidates
-from armproof.verification.diagnosis.causes.frames import constant_offset, frame_candidates
-from armproof.verification.diagnosis.causes.jacobian import jacobian_candidates, point_candidates
+from armproof.verification.diagnosis.causes.frames import constant_offset, other_poses, pose_slips
+from armproof.verification.diagnosis.causes.jacobian import jacobian_slips, other_jacobians, point_candidates
 from armproof.verification.diagnosis.causes.joint_variables import joint_candidates, offset_candidates
 from armproof.verification.diagnosis.causes.lengths import length_cause, lengths_cause
 from armproof.verification.diagnosis.causes.links import product_candidates, wrong_link
@@ -18,25 +18,42 @@ FAR_FETCHED = 1000  # exceptions: what only bounds a mistake yields to any that 
 
 
 def find_cause(case: Case) -> Explanation:
-    """Return the likely mistake behind a wrong result; one without words where none explains it.
+    """Return the likely mistake behind a wrong result; nothing where none explains it.
 
     A mistake explains a result if it turns the right values into those obtained, at every configuration, in each block of
     the matrix (rotation and origin; v and ω of each column) that is wrong.
     """
-    if case.fits and not case.obtained.any():
-        return Explanation()  # zeros are everything's special case
+    return find_slip(case, find_other(case))
+
+
+def find_other(case: Case) -> Explanation:
+    """Return which other matrix of the arm was obtained: transposed, inverted, of another frame, in another frame."""
+    if _is_zero(case):
+        return Explanation()
+    others = other_jacobians(case) if case.quantity.kind == "jacobian" else other_poses(case)
+    return case.explained_by(others if case.fits else chain(shape_candidates(case), others))
+
+
+def find_slip(case: Case, best: Explanation) -> Explanation:
+    """Return the slip in the making of the right matrix, where it explains the result better than what was found."""
+    if _is_zero(case) or best.is_whole:
+        return best
     if not case.fits:
-        return case.explained_by(chain(shape_candidates(case), jacobian_candidates(case)))
-    best = Explanation()
+        return best.or_better(case.explained_by(jacobian_slips(case)))
     for search in _OF_JACOBIANS if case.quantity.kind == "jacobian" else _OF_POSES:
         best = best.or_better(search(case))
         if best.is_whole:
             return best
-    return best if best.words else _rest(case)
+    return best if best.finding is not None else _rest(case)
+
+
+def _is_zero(case: Case) -> bool:
+    """Whether nothing but zeros was obtained: they are everything's special case."""
+    return case.fits and not case.obtained.any()
 
 
 def _matrix(case: Case) -> Explanation:
-    return case.explained_by(jacobian_candidates(case) if case.quantity.kind == "jacobian" else frame_candidates(case))
+    return case.explained_by(jacobian_slips(case) if case.quantity.kind == "jacobian" else pose_slips(case))
 
 
 def _joints(case: Case) -> Explanation:
@@ -61,9 +78,8 @@ def _offsets(case: Case) -> Explanation:
 
 def _rest(case: Case) -> Explanation:
     """Return what is less a mistake than a place: one wrong link, several lengths, a constant offset."""
-    return Explanation(
-        wrong_link(case) or lengths_cause(case) or constant_offset(case) or permutation_cause(case), FAR_FETCHED
-    )
+    found = wrong_link(case) or lengths_cause(case) or constant_offset(case) or permutation_cause(case)
+    return Explanation(found, FAR_FETCHED)
 
 
 def _chains(case: Case) -> Explanation:

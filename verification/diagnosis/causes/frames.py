@@ -8,6 +8,9 @@ import numpy as np
 
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.diagnosis.causes.case import Candidate, Case
+from armproof.verification.findings import Finding, Kind, say
+
+_OF_FRAMES = ("pose", "rotation", "origin", "axis")
 
 
 def inverse(X: np.ndarray) -> np.ndarray:
@@ -18,96 +21,114 @@ def inverse(X: np.ndarray) -> np.ndarray:
     return result
 
 
-def frame_candidates(case: Case) -> Iterator[Candidate]:
-    """Yield what else a pose, a rotation, an origin or an axis could be taken for."""
+def other_poses(case: Case) -> Iterator[Candidate]:
+    """Yield what else of the arm a pose, a rotation, an origin or an axis could be taken for."""
     quantity = case.quantity
+    if quantity.kind in ("pose", "rotation"):
+        kind = Kind.INVERSE_PRINTED if case.is_printed else Kind.INVERSE_COMPUTED
+        X = case.kinematics.pose(quantity.frame, quantity.reference)
+        yield say(kind, reference=quantity.reference, frame=quantity.frame), case.selected(inverse(X))
     if case.true.shape[1] == case.true.shape[2] > 1 or not case.fits:
-        yield "the matrix is transposed", case.true.transpose(0, 2, 1)
-    yield "the sign of the whole is wrong", -case.true
-    if quantity.kind not in ("pose", "rotation", "origin", "axis"):
-        return
-    X = case.kinematics.pose(quantity.frame, quantity.reference)
-    words = f"the inverse is computed: the pose of frame {quantity.reference} in frame {quantity.frame}"
-    yield words, case.selected(inverse(X))
-    turned = X.copy()
-    turned[:, :3, :3] = X[:, :3, :3].transpose(0, 2, 1)
-    yield "the rotation is transposed", case.selected(turned)
-    yield from _axes(case, X)
-    yield from _other_frames(case)
-    if quantity.kind in ("pose", "origin"):
-        for words, factor in (("millimetres", 1000.0), ("kilometres", 0.001)):
-            scaled = X.copy()
-            scaled[:, :3, 3] *= factor
-            yield f"the origin is in {words}: lengths are in metres", case.selected(scaled)
-    if quantity.kind == "pose":
-        straight = X.copy()
-        straight[:, :3, :3] = np.eye(3)
-        yield "the rotation is missing: an identity stands in its place", straight
-        moved = X.copy()
-        moved[:, :3, 3] = 0
-        yield "the origin is missing: zeros stand in its place", moved
-
-
-def _axes(case: Case, X: np.ndarray) -> Iterator[Candidate]:
-    quantity = case.quantity
+        yield say(Kind.TRANSPOSED), case.true.transpose(0, 2, 1)
+    yield say(Kind.SIGN_OF_WHOLE), -case.true
+    if quantity.kind in _OF_FRAMES:
+        yield from _other_frames(case)
     if quantity.kind == "axis":
-        for name, column in COMPONENTS.items():
-            if name != quantity.along:
-                yield f"this is the {name} axis", X[:, :3, column : column + 1]
-        column = COMPONENTS[quantity.along]
-        yield f"this is the third row of the rotation, not its column {column + 1}", X[:, 2, :3, None]
-        return
-    for i, j in ((0, 1), (0, 2), (1, 2)):
-        order = [0, 1, 2, 3]
-        order[i], order[j] = j, i
-        axes = f"{'xyz'[i]} and {'xyz'[j]}, or sine and cosine"
-        yield f"rows {i + 1} and {j + 1} are swapped: {axes}", case.selected(X[:, order])
-        if quantity.kind in ("pose", "rotation"):
-            yield f"columns {i + 1} and {j + 1} are swapped", case.selected(X[:, :, order])
-    for i, name in enumerate("xyz"):
-        signs = np.ones(4)
-        signs[i] = -1
-        yield f"the sign of row {i + 1} is wrong", case.selected(X * signs[:, None])
-        if quantity.kind in ("pose", "rotation"):
-            yield f"the sign of column {i + 1}, the {name} axis, is wrong", case.selected(X * signs)
+        yield from _other_axes(case)
 
 
 def _other_frames(case: Case) -> Iterator[Candidate]:
     quantity, arm = case.quantity, case.arm
+    is_pose = quantity.kind in ("pose", "rotation")
     for frame in arm.frames:
         if frame != quantity.frame:
-            words = f"this is that of frame {frame}, not {quantity.frame}"
-            yield words, case.selected(case.kinematics.pose(frame, quantity.reference))
-    for reference in arm.frames:
-        if reference != quantity.reference:
-            words = f"it is expressed in frame {reference}, not {quantity.reference}"
-            yield words, case.selected(case.kinematics.pose(quantity.frame, reference))
-            if quantity.kind in ("origin", "axis"):  # turned into the axes of a frame, but not moved to its origin
-                turned = case.kinematics.pose(quantity.frame, quantity.reference).copy()
-                R = case.kinematics.pose(reference, quantity.reference)[:, :3, :3].transpose(0, 2, 1)
-                turned[:, :3] = R @ turned[:, :3]
-                words = f"it is expressed in the axes of frame {reference}, not {quantity.reference}"
-                yield words, case.selected(turned)
+            kind = Kind.POSE_OF_OTHER_FRAME if is_pose else Kind.OF_OTHER_FRAME
+            finding = say(kind, other=frame, frame=quantity.frame)
+            yield finding, case.selected(case.kinematics.pose(frame, quantity.reference))
+        if frame != quantity.reference:
+            kind = Kind.POSE_IN_OTHER_FRAME if is_pose else Kind.IN_OTHER_FRAME
+            finding = say(kind, other=frame, reference=quantity.reference)
+            yield finding, case.selected(case.kinematics.pose(quantity.frame, frame))
 
 
-def constant_offset(case: Case) -> str:
-    """Say so where the result is the right pose or point up to a constant transform at the base or at the tool."""
+def _other_axes(case: Case) -> Iterator[Candidate]:
+    quantity = case.quantity
+    X = case.kinematics.pose(quantity.frame, quantity.reference)
+    own = COMPONENTS[quantity.along]
+    for name, column in COMPONENTS.items():
+        if name != quantity.along:
+            yield say(Kind.OTHER_AXIS, axis=name), X[:, :3, column : column + 1]
+    yield say(Kind.ROW_FOR_COLUMN, number=own + 1), X[:, 2, :3, None]
+
+
+def pose_slips(case: Case) -> Iterator[Candidate]:
+    """Yield a pose, a rotation, an origin or an axis with a slip in it: a row, a sign, a unit, the rotation alone."""
+    quantity = case.quantity
+    if quantity.kind not in _OF_FRAMES:
+        return
+    X = case.kinematics.pose(quantity.frame, quantity.reference)
+    turned = X.copy()
+    turned[:, :3, :3] = X[:, :3, :3].transpose(0, 2, 1)
+    yield say(Kind.ROTATION_TRANSPOSED), case.selected(turned)
+    if quantity.kind != "axis":
+        yield from _rows_and_columns(case, X)
+    if quantity.kind in ("origin", "axis"):
+        yield from _turned(case, X)
+    if quantity.kind in ("pose", "origin"):
+        for unit, factor in (("millimetres", 1000.0), ("kilometres", 0.001)):
+            scaled = X.copy()
+            scaled[:, :3, 3] *= factor
+            yield say(Kind.ORIGIN_IN_OTHER_UNIT, unit=unit), case.selected(scaled)
+    if quantity.kind == "pose":
+        straight, moved = X.copy(), X.copy()
+        straight[:, :3, :3] = np.eye(3)
+        yield say(Kind.ROTATION_MISSING), straight
+        moved[:, :3, 3] = 0
+        yield say(Kind.ORIGIN_MISSING), moved
+
+
+def _rows_and_columns(case: Case, X: np.ndarray) -> Iterator[Candidate]:
+    has_columns = case.quantity.kind in ("pose", "rotation")
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        order = [0, 1, 2, 3]
+        order[i], order[j] = j, i
+        finding = say(Kind.ROWS_SWAPPED, one=i + 1, other=j + 1, axis="xyz"[i], other_axis="xyz"[j])
+        yield finding, case.selected(X[:, order])
+        if has_columns:
+            yield say(Kind.COLUMNS_SWAPPED, one=i + 1, other=j + 1), case.selected(X[:, :, order])
+    for i, name in enumerate("xyz"):
+        signs = np.ones(4)
+        signs[i] = -1
+        yield say(Kind.SIGN_OF_ROW, number=i + 1), case.selected(X * signs[:, None])
+        if has_columns:
+            yield say(Kind.SIGN_OF_COLUMN, number=i + 1, axis=name), case.selected(X * signs)
+
+
+def _turned(case: Case, X: np.ndarray) -> Iterator[Candidate]:
+    """A point or an axis turned into the axes of a frame, but not moved to its origin."""
+    quantity = case.quantity
+    for frame in case.arm.frames:
+        if frame != quantity.reference:
+            turned = X.copy()
+            R = case.kinematics.pose(frame, quantity.reference)[:, :3, :3].transpose(0, 2, 1)
+            turned[:, :3] = R @ turned[:, :3]
+            yield say(Kind.IN_OTHER_AXES, other=frame, reference=quantity.reference), case.selected(turned)
+
+
+def constant_offset(case: Case) -> Finding | None:
+    """Return that the result is the right pose or point up to a constant transform at the base or at the tool."""
     if not case.fits:
-        return ""
+        return None
     if case.quantity.kind == "origin":
         off = case.obtained - case.true
-        if np.ptp(off, axis=0).max() < 1e-9:
-            values = ", ".join(f"{value:.6g}" for value in off[0].ravel())
-            return f"the origin is off by the constant ({values}): an offset of the base is missing or wrong"
-        return ""
+        is_constant = np.ptp(off, axis=0).max() < 1e-9
+        return say(Kind.CONSTANT_OFFSET, values=[float(value) for value in off[0].ravel()]) if is_constant else None
     if case.quantity.kind != "pose" or case.true.shape[1:] != (4, 4):
-        return ""
-    for words, off in (
-        ("the base frame is another: a constant transform before the first joint is missing or wrong",
-         case.obtained @ inverse(case.true)),
-        ("the tool frame is another: a constant transform after the last joint is missing or wrong",
-         inverse(case.true) @ case.obtained),
-    ):  # fmt: skip
+        return None
+    for kind, off in (
+        (Kind.OTHER_BASE, case.obtained @ inverse(case.true)),
+        (Kind.OTHER_TOOL, inverse(case.true) @ case.obtained),
+    ):
         if np.ptp(off, axis=0).max() < 1e-9:
-            return words
-    return ""
+            return say(kind)
+    return None

@@ -10,14 +10,17 @@ import numpy as np
 from armproof.models.arm import Joint
 from armproof.verification.diagnosis.causes.case import Candidate, Case
 from armproof.verification.diagnosis.causes.varied import Values, evaluate_varied
+from armproof.verification.findings import Finding, Kind, say
 
-Named = tuple[str, Values, np.ndarray | None]  # words, the variables changed, the inner derivatives that go with it
+Named = tuple[
+    Finding, Values, np.ndarray | None
+]  # the slip, the variables changed, the inner derivatives that go with it
 _TURNS = (("π/2", np.pi / 2), ("-π/2", -np.pi / 2), ("π", np.pi))
 
 
 def joint_candidates(case: Case) -> Iterator[Candidate]:
     """Yield the quantity with a usual slip in one joint variable, or in all: a sign, a unit, an absolute angle."""
-    yield from _varied(case, [*_on_all(case), *_on_one(case), *_between_neighbours(case)])
+    yield from _varied(case, [*_on_one(case), *_on_all(case), *_between_neighbours(case)])
 
 
 def offset_candidates(case: Case) -> Iterator[Candidate]:
@@ -27,13 +30,13 @@ def offset_candidates(case: Case) -> Iterator[Candidate]:
 
 def _varied(case: Case, named: list[Named]) -> Iterator[Candidate]:
     varied = evaluate_varied(case, [values for _, values, _ in named])
-    for (words, _, rates), values in zip(named, varied, strict=True):
-        yield words, values
+    for (finding, _, rates), values in zip(named, varied, strict=True):
+        yield finding, values
         if (
             rates is not None and case.quantity.kind == "jacobian"
         ):  # the derivative, with the slip's own inner derivative
             columns = [c - 1 for c in case.quantity.columns or range(1, len(case.arm.joints) + 1)]
-            yield words, values * rates[columns]
+            yield finding, values * rates[columns]
 
 
 def _revolute(case: Case) -> list[Joint]:
@@ -59,29 +62,28 @@ def _on_all(case: Case) -> Iterator[Named]:
     degrees = {joint.symbol: np.degrees(_of(case, joint)) for joint in joints}
     radians = {joint.symbol: np.radians(_of(case, joint)) for joint in joints}
     yield (
-        "the angles are taken as degrees: q is in radians already",
+        say(Kind.ANGLES_AS_DEGREES),
         radians,
         _rates(case, dict.fromkeys(every, np.pi / 180)),
     )
     yield (
-        "the angles are converted to degrees before sine and cosine, which take radians",
+        say(Kind.ANGLES_TO_DEGREES),
         degrees,
         _rates(case, dict.fromkeys(every, 180 / np.pi)),
     )
     if len(joints) < len(case.arm.joints):  # degrees made of all of q, slides included
         scale = np.pi / 180
-        for words, factor in (("the angles are taken as degrees: q is in radians already", scale),
-                              ("the angles are converted to degrees before sine and cosine, which take radians", 1 / scale)):  # fmt: skip
+        for kind, factor in ((Kind.ANGLES_AS_DEGREES, scale), (Kind.ANGLES_TO_DEGREES, 1 / scale)):
             every_joint = {joint.symbol: factor * _of(case, joint) for joint in case.arm.joints}
-            yield words, every_joint, np.full(len(case.arm.joints), factor)
+            yield say(kind), every_joint, np.full(len(case.arm.joints), factor)
     if len(joints) > 1:
         yield (
-            "sine and cosine are exchanged throughout",
+            say(Kind.EXCHANGED_THROUGHOUT),
             {joint.symbol: np.pi / 2 - _of(case, joint) for joint in joints},
             _rates(case, dict.fromkeys(every, -1.0)),
         )
         yield (
-            "every joint is taken the other way: the sign of all angles is wrong",
+            say(Kind.EVERY_JOINT_THE_OTHER_WAY),
             {joint.symbol: -_of(case, joint) for joint in joints},
             _rates(case, dict.fromkeys(every, -1.0)),
         )
@@ -95,44 +97,40 @@ def _absolute(case: Case, joints: list[Joint]) -> Iterator[Named]:
     q = [_of(case, joint) for joint in joints]
     absolute = {joint.symbol: q[k] - (q[k - 1] if k else 0) for k, joint in enumerate(joints)}
     summed = {joint.symbol: np.sum(q[: k + 1], axis=0) for k, joint in enumerate(joints)}
-    words = (
-        "each angle is taken as absolute, from the base; it is relative to the link before: sums of angles are missing"
-    )
-    yield words, absolute, None
-    yield "the angles are summed up twice: each is relative to the link before already", summed, None
+    yield say(Kind.ANGLES_ABSOLUTE), absolute, None
+    yield say(Kind.ANGLES_SUMMED_TWICE), summed, None
 
 
 def _on_one(case: Case) -> Iterator[Named]:
     for joint in case.arm.joints:
         symbol, q = joint.symbol, _of(case, joint)
         yield (
-            f"joint {symbol} is taken the other way: the sign of {symbol} is wrong",
+            say(Kind.JOINT_THE_OTHER_WAY, joint=symbol),
             {symbol: -q},
             _rates(case, {joint.index: -1.0}),
         )
         if joint.kind == "revolute":
             yield (
-                f"sine and cosine of {symbol} are exchanged",
+                say(Kind.SINE_COSINE_OF_JOINT, joint=symbol),
                 {symbol: np.pi / 2 - q},
                 _rates(case, {joint.index: -1.0}),
             )
             yield (
-                f"{symbol} is taken as degrees: it is in radians already",
+                say(Kind.JOINT_AS_DEGREES, joint=symbol),
                 {symbol: np.radians(q)},
                 _rates(case, {joint.index: np.pi / 180}),
             )
-        yield f"{symbol} is missing: it stands nowhere in the result", {symbol: 0 * q}, None
+        yield say(Kind.JOINT_MISSING, joint=symbol), {symbol: 0 * q}, None
 
 
 def _offsets(case: Case) -> Iterator[Named]:
     for joint in case.arm.joints:
         symbol, q = joint.symbol, _of(case, joint)
         for name, turn in _TURNS if joint.kind == "revolute" else ():
-            words = f"{symbol} is counted from another zero: off by {name}"
-            if case.quantity.kind == "jacobian" and name == "-π/2":
-                words += ", or the derivatives of its sine and cosine are not taken"
-            yield words, {symbol: q + turn}, None
-        yield f"{symbol} is counted twice", {symbol: 2 * q}, _rates(case, {joint.index: 2.0})
+            is_derivative = case.quantity.kind == "jacobian" and name == "-π/2"
+            kind = Kind.OTHER_ZERO_OR_DERIVATIVE if is_derivative else Kind.OTHER_ZERO
+            yield say(kind, joint=symbol, turn=name), {symbol: q + turn}, None
+        yield say(Kind.JOINT_TWICE, joint=symbol), {symbol: 2 * q}, _rates(case, {joint.index: 2.0})
 
 
 def _between_neighbours(case: Case) -> Iterator[Named]:
@@ -140,13 +138,12 @@ def _between_neighbours(case: Case) -> Iterator[Named]:
     for before, joint in pairwise(revolute):
         symbol = joint.symbol
         yield (
-            f"{symbol} is taken as an absolute angle, from the base; it is relative to the link before: "
-            f"{symbol} stands where {before.symbol} + {symbol} belongs",
+            say(Kind.JOINT_ABSOLUTE, joint=symbol, before=before.symbol),
             {symbol: _of(case, joint) - _of(case, before)},
             None,
         )
         yield (
-            f"{before.symbol} + {symbol} stands where {symbol} belongs: the angle is relative to the link before already",
+            say(Kind.JOINT_SUMMED, joint=symbol, before=before.symbol),
             {symbol: _of(case, joint) + _of(case, before)},
             None,
         )
@@ -158,6 +155,6 @@ def _between_two(case: Case) -> Iterator[Named]:
             if one.kind != other.kind:
                 continue
             a, b = _of(case, one), _of(case, other)
-            yield f"{one.symbol} and {other.symbol} are swapped", {one.symbol: b, other.symbol: a}, None
-            yield f"{other.symbol} stands where {one.symbol} belongs", {one.symbol: b}, None
-            yield f"{one.symbol} stands where {other.symbol} belongs", {other.symbol: a}, None
+            yield say(Kind.JOINTS_SWAPPED, one=one.symbol, other=other.symbol), {one.symbol: b, other.symbol: a}, None
+            yield say(Kind.JOINT_FOR_JOINT, printed=other.symbol, correct=one.symbol), {one.symbol: b}, None
+            yield say(Kind.JOINT_FOR_JOINT, printed=one.symbol, correct=other.symbol), {other.symbol: a}, None

@@ -10,6 +10,7 @@ import numpy as np
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.diagnosis.causes.case import TOLERANCE, Candidate, Case
 from armproof.verification.diagnosis.causes.frames import inverse
+from armproof.verification.findings import Finding, Kind, say
 
 CONVENTIONS = ("classic", "modified")
 
@@ -72,37 +73,43 @@ def convention_of(matrices: list[np.ndarray]) -> list[str]:
 
 
 def product_candidates(case: Case) -> Iterator[Candidate]:
-    """Yield products of the right link matrices in a wrong order, or with one left out or repeated."""
+    """Yield products of the right link matrices in a wrong order, with one left out or repeated, or in the other convention."""
     matrices, count = links(case), len(case.q)
-    if len(matrices) < 2:
+    if not matrices:
         return
+    if len(matrices) > 1:
+        for finding, changed in _rearranged(case, matrices):
+            yield finding, case.selected(product(changed, count))
+    kind = Kind.LINKS_OF_OTHER_CONVENTION if len(matrices) > 1 else Kind.OTHER_CONVENTION
+    for convention in convention_of(matrices):
+        other = other_convention(convention)
+        rebuilt = [build(other, p) for L in matrices if (p := parameters(convention, L)) is not None]
+        yield say(kind, other=other, convention=convention), case.selected(product(rebuilt, count))
+
+
+def _rearranged(case: Case, matrices: list[np.ndarray]) -> Iterator[tuple[Finding, list[np.ndarray]]]:
     first = case.frames.index(case.quantity.reference)
-    names = [f"^{case.frames[first + k]}T_{case.frames[first + k + 1]}" for k in range(len(matrices))]
-    yield (
-        "the link matrices are multiplied in the wrong order, from the last to the first",
-        case.selected(product(matrices[::-1], count)),
-    )
+    names = [link_name(case.frames, first + k) for k in range(len(matrices))]
+    yield say(Kind.LINKS_REVERSED), matrices[::-1]
     for k in range(len(matrices) - 1):
         order = [*matrices[:k], matrices[k + 1], matrices[k], *matrices[k + 2 :]]
-        words = f"the link matrices {names[k]} and {names[k + 1]} are multiplied in the wrong order"
-        yield words, case.selected(product(order, count))
+        yield say(Kind.LINKS_SWAPPED, one=names[k], other=names[k + 1]), order
     for k in range(len(matrices)):
-        yield (
-            f"the link matrix {names[k]} is missing from the product",
-            case.selected(product([*matrices[:k], *matrices[k + 1 :]], count)),
-        )
-        yield (
-            f"the link matrix {names[k]} stands in the product twice",
-            case.selected(product([*matrices[: k + 1], *matrices[k:]], count)),
-        )
-    for convention in convention_of(matrices):
-        other = CONVENTIONS[1 - CONVENTIONS.index(convention)]
-        rebuilt = [build(other, p) for L in matrices if (p := parameters(convention, L)) is not None]
-        words = f"the link matrices are those of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}"
-        yield words, case.selected(product(rebuilt, count))
+        yield say(Kind.LINK_LEFT_OUT, link=names[k]), [*matrices[:k], *matrices[k + 1 :]]
+        yield say(Kind.LINK_TWICE, link=names[k]), [*matrices[: k + 1], *matrices[k:]]
 
 
-def wrong_link(case: Case) -> str:
+def link_name(frames: list[str], k: int) -> str:
+    """Return the name of the k-th link matrix of a chain of frames."""
+    return f"^{frames[k]}T_{frames[k + 1]}"
+
+
+def other_convention(convention: str) -> str:
+    """Return the other of the two Denavit–Hartenberg conventions."""
+    return CONVENTIONS[1 - CONVENTIONS.index(convention)]
+
+
+def wrong_link(case: Case) -> Finding | None:
     """Find the one link matrix that is wrong, the others being right, and say what is wrong in it.
 
     With P the pose obtained, the link that it implies is L_k = X_{0,k-1}^{-1} P X_{k,n}^{-1}. The right k is where L_k
@@ -110,10 +117,10 @@ def wrong_link(case: Case) -> str:
     """
     matrices = links(case)
     if case.quantity.kind != "pose" or not case.fits or case.quantity.rows or len(matrices) < 2:
-        return ""
+        return None
     if case.partners is None or case.obtained_there is None:
-        return ""
-    first, found = case.frames.index(case.quantity.reference), ""
+        return None
+    first, found = case.frames.index(case.quantity.reference), None
     there, obtained_there = links(case, case.partners), case.obtained_there()
     for k, true in enumerate(matrices):
         implied = _implied(matrices, case.obtained, k)
@@ -122,11 +129,11 @@ def wrong_link(case: Case) -> str:
         if joint >= len(other) or np.abs(implied[0] - other[joint]).max() > 1e-9:
             continue
         slip = slip_in_link(implied, true, convention_of(matrices))
-        words = f"the link matrix ^{case.frames[joint]}T_{case.frames[joint + 1]} is wrong: {slip or _places(implied, true)}"
-        words += f"; frame {case.frames[joint + 1]} is the first that departs from the arm's"
-        if slip:
-            return words
-        found = found or words
+        place = {"link": link_name(case.frames, joint), "frame": case.frames[joint + 1]}
+        finding = say(Kind.FIRST_WRONG_LINK, **place, slip=slip or _places(implied, true))
+        if slip is not None:
+            return finding
+        found = found or finding
     return found
 
 
@@ -136,57 +143,54 @@ def _implied(matrices: list[np.ndarray], obtained: np.ndarray, k: int) -> np.nda
     return inverse(product(matrices[:k], count)) @ obtained @ inverse(product(matrices[k + 1 :], count))
 
 
-def slip_in_link(implied: np.ndarray, true: np.ndarray, conventions: list[str]) -> str:
-    """Return in words the usual slip that is in one link matrix, or an empty text."""
-    for words, candidate in link_slips(true, conventions):
+def slip_in_link(implied: np.ndarray, true: np.ndarray, conventions: list[str]) -> Finding | None:
+    """Return the usual slip that is in one link matrix, or None."""
+    for finding, candidate in link_slips(true, conventions):
         if np.abs(candidate - implied).max() < TOLERANCE:
-            return words
+            return finding
     off = np.argwhere(np.abs(implied - true).max(axis=0) > TOLERANCE)
-    if len(off) == 1:
-        r, c = off[0]
-        if np.abs(implied[:, r, c] + true[:, r, c]).max() < TOLERANCE:
-            return f"the sign of its entry ({r + 1}, {c + 1})"
-        return f"its entry ({r + 1}, {c + 1})"
-    return ""
+    if len(off) != 1:
+        return None
+    r, c = (int(k) for k in off[0])
+    is_negative = np.abs(implied[:, r, c] + true[:, r, c]).max() < TOLERANCE
+    return say(Kind.LINK_SIGN_OF_ENTRY if is_negative else Kind.LINK_ENTRY, row=r + 1, column=c + 1)
 
 
-def _places(implied: np.ndarray, true: np.ndarray) -> str:
+def _places(implied: np.ndarray, true: np.ndarray) -> Finding:
     off = np.argwhere(np.abs(implied - true).max(axis=0) > TOLERANCE)
-    return f"its entries {', '.join(f'({r + 1}, {c + 1})' for r, c in off)}" if len(off) <= 6 else "most of its entries"
+    places = [say(Kind.PLACE, row=int(r) + 1, column=int(c) + 1) for r, c in off]
+    return say(Kind.LINK_ENTRIES, places=places) if len(off) <= 6 else say(Kind.LINK_MOST_ENTRIES)
 
 
 def link_slips(true: np.ndarray, conventions: list[str]) -> Iterator[Candidate]:
     """Yield a link matrix with the usual slips in it."""
-    yield "it is inverted", inverse(true)
+    yield say(Kind.LINK_INVERTED), inverse(true)
     turned = true.copy()
     turned[:, :3, :3] = true[:, :3, :3].transpose(0, 2, 1)
-    yield "its rotation is transposed, the sign of its sines is wrong", turned
+    yield say(Kind.LINK_TRANSPOSED), turned
     for convention in conventions:
         p = parameters(convention, true)
         if p is None:
             continue
         a, alpha, d, theta, none = p.a, p.alpha, p.d, p.theta, 0 * p.a
-        other = CONVENTIONS[1 - CONVENTIONS.index(convention)]
-        yield (
-            f"it is that of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}",
-            build(other, p),
-        )
-        for words, changed in (
-            ("the sign of its twist α", Parameters(a, -alpha, d, theta)),
-            ("its twist α is missing", Parameters(a, none, d, theta)),
-            ("the sign of its angle θ", Parameters(a, alpha, d, -theta)),
-            ("the sign of its length a", Parameters(-a, alpha, d, theta)),
-            ("its length a is missing", Parameters(none, alpha, d, theta)),
-            ("the sign of its offset d", Parameters(a, alpha, -d, theta)),
-            ("its offset d is missing", Parameters(a, alpha, none, theta)),
-            ("its a and d are swapped", Parameters(d, alpha, a, theta)),
-            ("its angles α and θ are swapped", Parameters(a, theta, d, alpha)),
-            ("its angle θ is off by π/2", Parameters(a, alpha, d, theta + np.pi / 2)),
-            ("its angle θ is off by -π/2", Parameters(a, alpha, d, theta - np.pi / 2)),
-            ("its angle θ is off by π", Parameters(a, alpha, d, theta + np.pi)),
-            ("sine and cosine of its angle θ are exchanged", Parameters(a, alpha, d, np.pi / 2 - theta)),
+        other = other_convention(convention)
+        yield say(Kind.LINK_CONVENTION, other=other, convention=convention), build(other, p)
+        for finding, changed in (
+            (say(Kind.LINK_SIGN_OF_TWIST), Parameters(a, -alpha, d, theta)),
+            (say(Kind.LINK_TWIST), Parameters(a, none, d, theta)),
+            (say(Kind.LINK_SIGN_OF_ANGLE), Parameters(a, alpha, d, -theta)),
+            (say(Kind.LINK_SIGN_OF_LENGTH), Parameters(-a, alpha, d, theta)),
+            (say(Kind.LINK_LENGTH), Parameters(none, alpha, d, theta)),
+            (say(Kind.LINK_SIGN_OF_OFFSET), Parameters(a, alpha, -d, theta)),
+            (say(Kind.LINK_OFFSET), Parameters(a, alpha, none, theta)),
+            (say(Kind.LINK_A_AND_D), Parameters(d, alpha, a, theta)),
+            (say(Kind.LINK_ALPHA_AND_THETA), Parameters(a, theta, d, alpha)),
+            (say(Kind.LINK_ANGLE_OFF, turn="π/2"), Parameters(a, alpha, d, theta + np.pi / 2)),
+            (say(Kind.LINK_ANGLE_OFF, turn="-π/2"), Parameters(a, alpha, d, theta - np.pi / 2)),
+            (say(Kind.LINK_ANGLE_OFF, turn="π"), Parameters(a, alpha, d, theta + np.pi)),
+            (say(Kind.LINK_SINE_COSINE), Parameters(a, alpha, d, np.pi / 2 - theta)),
         ):
-            yield words, build(convention, changed)
+            yield finding, build(convention, changed)
         moved = true.copy()
         moved[:, :3, 3] = np.array([a, none, d]).T
-        yield "its translation is not turned: Trans and Rot stand in the wrong order", moved
+        yield say(Kind.LINK_NOT_TURNED), moved

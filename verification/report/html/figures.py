@@ -10,9 +10,8 @@ from markupsafe import Markup
 from armproof.models.arm import Arm
 from armproof.models.showing.projection import choose_projection
 from armproof.models.showing.skeleton import Skeleton, place_skeleton
-from armproof.verification.diagnosis.discrepancy import Drawn
 from armproof.verification.report.html.sketch import Sketch
-from armproof.verification.verdict import Record
+from armproof.verification.verdict import Drawn, Record
 
 _SEED = 5  # of the configurations that tell how far an arm reaches
 _TOLD = {

@@ -97,7 +97,7 @@ class ItemWriter:
             section=prose.title(record.section, self.read),
             section_key=record.section,
             printed=as_printed(record, self.read, is_table=kind == "table"),
-            message=prose.message(record, self.read),
+            message=prose.message(record.findings, self.read),
             samples=record.samples,
             max_error=record.max_error,
             words=" ".join(f"{prose.plain_title(record.section)} {record.message}".split()),
@@ -114,7 +114,7 @@ class ItemWriter:
                 prose.math(entry.printed, self.read),
                 prose.math(entry.correct, self.read),
                 entry.correct,
-                prose.names_in(entry.change, self.read),
+                prose.message([entry.finding] if entry.finding is not None else [], self.read),
                 _values(record, entry, index),
             )
 

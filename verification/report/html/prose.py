@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import lru_cache
+from itertools import groupby
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
@@ -11,15 +13,14 @@ from markupsafe import Markup, escape
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Finding
+from armproof.verification.findings.finding import Piece, distinct
+from armproof.verification.findings.finding import pieces as pieces_of
 from armproof.verification.latex.mathml.display import pieces, write_display
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.latex.plain import plain_text
 from armproof.verification.latex.reader import key_as_latex
-from armproof.verification.verdict import Record
 
-# words of a formula side by side: each holds a script or a command, or is a number or a sign between such
-_MATHS = r"(?=\S*[\\_^])[-+(\[{\\\w](?:[^\s,;:]|[,;:](?=\S))*(?<![,;:.])|[-+*/=]|\d+(?:\.\d+)?"
-_FORMULA = re.compile(rf"(?<!\S)(?:{_MATHS})(?: (?:{_MATHS}))*(?![^\s,;:.])")
 _QUOTED = re.compile(r"'([^']*\\[^']*)'")
 _INLINE = 14.0  # em of a formula within words, which wraps where it is wider
 _SYMBOL = re.compile(r"\b(?:theta|alpha|[A-Za-z])_(?:\d+|[a-z])\b")
@@ -52,25 +53,19 @@ def plain_title(text: str) -> str:
     return "".join(plain_text(t.content) if t.type.startswith("math") else t.content for t in _inline(text))
 
 
-def message(record: Record, read: Read) -> Markup:
-    """Return a record's message as HTML: the terms it quotes from the display as MathML, what looks like a name too."""
-    terms = {term for entry in record.entries for term in (entry.printed, entry.correct) if len(term) > 1}
-    pattern = "|".join(re.escape(term) for term in sorted(terms, key=len, reverse=True))
-    parts = re.split(f"({pattern})", record.message) if pattern else [record.message]
-    done = (math(part, read) if part in terms else names_in(part, read) for part in parts if part)
-    return Markup("").join(done)
+def message(findings: Sequence[Finding], read: Read) -> Markup:
+    """Return findings as HTML: their formulas as MathML, a command that they quote as code."""
+    return Markup("; ").join(_finding(finding, read) for finding in distinct(findings))
 
 
-def names_in(text: str, read: Read) -> Markup:
-    """Return words as HTML, the formulas and names that stand among them (-l_2 S_{12}, theta_1, {}^0T_4) as MathML."""
+def _finding(finding: Finding, read: Read) -> Markup:
     parts: list[Markup] = []
-    end = 0
-    for found in _FORMULA.finditer(text):
-        if not re.search(r"[_^\\]", found.group()):
-            continue
-        parts += [_plain(text[end : found.start()]), math(_as_latex(found.group()), read)]
-        end = found.end()
-    return Markup("").join([*parts, _plain(text[end:])])
+    for is_words, group in groupby(pieces_of(finding), key=lambda piece: piece[1] is Piece.WORDS):
+        if is_words:
+            parts.append(_plain("".join(text for text, _ in group)))
+        else:
+            parts += [math(text, read) if kind is Piece.LATEX else symbol(text, read) for text, kind in group]
+    return Markup("").join(parts)
 
 
 def _plain(text: str) -> Markup:
