@@ -165,7 +165,18 @@ def test_the_json_report_keeps_the_contract(armproof, write):
     [document] = report["documents"]
     assert {"path": str(path), "arm": "planar_2r", "passed": False}.items() <= document.items()
     assert len(document["equations"]) == path.read_text().count("$$") / 2
-    keys = ["line", "latex", "verdict", "erratum", "message", "findings", "entries", "counterexample", "samples", "max_error"]
+    keys = [
+        "line",
+        "latex",
+        "verdict",
+        "erratum",
+        "message",
+        "findings",
+        "entries",
+        "counterexample",
+        "samples",
+        "max_error",
+    ]
     assert all(list(equation) == keys for equation in document["equations"])
     proved, refuted, erratum, *_ = document["equations"]
     assert (proved["line"], proved["verdict"], proved["samples"]) == (9, "proved", 1000)
