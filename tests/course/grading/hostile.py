@@ -60,7 +60,7 @@ KINDS = {
     "deep-folders": Hostile("import os\nfor _ in range(3000):\n    os.mkdir('d')\n    os.chdir('d')", (GRADED, OUTPUT)),
     "deletes-a-folder": Hostile("import shutil\nshutil.rmtree({scratch!r})", (GRADED,), ("write",)),
     "deletes-everything": Hostile(
-        "import os, shutil\ntry:\n    os.listdir('/')\n    print('ESCAPED')\nexcept OSError:\n    shutil.rmtree('/')",
+        "import os, shutil\ntry:\n    os.listdir({scratch!r})\n    print('ESCAPED')\nexcept OSError:\n    shutil.rmtree('/')",
         (GRADED,),
         ("write", "read"),
     ),
