@@ -5,11 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import groupby
 from pathlib import Path
-
-from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from armproof.course.grading.grading import Grades
 from armproof.course.grading.limits import MEGABYTE
@@ -19,8 +16,9 @@ from armproof.course.grading.tables import RESULTS, SUBMISSIONS, results_table, 
 from armproof.verification.report.html.folder import Kind, is_page
 from armproof.verification.report.html.site import INDEX, page_names
 from armproof.verification.report.html.states import State
-from armproof.verification.report.html.templating import every_page, versions
+from armproof.verification.report.html.templating import Shell, versions
 
+PAGES = Shell("armproof.course.grading")
 OUTCOMES = {
     "correct (proved)": State("proved", "✓", "correct (proved)"),
     "correct (confirmed)": State("confirmed", "≈", "correct (confirmed)"),
@@ -66,7 +64,7 @@ def render_index(grades: Grades, pages: dict[str, str]) -> str:
     """Return the page that lists all submissions, and says what protected them from each other."""
     counts = Counter(each.status for each in grades.graded)
     limits = grades.limits
-    return _render(
+    return PAGES.render(
         "class.html",
         good=not any(each.needs_a_look for each in grades.graded),
         counts={status: counts[status] for status in Status if counts[status]},
@@ -83,7 +81,7 @@ def render_index(grades: Grades, pages: dict[str, str]) -> str:
 
 def render_student(student: str, own: Sequence[Graded]) -> str:
     """Return the page of one student, with all of their submissions."""
-    return _render(
+    return PAGES.render(
         "student.html",
         student=student,
         own=own,
@@ -93,21 +91,4 @@ def render_student(student: str, own: Sequence[Graded]) -> str:
         statuses=STATUSES,
         outcomes=OUTCOMES,
         index=INDEX,
-    )
-
-
-def _render(template: str, **values: object) -> str:
-    return _environment().get_template(template).render(**values, **every_page())
-
-
-@lru_cache(maxsize=1)
-def _environment() -> Environment:
-    return Environment(
-        loader=ChoiceLoader(
-            [PackageLoader("armproof.course.grading"), PackageLoader("armproof.verification.report.html")]
-        ),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
     )

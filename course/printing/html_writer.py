@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import base64
-import hashlib
 from collections.abc import Callable, Sequence
-from importlib import resources
 
 from markupsafe import Markup, escape
 
@@ -13,31 +11,13 @@ from armproof.course.printing import sheet as s
 from armproof.course.printing.proof import proof_line, remark
 from armproof.course.printing.words import say
 from armproof.verification.latex.mathml.display import Line
+from armproof.verification.report.html.templating import Shell
 from armproof.verification.verdict import Record
 
 _TYPES = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg", ".gif": "gif", ".svg": "svg+xml", ".webp": "webp"}
 _PAGE = 46.0  # em of mathematics on a line of A4
 
-_HTML = Markup("""<!DOCTYPE html>
-<html lang="{lang}">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="generator" content="Armproof">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src '{digest}'">
-<title>{plain_title}</title>
-<style>{style}</style>
-</head>
-<body{kind}>
-{draft}<main>
-<header><h1>{title}</h1>
-{source}{edition}</header>
-{body}
-</main>
-<footer>{proof}</footer>
-</body>
-</html>
-""")
+_SHEET = Shell("armproof.course.printing", ("sheet.css",), "", allowed="img-src data:; ", drawn=False)
 
 
 class HtmlWriter:
@@ -61,26 +41,15 @@ class HtmlWriter:
 
     def page(self) -> str:
         """Return the whole page."""
-        sheet = self.sheet
-        style = (
-            resources.files("armproof.course.printing").joinpath("templates", "sheet.css").read_text(encoding="utf-8")
-        )
-        digest = f"sha256-{base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()}"
-        draft = Markup('<div class="across" aria-hidden="true">{}</div>\n').format(say("draft", sheet.lang))
-        source = Markup('<p class="source">{}</p>\n').format(self._content(sheet.source))
-        edition = Markup('<p class="edition">{}</p>\n').format(say("edition", sheet.lang))
-        return _HTML.format(
-            lang=sheet.lang,
-            digest=digest,
-            plain_title=s.plain(sheet.title),
-            style=Markup(style),
-            kind=Markup(' class="draft"') if sheet.draft else "",
-            draft=draft if sheet.draft else "",
-            title=self._content(sheet.title),
-            source=source if sheet.source else "",
-            edition=edition if sheet.solutions else "",
-            body=self._body(sheet.blocks),
-            proof=proof_line(sheet),
+        return _SHEET.render(
+            "sheet.html",
+            sheet=self.sheet,
+            say=say,
+            plain_title=s.plain(self.sheet.title),
+            title=self._content(self.sheet.title),
+            source=self._content(self.sheet.source),
+            body=self._body(self.sheet.blocks),
+            proof=proof_line(self.sheet),
         )
 
     def _body(self, blocks: Sequence[s.Block]) -> Markup:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from importlib.metadata import PackageNotFoundError, version
 
 from armproof.course.printing.sheet import Sheet
 from armproof.course.printing.words import say
+from armproof.verification.report.html.templating import version_of
 from armproof.verification.verdict import Record, Verdict
 
 
@@ -16,7 +16,7 @@ def proof_line(sheet: Sheet) -> str:
     proved = counts["proved"]
     key = "no_equation" if not proved else "one_proved" if proved == 1 else "proved"
     against = say("against", sheet.lang) if sheet.arm and proved else ""
-    first = f"{say(key, sheet.lang, count=proved)}{against}{say('by', sheet.lang, version=armproof_version())}"
+    first = f"{say(key, sheet.lang, count=proved)}{against}{say('by', sheet.lang, version=version_of('armproof'))}"
     rest = [say(kind, sheet.lang, count=counts[kind]) for kind in ("confirmed", "unchecked", "failed") if counts[kind]]
     return "; ".join([first, *rest])
 
@@ -39,11 +39,3 @@ def _kind(record: Record) -> str:
         Verdict.DEFINED: "defined",
     }
     return kinds.get(record.verdict, "failed")
-
-
-def armproof_version() -> str:
-    """Return the version of Armproof that is installed."""
-    try:
-        return version("armproof")
-    except PackageNotFoundError:
-        return ""

@@ -10,13 +10,14 @@ from markupsafe import Markup
 from armproof.course.feedback import Lesson
 from armproof.course.site.arms import picture_of, view_name
 from armproof.course.site.page import Neighbour
-from armproof.course.site.templating import render
+from armproof.course.site.templating import SITE
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.naming.names import read_names
 from armproof.verification.report.html.figures import Figure
 from armproof.verification.report.html.prose import title
+from armproof.verification.report.html.templating import versions
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,7 @@ def write_index(listed: Sequence[Listed], *, solutions: bool = False) -> str:
     """Return the page that lists the lessons."""
     arms = {each.arm: load_arm(each.arm) for each in listed if each.arm}
     rows = [(each.arm, _row(each, arms.get(each.arm))) for each in listed]
-    return render(
+    return SITE.render(
         "index.html",
         rows=[row for _, row in rows],
         total=sum(row.tasks for _, row in rows),
@@ -65,6 +66,7 @@ def write_index(listed: Sequence[Listed], *, solutions: bool = False) -> str:
             for name, arm in arms.items()
         ],
         solutions=solutions,
+        versions=versions(),
     )
 
 

@@ -13,9 +13,10 @@ from armproof.course.site.body import BodyWriter
 from armproof.course.site.cells import Cell
 from armproof.course.site.errors import SiteError
 from armproof.course.site.reading import LessonReader
-from armproof.course.site.templating import render
+from armproof.course.site.templating import SITE
 from armproof.verification.document import Document
 from armproof.verification.report.html.prose import plain_title, title
+from armproof.verification.report.html.templating import versions
 from armproof.verification.verdict import DocumentResult
 
 INDEX = "index.html"
@@ -92,7 +93,7 @@ def write_page(
     reader.close()
     panel = arm_panel(reader.arm, reader.read)
     me = neighbour(lesson, document.path)
-    html = render(
+    html = SITE.render(
         "lesson.html",
         styles=body.styles,
         lesson=lesson,
@@ -109,6 +110,7 @@ def write_page(
         before=around.before,
         after=around.after,
         proof=proof_line(_counted(result)),
+        versions=versions(),
     )
     return Written(html, tuple(reader.warnings))
 

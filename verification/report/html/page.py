@@ -19,7 +19,7 @@ from armproof.verification.report.html.card import arm_card
 from armproof.verification.report.html.figures import painter_of
 from armproof.verification.report.html.items import Item, ItemWriter
 from armproof.verification.report.html.states import STATES, answer, count_states, state_of
-from armproof.verification.report.html.templating import render, versions
+from armproof.verification.report.html.templating import REPORT, versions
 from armproof.verification.report.totals import passes
 from armproof.verification.verdict import DocumentResult, Record
 
@@ -53,7 +53,7 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
     ]
     errata = [writer.correction(item, record) for item, record in pairs if record.erratum and record.passes]
     name = str(document.path)
-    return render(
+    return REPORT.render(
         "document.html",
         title=prose.title(result.title, read) if result.title else name,
         plain_title=prose.plain_title(result.title) if result.title else name,
