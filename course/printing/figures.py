@@ -8,8 +8,8 @@ from pathlib import Path
 from armproof.course.figures.drawing.style import MM
 from armproof.course.figures.output.save import save_figure
 from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
-from armproof.course.printing.errors import PrintError
-from armproof.course.printing.sheet import Inline, Picture
+from armproof.course.sheet.errors import PrintError
+from armproof.course.sheet.model import Inline, Picture
 from armproof.models.arm import Arm
 from armproof.verification.document import Document
 

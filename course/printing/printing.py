@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.course.printing.document import Edition, make_sheet
-from armproof.course.printing.errors import PrintError
-from armproof.course.printing.html_writer import HtmlWriter
 from armproof.course.printing.pdf import check_installed, write_pdf
-from armproof.course.printing.sheet import Sheet
-from armproof.course.printing.words import check_language
+from armproof.course.sheet.errors import PrintError
+from armproof.course.sheet.html import HtmlWriter
+from armproof.course.sheet.model import Sheet
+from armproof.course.sheet.words import check_language
 from armproof.verification.cli.messages import complain
 from armproof.verification.document import Document
 from armproof.verification.running.atomic import write_atomically

@@ -11,10 +11,10 @@ import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from armproof.course.printing import sheet as s
 from armproof.course.printing.mathematics import quoted, typst_mathematics
-from armproof.course.printing.proof import proof_line, remark
-from armproof.course.printing.words import say
+from armproof.course.sheet import model as s
+from armproof.course.sheet.proof import proof_line, remark
+from armproof.course.sheet.words import say
 from armproof.verification.latex.mathml.display import Line
 
 _SPECIAL = re.compile(r"[!#$%&*+\-./:;<=>?@\[\\\]^_`{|}~]")

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from markupsafe import Markup
 
 from armproof.course.feedback import Lesson, Task
-from armproof.course.printing import sheet as s
+from armproof.course.sheet import model as s
 from armproof.course.site.cells import Cell, Output
 from armproof.course.site.outputs import show_outputs
 from armproof.course.site.reading import LessonReader

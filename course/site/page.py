@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.course.feedback import Lesson
-from armproof.course.printing import sheet as s
-from armproof.course.printing.proof import proof_line
+from armproof.course.sheet import model as s
+from armproof.course.sheet.proof import proof_line
 from armproof.course.site.arms import arm_panel
 from armproof.course.site.body import BodyWriter
 from armproof.course.site.cells import Cell

@@ -9,10 +9,10 @@ from urllib.parse import unquote
 
 from markdown_it.token import Token
 
-from armproof.course.printing.editions import with_solutions
-from armproof.course.printing.inline import InlineReader
-from armproof.course.printing.reading import BlockReader
-from armproof.course.printing.sheet import Block, Heading, Inline, Link, Listing, Paragraph, Quote, Styled, Text
+from armproof.course.sheet.editions import with_solutions
+from armproof.course.sheet.inline import InlineReader
+from armproof.course.sheet.model import Block, Heading, Inline, Link, Listing, Paragraph, Quote, Styled, Text
+from armproof.course.sheet.reading import BlockReader
 from armproof.course.site.cells import Cell
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm

@@ -9,8 +9,8 @@ from unicodedata import combining, normalize
 
 from markupsafe import Markup
 
-from armproof.course.printing import sheet as s
-from armproof.course.printing.html_writer import HtmlWriter
+from armproof.course.sheet import model as s
+from armproof.course.sheet.html import HtmlWriter
 from armproof.course.site.code import highlight
 from armproof.course.site.reading import unlinked
 

@@ -9,7 +9,7 @@ import pytest
 
 from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.printing.printing import render
-from armproof.course.printing.sheet import Sheet
+from armproof.course.sheet.model import Sheet
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
 

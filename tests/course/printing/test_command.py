@@ -57,7 +57,12 @@ def test_the_two_editions_stand_side_by_side(document, tmp_path):
 def test_an_html_sheet_asks_nothing_of_the_network(document, tmp_path):
     run(document(PROVED + "[a page](https://example.org)\n"), "--format", "html", "--out", tmp_path / "out")
     page = (tmp_path / "out" / "sheet.html").read_text(encoding="utf-8")
-    assert "default-src 'none'" in html.unescape(page) and "<script" not in page and "<link" not in page and 'src="http' not in page
+    assert (
+        "default-src 'none'" in html.unescape(page)
+        and "<script" not in page
+        and "<link" not in page
+        and 'src="http' not in page
+    )
     assert "<math" in page and "$$" not in page and "\\" not in page.partition("</style>")[2]
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from armproof.course.printing.document import Edition, make_sheet
-from armproof.course.printing.errors import PrintError
-from armproof.course.printing.proof import proof_line
-from armproof.course.printing.sheet import Blank, Display, Heading, Paragraph, Picture, Quote, Text, walk
+from armproof.course.sheet.errors import PrintError
+from armproof.course.sheet.model import Blank, Display, Heading, Paragraph, Picture, Quote, Text, walk
+from armproof.course.sheet.proof import proof_line
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
 from armproof.verification.verdict import Record, Verdict

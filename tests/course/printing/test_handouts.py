@@ -11,7 +11,7 @@ import pytest
 
 from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.printing.printing import render
-from armproof.course.printing.sheet import Display, Sheet, walk
+from armproof.course.sheet.model import Display, Sheet, walk
 from armproof.verification.check import check_document
 from armproof.verification.document import find_documents, read_document
 

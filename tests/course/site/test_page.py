@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from armproof.course.printing.errors import PrintError
+from armproof.course.sheet.errors import PrintError
 from armproof.course.site.cells import Cell, cells_of
 from armproof.course.site.errors import SiteError
 from armproof.course.site.reading import LessonReader

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from armproof.course.printing.errors import PrintError
+from armproof.course.sheet.errors import PrintError
 
 LANGUAGES = ("en", "fr")
 

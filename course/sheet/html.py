@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 
 from markupsafe import Markup, escape
 
-from armproof.course.printing import sheet as s
-from armproof.course.printing.proof import proof_line, remark
-from armproof.course.printing.words import say
+from armproof.course.sheet import model as s
+from armproof.course.sheet.proof import proof_line, remark
+from armproof.course.sheet.words import say
 from armproof.verification.latex.mathml.display import Line
 from armproof.verification.report.html.templating import Shell
 from armproof.verification.verdict import Record

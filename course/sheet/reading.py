@@ -13,10 +13,9 @@ from pathlib import Path
 from markdown_it.token import Token
 from markdown_it.tree import SyntaxTreeNode
 
-from armproof.course.printing.errors import PrintError
-from armproof.course.printing.inline import InlineReader
-from armproof.course.printing.pictures import find_picture
-from armproof.course.printing.sheet import (
+from armproof.course.sheet.errors import PrintError
+from armproof.course.sheet.inline import InlineReader
+from armproof.course.sheet.model import (
     Block,
     Display,
     Heading,
@@ -31,6 +30,7 @@ from armproof.course.printing.sheet import (
     Text,
     plain,
 )
+from armproof.course.sheet.pictures import find_picture
 from armproof.verification.correction import edits
 from armproof.verification.document import Display as Source
 from armproof.verification.document.markdown import ADMONITIONS, markdown_reader, without_labels

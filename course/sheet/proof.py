@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 
-from armproof.course.printing.sheet import Sheet
-from armproof.course.printing.words import say
+from armproof.course.sheet.model import Sheet
+from armproof.course.sheet.words import say
 from armproof.verification.report.html.templating import version_of
 from armproof.verification.verdict import Record, Verdict
 

@@ -13,7 +13,7 @@ from urllib.parse import unquote
 
 from markdown_it.token import Token
 
-from armproof.course.printing.sheet import Break, Code, Formula, Inline, Link, Styled, Text, plain
+from armproof.course.sheet.model import Break, Code, Formula, Inline, Link, Styled, Text, plain
 from armproof.models.errors import ArmproofError
 from armproof.verification.document import SUFFIXES, read_document
 from armproof.verification.errors import ReadError

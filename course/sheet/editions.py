@@ -13,8 +13,7 @@ from dataclasses import replace
 from itertools import zip_longest
 from typing import TypeGuard
 
-from armproof.course.printing.reading import is_solution
-from armproof.course.printing.sheet import (
+from armproof.course.sheet.model import (
     Blank,
     Block,
     Display,
@@ -26,6 +25,7 @@ from armproof.course.printing.sheet import (
     Table,
     plain,
 )
+from armproof.course.sheet.reading import is_solution
 
 _LINE = 7.0  # mm of a line in handwriting
 _HIGHEST = 100.0  # mm, so that two with their questions fill a page
