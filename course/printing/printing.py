@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.course.printing.document import Edition, make_sheet
+from armproof.course.printing.html import write_html
 from armproof.course.printing.pdf import check_installed, write_pdf
 from armproof.course.sheet.errors import PrintError
-from armproof.course.sheet.html import HtmlWriter
 from armproof.course.sheet.model import Sheet
 from armproof.course.sheet.words import check_language
 from armproof.verification.cli.messages import complain
@@ -62,7 +62,7 @@ def render(sheet: Sheet, form: str) -> bytes:
     """
     if form not in FORMATS:
         raise PrintError(f"no format '{form}'; a sheet is printed as {' or '.join(FORMATS)}")
-    return write_pdf(sheet) if form == "pdf" else HtmlWriter(sheet).page().encode("utf-8")
+    return write_pdf(sheet) if form == "pdf" else write_html(sheet).encode("utf-8")
 
 
 def prepare(printer: Printer, documents: Sequence[Path]) -> Printer:

@@ -52,7 +52,7 @@ class TypstWriter:
             "source": self._content(sheet.source) if sheet.source else "none",
             "lang": quoted(sheet.lang),
             "draft": quoted(say("draft", sheet.lang)) if sheet.draft else "none",
-            "proof": quoted(proof_line(sheet)),
+            "proof": quoted(proof_line(sheet.records, sheet.lang, sheet.arm)),
             "edition": quoted(say("edition", sheet.lang)) if sheet.solutions else "none",
         }
         arguments = ", ".join(f"{name}: {value}" for name, value in settings.items())

@@ -1,4 +1,4 @@
-"""A sheet as one HTML file: MathML, its style and its pictures inside, no script, nothing from the network."""
+"""The blocks of a sheet as HTML: mathematics as MathML, pictures inside, no script, nothing from the network."""
 
 from __future__ import annotations
 
@@ -8,27 +8,23 @@ from collections.abc import Callable, Sequence
 from markupsafe import Markup, escape
 
 from armproof.course.sheet import model as s
-from armproof.course.sheet.proof import proof_line, remark
+from armproof.course.sheet.proof import remark
 from armproof.course.sheet.words import say
 from armproof.verification.latex.mathml.display import Line
-from armproof.verification.report.html.templating import Shell
 from armproof.verification.verdict import Record
 
 _TYPES = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg", ".gif": "gif", ".svg": "svg+xml", ".webp": "webp"}
 _PAGE = 46.0  # em of mathematics on a line of A4
 
-_SHEET = Shell("armproof.course.printing", ("sheet.css",), "", allowed="img-src data:; ", drawn=False)
-
 
 class HtmlWriter:
-    """Writes one sheet."""
+    """Writes the blocks of one sheet; `lang` is the language of the words that it adds."""
 
-    def __init__(self, sheet: s.Sheet) -> None:
-        self.sheet = sheet
-        self.lang = sheet.lang
+    def __init__(self, lang: str = "en") -> None:
+        self.lang = lang
         self.blocks: dict[type, Callable[..., Markup]] = {
             s.Heading: self._heading,
-            s.Paragraph: lambda block: Markup("<p>{}</p>").format(self._content(block.parts)),
+            s.Paragraph: lambda block: Markup("<p>{}</p>").format(self.words(block.parts)),
             s.Display: self._display,
             s.Table: self._table,
             s.Listing: self._list,
@@ -39,27 +35,15 @@ class HtmlWriter:
             s.Rule: lambda block: Markup("<hr>"),
         }
 
-    def page(self) -> str:
-        """Return the whole page."""
-        return _SHEET.render(
-            "sheet.html",
-            sheet=self.sheet,
-            say=say,
-            plain_title=s.plain(self.sheet.title),
-            title=self._content(self.sheet.title),
-            source=self._content(self.sheet.source),
-            body=self._body(self.sheet.blocks),
-            proof=proof_line(self.sheet),
-        )
-
-    def _body(self, blocks: Sequence[s.Block]) -> Markup:
+    def body(self, blocks: Sequence[s.Block]) -> Markup:
+        """Return blocks as HTML."""
         return Markup("\n").join(self.blocks[type(block)](block) for block in blocks)
 
     # -- blocks -----------------------------------------------------------------------------------------------------
 
     def _heading(self, block: s.Heading) -> Markup:
         tag = Markup(f"h{min(6, max(2, block.level))}")
-        return Markup("<{0}>{1}</{0}>").format(tag, self._content(block.parts))
+        return Markup("<{0}>{1}</{0}>").format(tag, self.words(block.parts))
 
     def _display(self, block: s.Display) -> Markup:
         note = self._note(block.record)
@@ -77,7 +61,7 @@ class HtmlWriter:
             aligned = zip(block.columns, cells, strict=False)
             return Markup("<tr>{}</tr>").format(
                 Markup("").join(
-                    Markup("<{0} class={1}>{2}</{0}>").format(Markup(tag), side, self._content(cell))
+                    Markup("<{0} class={1}>{2}</{0}>").format(Markup(tag), side, self.words(cell))
                     for side, cell in aligned
                 )
             )
@@ -92,25 +76,26 @@ class HtmlWriter:
         return Markup('<p class="note">{}</p>').format(note) if note else Markup("")
 
     def _list(self, block: s.Listing) -> Markup:
-        items = Markup("\n").join(Markup("<li>{}</li>").format(self._body(item)) for item in block.items)
+        items = Markup("\n").join(Markup("<li>{}</li>").format(self.body(item)) for item in block.items)
         if block.start is None:
             return Markup("<ul>{}</ul>").format(items)
         return Markup('<ol start="{}">{}</ol>').format(block.start, items)
 
     def _quote(self, block: s.Quote) -> Markup:
         label = Markup('<p class="label">✗ {}</p>').format(say("erratum", self.lang)) if block.kind == "erratum" else ""
-        return Markup('<blockquote class="{}">{}{}</blockquote>').format(block.kind, label, self._body(block.blocks))
+        return Markup('<blockquote class="{}">{}{}</blockquote>').format(block.kind, label, self.body(block.blocks))
 
     def _picture(self, block: s.Picture) -> Markup:
         data = base64.b64encode(block.path.read_bytes()).decode()
-        caption = Markup("<figcaption>{}</figcaption>").format(self._content(block.caption)) if block.caption else ""
+        caption = Markup("<figcaption>{}</figcaption>").format(self.words(block.caption)) if block.caption else ""
         return Markup('<figure><img src="data:image/{};base64,{}" alt="{}">{}</figure>').format(
             _TYPES[block.path.suffix.lower()], data, s.plain(block.caption), caption
         )
 
     # -- words ------------------------------------------------------------------------------------------------------
 
-    def _content(self, parts: Sequence[s.Inline]) -> Markup:
+    def words(self, parts: Sequence[s.Inline]) -> Markup:
+        """Return inline parts as HTML."""
         return Markup("").join(self._part(part) for part in parts)
 
     def _part(self, part: s.Inline) -> Markup:
@@ -118,13 +103,13 @@ class HtmlWriter:
             return escape(part.text)
         if isinstance(part, s.Styled):
             tag = Markup("strong" if part.kind == "strong" else "em")
-            return Markup("<{0}>{1}</{0}>").format(tag, self._content(part.parts))
+            return Markup("<{0}>{1}</{0}>").format(tag, self.words(part.parts))
         if isinstance(part, s.Code):
             return Markup("<code>{}</code>").format(part.text)
         if isinstance(part, s.Formula):
             return Markup(" ").join(Markup(f"<math>{piece.markup}</math>") for piece in part.pieces)
         if isinstance(part, s.Link):
-            return Markup('<a href="{}" rel="noreferrer">{}</a>').format(part.target, self._content(part.parts))
+            return Markup('<a href="{}" rel="noreferrer">{}</a>').format(part.target, self.words(part.parts))
         return Markup("<br>")
 
 

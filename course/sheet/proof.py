@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 
-from armproof.course.sheet.model import Sheet
 from armproof.course.sheet.words import say
 from armproof.verification.report.html.templating import version_of
 from armproof.verification.verdict import Record, Verdict
 
 
-def proof_line(sheet: Sheet) -> str:
-    """Return how many equations on the sheet are proved, and by what; errata are none of them."""
-    counts = Counter(_kind(record) for record in sheet.records if not record.erratum)
+def proof_line(records: Iterable[Record], lang: str, arm: str) -> str:
+    """Return how many equations are proved, and by what; errata are none of them, and none is against Drake without an arm."""
+    counts = Counter(_kind(record) for record in records if not record.erratum)
     proved = counts["proved"]
     key = "no_equation" if not proved else "one_proved" if proved == 1 else "proved"
-    against = say("against", sheet.lang) if sheet.arm and proved else ""
-    first = f"{say(key, sheet.lang, count=proved)}{against}{say('by', sheet.lang, version=version_of('armproof'))}"
-    rest = [say(kind, sheet.lang, count=counts[kind]) for kind in ("confirmed", "unchecked", "failed") if counts[kind]]
+    against = say("against", lang) if arm and proved else ""
+    first = f"{say(key, lang, count=proved)}{against}{say('by', lang, version=version_of('armproof'))}"
+    rest = [say(kind, lang, count=counts[kind]) for kind in ("confirmed", "unchecked", "failed") if counts[kind]]
     return "; ".join([first, *rest])
 
 

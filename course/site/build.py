@@ -7,35 +7,17 @@ import json
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.course.authoring.places import COURSE, Place
+from armproof.course.site import work
 from armproof.course.site.errors import SiteError
+from armproof.course.site.work import Built, Order
 from armproof.models.errors import ArmproofError
 from armproof.verification.report.html.folder import Kind, is_page, new_report
 from armproof.verification.running.processes import MOST_WORKERS, cores, start_pool
 
 FILES = "files.json"  # the digest of each file that is no page
 _PATIENCE = "the process that built it ended; Drake may have aborted on its arm"
-
-
-@dataclass(frozen=True)
-class Order:
-    """What is to be built: sources in the order of the lessons, their place, the edition."""
-
-    sources: tuple[Path, ...]
-    place: Place = COURSE
-    solutions: bool = False
-
-
-@dataclass(frozen=True)
-class Built:
-    """What became of a lesson: what of it is not on its page, and why there is no page."""
-
-    source: Path
-    warnings: tuple[str, ...] = ()
-    problem: str = ""
 
 
 def build_site(
@@ -85,8 +67,6 @@ def kind_of(target: Path) -> Kind:
 
 def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
     """Yield what became of each lesson; the processes begin before Drake is imported."""
-    from armproof.course.site import work
-
     with start_pool(workers) as pool:
         try:
             described = _result(pool, work.describe, order)

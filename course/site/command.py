@@ -16,7 +16,7 @@ from armproof.verification.cli.messages import complain
 from armproof.verification.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from armproof.course.site.build import Built
+    from armproof.course.site.work import Built
 
 Names = Annotated[
     list[str] | None,
@@ -49,8 +49,9 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
     """
     from armproof.course.authoring.kernel import require_jupyter
     from armproof.course.authoring.places import place_of
-    from armproof.course.site.build import Order, build_site
+    from armproof.course.site.build import build_site
     from armproof.course.site.errors import SiteError
+    from armproof.course.site.work import Order
 
     started = time.perf_counter()
     target = out or Path("build/site-solutions" if solutions else "build/site")

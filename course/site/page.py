@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.course.feedback import Lesson
-from armproof.course.sheet import model as s
 from armproof.course.sheet.proof import proof_line
 from armproof.course.site.arms import arm_panel
 from armproof.course.site.body import BodyWriter
@@ -109,7 +108,7 @@ def write_page(
         index=INDEX,
         before=around.before,
         after=around.after,
-        proof=proof_line(_counted(result)),
+        proof=proof_line(result.records, "en", result.arm),
         versions=versions(),
     )
     return Written(html, tuple(reader.warnings))
@@ -123,9 +122,3 @@ def _require_passed(result: DocumentResult) -> None:
             f"{result.path}:{wrong[0].line}: an equation does not pass{more}, so the page is not built; "
             f"armproof verify {result.path} says what is wrong"
         )
-
-
-def _counted(result: DocumentResult) -> s.Sheet:
-    """Return a sheet with the verdicts of a lesson, whose proofs are counted."""
-    shown = tuple(s.Display((), record) for record in result.records)
-    return s.Sheet((), (), "en", result.arm, shown)

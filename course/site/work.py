@@ -7,12 +7,30 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from armproof.course.site.build import Built, Order
+from armproof.course.authoring.places import COURSE, Place
 from armproof.course.site.errors import SiteError
 from armproof.models.errors import ArmproofError
 
 if TYPE_CHECKING:
     from armproof.course.feedback import Lesson
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be built: sources in the order of the lessons, their place, the edition."""
+
+    sources: tuple[Path, ...]
+    place: Place = COURSE
+    solutions: bool = False
+
+
+@dataclass(frozen=True)
+class Built:
+    """What became of a lesson: what of it is not on its page, and why there is no page."""
+
+    source: Path
+    warnings: tuple[str, ...] = ()
+    problem: str = ""
 
 
 @dataclass(frozen=True)

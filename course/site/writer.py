@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from unicodedata import combining, normalize
 
@@ -17,7 +16,6 @@ from armproof.course.site.reading import unlinked
 _TAG = re.compile(r"\\tag\*?\{([^{}$\\]{1,20})\}")  # by which words refer to a display
 _NARROW = 16.0  # em that fit on a phone
 _LONGEST = 60  # characters of an anchor
-_EMPTY = s.Sheet((), (), "en", "", ())
 
 
 @dataclass(frozen=True)
@@ -34,19 +32,11 @@ class PageWriter(HtmlWriter):
     """Writes the blocks of one page; `contents` collects its headings."""
 
     def __init__(self) -> None:
-        super().__init__(_EMPTY)
+        super().__init__()
         self.contents: list[Entry] = []
         self._anchors: set[str] = {"main", "objectives", "reference"}  # which the page has
         self._level = 1
         self.blocks[s.Listed] = self._listed
-
-    def body(self, blocks: Sequence[s.Block]) -> Markup:
-        """Return blocks as HTML."""
-        return self._body(blocks)
-
-    def words(self, parts: Sequence[s.Inline]) -> Markup:
-        """Return inline parts as HTML."""
-        return self._content(parts)
 
     def heading(self, level: int, words: Markup, plain: str) -> Markup:
         """Return a heading with an anchor; no level is left out."""
@@ -64,7 +54,7 @@ class PageWriter(HtmlWriter):
         return anchor
 
     def _heading(self, block: s.Heading) -> Markup:
-        return self.heading(block.level, self._content(unlinked(block.parts)), s.plain(block.parts))
+        return self.heading(block.level, self.words(unlinked(block.parts)), s.plain(block.parts))
 
     def _display(self, block: s.Display) -> Markup:
         widest = max((piece.width for line in block.lines for each in line for piece in each), default=0.0)
@@ -81,9 +71,7 @@ class PageWriter(HtmlWriter):
     def _quote(self, block: s.Quote) -> Markup:
         if block.kind == "solution":
             inside = block.blocks[1:] if isinstance(block.blocks[0], s.Heading) else block.blocks
-            return Markup('<details class="solution"><summary>Solution</summary>{}</details>').format(
-                self._body(inside)
-            )
+            return Markup('<details class="solution"><summary>Solution</summary>{}</details>').format(self.body(inside))
         return super()._quote(block)
 
     def _part(self, part: s.Inline) -> Markup:

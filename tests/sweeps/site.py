@@ -18,7 +18,8 @@ from pathlib import Path
 
 from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
 from armproof.course.authoring.places import COURSE
-from armproof.course.site.build import Order, build_site
+from armproof.course.site.build import build_site
+from armproof.course.site.work import Order
 from tests.course.site.test_in_browser import HELD
 from tests.course.site.test_page import check_valid
 from tests.verification.report.browser import Browser

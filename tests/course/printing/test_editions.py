@@ -10,7 +10,7 @@ import pytest
 
 from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.sheet.errors import PrintError
-from armproof.course.sheet.model import Blank, Display, Heading, Paragraph, Picture, Quote, Text, walk
+from armproof.course.sheet.model import Blank, Display, Heading, Paragraph, Picture, Quote, Sheet, Text, walk
 from armproof.course.sheet.proof import proof_line
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
@@ -38,6 +38,10 @@ def titles(sheet) -> list[str]:
 
 def records_in(quote: Quote) -> list[Record]:
     return [block.record for block in walk(quote.blocks) if isinstance(block, Display)]
+
+
+def proof_of(sheet: Sheet) -> str:
+    return proof_line(sheet.records, sheet.lang, sheet.arm)
 
 
 def test_a_document_that_does_not_pass_is_not_printed(document, make):
@@ -142,14 +146,14 @@ def test_a_document_without_solutions_says_so(document, make):
 
 def test_the_foot_counts_what_stands_on_the_sheet(document, make):
     path = document(RIGHT + ERRATUM + "## Solution\n\n" + RIGHT)
-    assert proof_line(make(path)).startswith("1 equation proved against Drake")
-    assert proof_line(make(path, solutions=True)).startswith("2 equations proved against Drake")
-    assert proof_line(make(path, solutions=True, lang="fr")).startswith("2 équations démontrées avec Drake")
+    assert proof_of(make(path)).startswith("1 equation proved against Drake")
+    assert proof_of(make(path, solutions=True)).startswith("2 equations proved against Drake")
+    assert proof_of(make(path, solutions=True, lang="fr")).startswith("2 équations démontrées avec Drake")
 
 
 def test_an_equation_about_no_arm_is_not_proved_against_drake(document, make):
     sheet = make(document(r"$$ \cos^2 x + \sin^2 x = 1 $$", front="---\ntitle: General\n---\n\n"))
-    assert proof_line(sheet).startswith("1 equation proved by Armproof")
+    assert proof_of(sheet).startswith("1 equation proved by Armproof")
 
 
 def test_what_is_unchecked_is_counted_as_such(document, tmp_path):
@@ -157,7 +161,7 @@ def test_what_is_unchecked_is_counted_as_such(document, tmp_path):
     result = check_document(read, confirm=False)
     unchecked = replace(result.equations[1], verdict=Verdict.UNCHECKED)
     sheet = make_sheet(read, replace(result, equations=(result.equations[0], unchecked)), Edition(), tmp_path)
-    assert proof_line(sheet).startswith("1 equation proved") and proof_line(sheet).endswith("; 1 not checked")
+    assert proof_of(sheet).startswith("1 equation proved") and proof_of(sheet).endswith("; 1 not checked")
 
 
 @pytest.mark.parametrize(("lang", "words"), [("en", "Teacher"), ("fr", "Édition de l’enseignant")])

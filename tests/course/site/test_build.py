@@ -13,9 +13,10 @@ from typer.testing import CliRunner
 
 from armproof.course.authoring.lesson_source import read_lesson_source
 from armproof.course.site import build, command, execution
-from armproof.course.site.build import Built, Order, build_site
+from armproof.course.site.build import build_site
 from armproof.course.site.cells import cells_of
 from armproof.course.site.errors import SiteError
+from armproof.course.site.work import Built, Order
 from armproof.verification.report.html.folder import ReportFolderError, new_report
 from tests.course.site.conftest import SECRET
 from tests.course.site.test_page import check_valid
