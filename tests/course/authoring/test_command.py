@@ -189,10 +189,8 @@ def test_an_entry_point_may_be_a_group_or_a_function():
 def test_help_loads_neither_drake_nor_jupyter():
     import subprocess
 
-    code = (
-        "import sys; from armproof.course.lesson_command import lesson; lesson(['--help'], standalone_mode=False); \
+    code = "import sys; from armproof.course.lesson_command import lesson; lesson(['--help'], standalone_mode=False); \
 print([name for name in ('pydrake', 'nbclient', 'nbformat', 'numpy') if name in sys.modules])"
-    )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert result.stdout.strip().endswith("[]"), result.stdout + result.stderr
     for name in ("list", "build", "check", "new", "site"):
