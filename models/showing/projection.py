@@ -78,11 +78,6 @@ def choose_projection(arm: Arm) -> Projection:
     return axonometric() if normal is None else look_along(normal, planar=True)
 
 
-def is_planar(arm: Arm) -> bool:
-    """Whether an arm moves in one plane: revolute axes across it, prismatic axes in it."""
-    return _plane_normal(arm) is not None
-
-
 @lru_cache(maxsize=64)
 def plane_projection(arm: Arm) -> Projection | None:
     """Return the view along the revolute axes where all are parallel (planar arms, SCARA), else None."""

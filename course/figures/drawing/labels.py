@@ -84,17 +84,6 @@ def joint_value(value: float, kind: str, lang: str) -> str:
     return angle(value, lang) if kind == "revolute" else length(value, lang)
 
 
-def joint_texts(arm: Arm, q: np.ndarray, lang: str) -> list[str]:
-    """Return each joint value of a configuration (n,) with its symbol and unit."""
-    values = zip(arm.joints, q, strict=True)
-    return [f"{math(joint.symbol)} = {joint_value(value, joint.kind, lang)}" for joint, value in values]
-
-
-def pose_text(arm: Arm, q: np.ndarray, lang: str) -> str:
-    """Return the joint values of a configuration (n,), with their symbols and units, as one text."""
-    return ", ".join(joint_texts(arm, q, lang))
-
-
 def axis_label(words: str, unit: str, symbol: str = "") -> str:
     """Return the label of an axis: words, symbol and unit, as "time $t$ (s)"; the unit may be left empty."""
     parts = [words, f"${symbol}$" if symbol else "", f"({unit})" if unit else ""]
@@ -153,12 +142,17 @@ def dotted(symbol: str, order: int) -> str:
     return f"{_DOTS[order]}{{{letter}}}{underscore}{index}" if order else letter + underscore + index
 
 
-def values_text(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> str:
-    """Return joint values (n,), or velocities or accelerations, as a list with symbols and units."""
+def joint_texts(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> list[str]:
+    """Return each of the joint values (n,), or velocities or accelerations, with its symbol and unit."""
     parts = []
     for joint, value in zip(arm.joints, joint_scales(arm) * values, strict=True):
         name = f"${dotted(joint.symbol, order)}$" if order else math(joint.symbol)
         unit = joint_unit(joint.kind, order)
         space = "" if unit == "°" else " "
         parts.append(f"{name} = {number(round(value, 9), lang)}{space}{unit}")
-    return ", ".join(parts)
+    return parts
+
+
+def values_text(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> str:
+    """Return joint values (n,), or velocities or accelerations, with their symbols and units, as one text."""
+    return ", ".join(joint_texts(arm, values, lang, order))

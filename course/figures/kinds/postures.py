@@ -15,8 +15,8 @@ from armproof.course.figures.drawing.labels import (
     joint_value,
     length,
     math,
-    pose_text,
     say,
+    values_text,
 )
 from armproof.course.figures.drawing.layout import lay_out
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
@@ -145,7 +145,7 @@ def caption(arm: Arm, lang: str = "en") -> str:
         say("by_formula", lang) if found.found == "formula" else say("by_iteration", lang, starts=STARTS),
     ]
     for number, q in enumerate(found.q, start=1):
-        parts.append(say("posture_caption", lang, number=number, pose=pose_text(arm, q, lang)))
+        parts.append(say("posture_caption", lang, number=number, pose=values_text(arm, q, lang)))
     return " ".join(parts)
 
 

@@ -1,4 +1,4 @@
-"""The base of the figures: style, words, projections, layouts, placement and what legibility finds."""
+"""The base of the figures: style, words, layouts, placement and what legibility finds."""
 
 import re
 from collections.abc import Iterator
@@ -17,8 +17,7 @@ from armproof.course.figures.errors import FigureError
 from armproof.course.figures.facts.poses import showing_pose, zero_pose
 from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import outside_limits
-from armproof.models.numeric.plant import NumericKinematics
-from armproof.models.showing.projection import axonometric, choose_projection, is_planar, look_along, plane_projection
+from armproof.models.showing.projection import choose_projection
 from tests.course.figures.legibility import illegible
 
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
@@ -81,37 +80,6 @@ def test_large_and_small_numbers_are_written_without_a_caret(value: float, plain
 def test_every_arm_of_the_catalogue_has_a_french_title(arm: Arm) -> None:
     if arm.name not in ("slanted", "box"):
         assert arm_title(arm, "fr") != arm.title
-
-
-@pytest.mark.parametrize("toward", [(0, 0, 1), (0, -1, 0), (1, 2, 3)])
-def test_projections_are_orthonormal(toward: tuple[float, float, float]) -> None:
-    projection = look_along(np.array(toward))
-    R = np.stack([projection.right, projection.up, projection.toward])
-    assert pytest.approx(np.eye(3), abs=1e-14) == R @ R.T
-    assert np.linalg.det(R) == pytest.approx(1)
-
-
-def test_planar_arms_are_seen_along_their_normal(arm: Arm) -> None:
-    projection = choose_projection(arm)
-    assert projection.planar == is_planar(arm) == (arm.name in ("planar_2r", "planar_3r", "polar_rp"))
-    if projection.planar:
-        q = np.random.default_rng(1).uniform(-1, 1, (5, len(arm.joints)))
-        depths = projection.depth(NumericKinematics(arm, q).pose(arm.frames[-1])[:, :3, 3])
-        assert np.ptp(depths) < 1e-12
-    else:
-        assert np.array_equal(projection.toward, axonometric().toward)
-
-
-@pytest.mark.parametrize("arm", ["scara", "planar_2r"], indirect=True)
-def test_arms_with_parallel_axes_have_a_plane(arm: Arm) -> None:
-    projection = plane_projection(arm)
-    assert projection is not None
-    assert projection.toward == pytest.approx([0, 0, 1])
-
-
-@pytest.mark.parametrize("arm", ["rx90"], indirect=True)
-def test_other_arms_have_none(arm: Arm) -> None:
-    assert plane_projection(arm) is None
 
 
 def test_symbols_stand_on_their_axes_and_apart(arm: Arm) -> None:
