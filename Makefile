@@ -59,6 +59,8 @@ benchmark: $(READY)
 
 sweep: $(READY)
 	ARMPROOF_SWEEP=1 $(VENV)/bin/python -m pytest -n auto --dist loadfile
+	$(VENV)/bin/python -m tests.sweeps.claims
+	$(VENV)/bin/python -m tests.sweeps.mutants_of_displays
 	$(VENV)/bin/python -m tests.sweeps.singularities
 	$(VENV)/bin/python -m tests.sweeps.inverse
 	$(VENV)/bin/python -m tests.sweeps.tracking
