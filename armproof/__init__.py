@@ -16,6 +16,7 @@
 | `trace_of(arm)` | the exact ones, a `Trace` |
 | `plant_of(arm)` | the `MultibodyPlant` of an arm |
 | `inverse_of(arm)` | the proved closed-form inverse of an arm, an `InverseKinematics` |
+| `analyse_singularities(arm)` | where its Jacobian loses rank, a `SingularityAnalysis` |
 | `open_lesson(name)` | a `Lesson`, whose tasks give `Feedback` on answers |
 
 The other names are those of the values that these return and of the errors that they raise. Each is loaded when it is
@@ -39,6 +40,8 @@ if TYPE_CHECKING:
     from armproof.verification.errors import DocumentError
     from armproof.verification.functions import FunctionCheck, FunctionVerdict, TableRow, check_function
     from armproof.verification.inverse import InverseError, InverseKinematics, Mark, Solutions
+    from armproof.verification.singularities.analysis import analyse_singularities
+    from armproof.verification.singularities.families import Family, Position, SingularityAnalysis
     from armproof.verification.verdict import Correction, DocumentResult, Record, Verdict, WrongEntry
 
 __all__ = [
@@ -49,6 +52,7 @@ __all__ = [
     "Correction",
     "DocumentError",
     "DocumentResult",
+    "Family",
     "Feedback",
     "FunctionCheck",
     "FunctionVerdict",
@@ -60,13 +64,16 @@ __all__ = [
     "ModelError",
     "NumericKinematics",
     "Outcome",
+    "Position",
     "Record",
     "Row",
+    "SingularityAnalysis",
     "Solutions",
     "TableRow",
     "Trace",
     "Verdict",
     "WrongEntry",
+    "analyse_singularities",
     "bulk_of",
     "check_function",
     "inverse_of",
@@ -93,6 +100,8 @@ _HOMES = {
     "armproof.verification.errors": ("DocumentError",),
     "armproof.verification.functions": ("FunctionCheck", "FunctionVerdict", "TableRow", "check_function"),
     "armproof.verification.inverse": ("InverseError", "InverseKinematics", "Mark", "Solutions"),
+    "armproof.verification.singularities.analysis": ("analyse_singularities",),
+    "armproof.verification.singularities.families": ("Family", "Position", "SingularityAnalysis"),
     "armproof.verification.verdict": ("Correction", "DocumentResult", "Record", "Verdict", "WrongEntry"),
 }
 

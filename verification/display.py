@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from armproof.verification.conditions.entailment import check_implication
 from armproof.verification.conditions.implication import Implication, connectives_among, find_implication
 from armproof.verification.conditions.system import is_condition, is_rank_condition
 from armproof.verification.equations.chain import ChainChecker
@@ -78,6 +77,8 @@ class Statements:
         judged: tuple[Outcome, dict[str, float]] | None = None
         conditional = implication.kind == "if" or any(is_condition(chain) for chain in premises)
         if conditional or all(is_condition(chain) for chain in conclusions):
+            from armproof.verification.conditions.entailment import check_implication  # few documents hold one
+
             judged = check_implication(self.checker, implication, equation)
             conditional = conditional or judged[0].verdict is not Verdict.UNCHECKED
         holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in steps)

@@ -15,7 +15,8 @@ import numpy as np
 
 from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import arm_names, load_arm
-from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
+from armproof.verification.singularities.analysis import analyse_singularities
+from armproof.verification.singularities.families import SingularityAnalysis
 from armproof.verification.singularities.points import Sampler
 from armproof.verification.singularities.second_order import jacobian_derivatives
 

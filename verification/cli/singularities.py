@@ -42,7 +42,7 @@ def singularities(
     Exit code 0: all families were found; 1: the analysis is beyond exact reach; 2: it cannot run.
     """
     from armproof.verification.report.singularities import singularity_json, singularity_lines
-    from armproof.verification.singularities import analyse_singularities
+    from armproof.verification.singularities.analysis import analyse_singularities
 
     model = load(arm)
     try:

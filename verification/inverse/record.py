@@ -17,14 +17,12 @@ from armproof.verification.verdict import Record, Verdict
 LATEX = r"\mathrm{FK}(\mathrm{IK}(x)) = x"
 
 
-def check_inverse(document: Document, arm: Arm | None) -> Record | None:
-    """Return the verdict of the solution that a document's front matter announces, or None where it announces none.
+def check_inverse(document: Document, arm: Arm | None) -> Record:
+    """Return the verdict of the solution that a document's front matter announces.
 
     Raises:
         DocumentError: the front matter's `inverse` cannot be read.
     """
-    if "inverse" not in document.front:
-        return None
     record = Record(document.lines.get("inverse", 1), LATEX, Verdict.UNCHECKED, section="Inverse kinematics")
     try:
         inverse = InverseKinematics(read_derivation(document, read_names(arm, document.front)))

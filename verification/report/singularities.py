@@ -10,7 +10,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.written import write_scalar
 from armproof.verification.latex.plain import plain_text
 from armproof.verification.report.lines import Line
-from armproof.verification.singularities import Family, Position, SingularityAnalysis
+from armproof.verification.singularities.families import Family, Position, SingularityAnalysis
 from armproof.verification.singularities.writing import compact_notation
 
 MOST_INTERSECTIONS = 12  # as text; a program gets all

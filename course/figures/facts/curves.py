@@ -7,7 +7,7 @@ import numpy as np
 from armproof.course.figures.facts.positioning import Positioning
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import joint_range
-from armproof.verification.singularities import Family
+from armproof.verification.singularities.families import Family
 
 _DRAWN, _ROUNDS, _ENOUGH = 400, 4, 350
 _SEED = 5

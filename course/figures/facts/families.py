@@ -7,7 +7,8 @@ from functools import lru_cache
 from armproof.course.figures.facts.task import task_of
 from armproof.models.arm import Arm
 from armproof.verification.errors import EvaluationError
-from armproof.verification.singularities import Family, SingularityAnalysis, analyse_singularities
+from armproof.verification.singularities.analysis import analyse_singularities
+from armproof.verification.singularities.families import Family, SingularityAnalysis
 
 
 @lru_cache(maxsize=64)

@@ -12,7 +12,7 @@ from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import bulk_of
 from armproof.models.numeric.configurations import joint_range
-from armproof.verification.singularities import Family
+from armproof.verification.singularities.families import Family
 
 SIDE = 1000  # a million configurations
 _DRAWN = 600

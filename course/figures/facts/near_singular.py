@@ -16,7 +16,7 @@ from armproof.models.bulk.bulk import bulk_of
 from armproof.models.motion.inverse_velocity import damped_inverse, joint_rates
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.numeric.configurations import joint_range
-from armproof.verification.singularities import Family
+from armproof.verification.singularities.families import Family
 
 SAMPLES = 241
 DURATION = 2.0  # s

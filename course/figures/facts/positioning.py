@@ -22,7 +22,8 @@ from armproof.models.showing.projection import (
 )
 from armproof.models.showing.skeleton import place_skeleton
 from armproof.verification.errors import EvaluationError
-from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
+from armproof.verification.singularities.analysis import analyse_singularities
+from armproof.verification.singularities.families import SingularityAnalysis
 
 _ZERO = 1e-9
 _SEED = 11

@@ -40,7 +40,7 @@ from armproof.course.figures.facts.joint_map import (
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.verification.latex.writer import symbol_as_latex
-from armproof.verification.singularities import Family
+from armproof.verification.singularities.families import Family
 
 _SHOWN = 2  # every second configuration of each axis is printed
 _WIDTH, _HEIGHT = 52.0, 46.0  # mm

@@ -24,7 +24,7 @@ from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import outside_limits
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import Projection, choose_projection, plane_projection
-from armproof.verification.singularities import Family, SingularityAnalysis
+from armproof.verification.singularities.families import Family, SingularityAnalysis
 
 _ELLIPSE = 10.0  # mm: the longest half axis
 _ARROW = 11.0  # mm

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from armproof.models.catalogue import load_arm
-from armproof.verification.singularities import SingularityAnalysis, analyse_singularities
+from armproof.verification.singularities.analysis import analyse_singularities
+from armproof.verification.singularities.families import SingularityAnalysis
 from tests.sweeps.singularities import sweep
 
 UP, DOWN = "pi/2", "-pi/2"

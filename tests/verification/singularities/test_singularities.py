@@ -15,8 +15,9 @@ from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.singularities import Family, SingularityAnalysis, analyse_singularities
+from armproof.verification.singularities.analysis import analyse_singularities
 from armproof.verification.singularities.factors import Factor
+from armproof.verification.singularities.families import Family, SingularityAnalysis
 from armproof.verification.singularities.variety import Variety
 from tests.sweeps.singularities import refine, sweep
 
