@@ -11,9 +11,9 @@ import typer
 from typer.testing import CliRunner
 
 from armproof.course.authoring import checking, kernel
+from armproof.course.authoring.command import lesson as group
 from armproof.course.authoring.places import Place
 from armproof.course.authoring.report import Report
-from armproof.course.lesson_command import lesson as group
 from armproof.verification.cli.plugins import as_command
 
 
@@ -189,8 +189,10 @@ def test_an_entry_point_may_be_a_group_or_a_function():
 def test_help_loads_neither_drake_nor_jupyter():
     import subprocess
 
-    code = "import sys; from armproof.course.lesson_command import lesson; lesson(['--help'], standalone_mode=False); \
+    code = (
+        "import sys; from armproof.course.authoring.command import lesson; lesson(['--help'], standalone_mode=False); \
 print([name for name in ('pydrake', 'nbclient', 'nbformat', 'numpy') if name in sys.modules])"
+    )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert result.stdout.strip().endswith("[]"), result.stdout + result.stderr
     for name in ("list", "build", "check", "new", "site"):
