@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,7 +17,7 @@ from armproof.models.catalogue import load_arm
 from armproof.verification.document import Document
 from armproof.verification.document.front_matter import split_front_matter
 from armproof.verification.document.markdown import markdown_reader
-from armproof.verification.document.notebook import read_cells
+from armproof.verification.document.notebook import read_cells, split_cells
 from armproof.verification.document.text import read_text
 from armproof.verification.naming.names import read_names
 from armproof.verification.verdict import DocumentResult
@@ -69,7 +70,7 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
     return Sheet(title, source, lang, name, illustrated, edition.draft, edition.solutions, tuple(warnings))
 
 
-def _bodies(path: Path) -> list[tuple[str, int, int | None]]:
+def _bodies(path: Path) -> Sequence[tuple[str, int, int | None]]:
     """Return the Markdown of a document: each text with its first line, and the notebook's cell."""
     if path.suffix not in PRINTED:
         raise PrintError(f"{path}: '{path.suffix}' files are not printed; those that are: {', '.join(PRINTED)}")
@@ -77,16 +78,7 @@ def _bodies(path: Path) -> list[tuple[str, int, int | None]]:
     if path.suffix != ".ipynb":
         _, _, body, first = split_front_matter(path, text)
         return [(body, first, None)]
-    cells = enumerate(read_cells(path, text))
-    return [(_without_front_matter(path, cell.text), 1, number) for number, cell in cells if cell.kind == "markdown"]
-
-
-def _without_front_matter(path: Path, source: str) -> str:
-    stripped = source.lstrip()
-    if not stripped.startswith("---"):
-        return source
-    _, _, body, first = split_front_matter(path, stripped)
-    return "\n" * (first - 1 + source[: len(source) - len(stripped)].count("\n")) + body
+    return split_cells(path, read_cells(path, text))[2]
 
 
 def _titled(document: Document, blocks: list[Block], inline: InlineReader) -> tuple[tuple[Inline, ...], list[Block]]:

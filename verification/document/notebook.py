@@ -11,7 +11,7 @@ from typing import Any
 from armproof.verification.document.cells import Cell, comment_width, notebook_cells, percent_cells
 from armproof.verification.document.front_matter import split_front_matter
 from armproof.verification.document.markdown import read_markdown
-from armproof.verification.document.model import Display, Document, Piece, Table
+from armproof.verification.document.model import Document, Piece
 from armproof.verification.errors import DocumentError
 
 
@@ -50,20 +50,26 @@ def _moved(piece: Piece, margins: list[int]) -> Piece:
 
 
 def _read_cells(path: Path, cells: Iterable[Cell]) -> Document:
-    """Return the document of cells; its front matter stands in its first Markdown or raw cell that has one."""
+    front, lines, texts = split_cells(path, cells)
+    read = [read_markdown(*text) for text in texts]
+    displays = tuple(display for found, _ in read for display in found)
+    return Document(path, front, displays, tuple(table for _, found in read for table in found), lines)
+
+
+def split_cells(path: Path, cells: Iterable[Cell]) -> tuple[dict[str, Any], dict[str, int], list[tuple[str, int, int]]]:
+    """Return the front matter of cells, the line of each key, and their Markdown: texts with their first lines and cells.
+
+    The front matter stands in the first Markdown or raw cell that has one.
+    """
     front: dict[str, Any] | None = None
     lines: dict[str, int] = {}
-    displays: list[Display] = []
-    tables: list[Table] = []
+    texts: list[tuple[str, int, int]] = []
     for number, cell in enumerate(cells):
-        if cell.kind not in ("markdown", "raw"):
-            continue
         body, first = cell.text, cell.line
-        if front is None and body.lstrip().startswith("---"):
-            blank = len(body) - len(body.lstrip())
-            front, lines, body, first = split_front_matter(path, body[blank:], first + body.count("\n", 0, blank))
+        bare = body.lstrip()
+        if front is None and cell.kind in ("markdown", "raw") and bare.startswith("---"):
+            blank = body.count("\n", 0, len(body) - len(bare))
+            front, lines, body, first = split_front_matter(path, bare, first + blank)
         if cell.kind == "markdown":
-            more, more_tables = read_markdown(body, first, number)
-            displays += more
-            tables += more_tables
-    return Document(path, front or {}, tuple(displays), tuple(tables), lines)
+            texts.append((body, first, number))
+    return front or {}, lines, texts

@@ -171,11 +171,13 @@ def test_a_notebook_is_printed_without_its_code(document, pdf_text, tmp_path):
         },
         {"cell_type": "code", "source": "print('never')", "metadata": {}, "outputs": []},
         {"cell_type": "markdown", "source": ["## Part\n", "\n", PROVED], "metadata": {}},
+        {"cell_type": "markdown", "source": "---\n\nBelow a rule.", "metadata": {}},
     ]
     path = tmp_path / "lesson.ipynb"
     path.write_text(json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}), encoding="utf-8")
     text = pdf_text(path)
     assert "A lesson" in text and "Part" in text and "never" not in text and "1 equation proved" in text
+    assert "Below a rule." in text
 
 
 def test_a_format_that_is_not_printed_is_named(tmp_path, make):
