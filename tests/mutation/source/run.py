@@ -1,0 +1,96 @@
+"""One mutant against the fast selection of tests, in a process of its own: `python -m tests.mutation.source.run FILE INDEX TESTS…`.
+
+The file on the disk stays as it is: the importer hands out the changed tree. Exit code 0: it survived, 1: killed.
+"""
+
+from __future__ import annotations
+
+import importlib.abc
+import importlib.machinery
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from random import Random
+from types import CodeType
+
+from tests.mutation.source.mutants import mutate
+
+SURVIVED, KILLED = 0, 1
+UNCHANGED = -1  # the index of the file as it is
+
+
+class Changed(importlib.machinery.SourceFileLoader):
+    """Loads one file as its mutant."""
+
+    code: CodeType
+
+    def get_code(self, fullname: str) -> CodeType:
+        return self.code
+
+
+class Finder(importlib.abc.MetaPathFinder):
+    """Finds one file as its mutant, and leaves all others to the importers behind it."""
+
+    def __init__(self, path: Path, code: CodeType) -> None:
+        self.path, self.code = path.resolve(), code
+        self.asked = False
+
+    def find_spec(self, fullname, path, target=None):
+        if fullname.rpartition(".")[2] not in (self.path.stem, self.path.parent.name) or self.asked:
+            return None
+        self.asked = True
+        try:
+            spec = importlib.util.find_spec(fullname)
+        finally:
+            self.asked = False
+        if spec is None or spec.origin is None or Path(spec.origin).resolve() != self.path:
+            return None
+        spec.loader = loader = Changed(fullname, spec.origin)
+        loader.code = self.code
+        return spec
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run the selection with the mutant in place; return whether it survived."""
+    file, index, *tests = arguments
+    if int(index) != UNCHANGED:
+        source = Path(file).read_text("utf-8")
+        sys.meta_path.insert(0, Finder(Path(file), compile(mutate(source, int(index)), file, "exec")))
+    try:
+        return KILLED if labels_differ() or tests_fail(tests) else SURVIVED
+    except Exception as error:
+        print(f"{type(error).__name__}: {error}", file=sys.stderr)
+        return KILLED
+
+
+def labels_differ() -> bool:
+    """Whether a verdict on a labelled display or page is another than the labels and the list of what is not yet right say."""
+    from tests.labelled.cases import load_cases
+    from tests.labelled.faults import faults_of_pages, read_not_yet
+    from tests.labelled.judging import judge
+
+    listed = read_not_yet()
+    cases = list(load_cases())
+    Random(1).shuffle(cases)  # another kind of display each time: what is wrong shows early
+    for case in cases:
+        fault = judge(case).fault
+        if bool(fault) != (case.key in listed) or fault == "error":
+            return True
+    mine = {fault.key for fault in faults_of_pages()}
+    return mine != set(listed) - {case.key for case in cases}
+
+
+def tests_fail(tests: Sequence[str]) -> bool:
+    """Whether one of the tests fails."""
+    import pytest
+
+    if not tests:
+        return False
+    with open(os.devnull, "w") as nowhere:
+        sys.stdout = nowhere
+        return pytest.main(["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", *tests]) != pytest.ExitCode.OK
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
