@@ -73,7 +73,7 @@ def check_document(document: Document, *, confirm: bool = True, correct: bool = 
             return DocumentChecker(document, arm, denominators, confirm, correct).run()
         except AngleFraction as fraction:  # θ/2 was met: begin again with it as the ring's generator
             denominators[fraction.symbol] = fraction.denominator
-    raise DocumentError(f"{document.path}: fractions of angles with too many denominators")
+    raise DocumentError(say(Kind.TOO_MANY_FRACTIONS), path=document.path)
 
 
 def load_arm_of(document: Document) -> Arm | None:
@@ -84,7 +84,7 @@ def load_arm_of(document: Document) -> Arm | None:
     try:
         return load_arm(spec, document.path.parent)
     except ArmproofError as error:
-        raise DocumentError(f"{document.at('arm')}: {error}") from None
+        raise document.fault("arm", error) from None
 
 
 class DocumentChecker:
@@ -103,7 +103,7 @@ class DocumentChecker:
         try:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
-            raise DocumentError(f"{document.at(error.key or 'quantities')}: {error}") from None
+            raise document.fault(error.key or "quantities", error) from None
         self.ring = Ring(denominators)
         self.exact = ExactAlgebra(self.ring, arm)
         self.checker = ChainChecker(self.names, self.exact, self.sampled)

@@ -5,10 +5,16 @@ Each is raised with a finding, or with a text that is said under the kind of its
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import ClassVar
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.findings import Finding, Kind, say
+
+
+def located(path: Path | str | None, line: int | None, reason: str) -> str:
+    """Return a reason behind its file and line, as far as they are known: "handout.md:3: no arm 'skara'"."""
+    return ": ".join([f"{path}:{line}" if line is not None else str(path), reason]) if path is not None else reason
 
 
 class ReadError(ArmproofError):
@@ -22,13 +28,21 @@ class ReadError(ArmproofError):
 
 
 class DocumentError(ArmproofError):
-    """A document as a whole cannot be checked (front matter, encoding, unknown arm); `key` is the front-matter key at fault."""
+    """A document as a whole cannot be checked (front matter, encoding, unknown arm).
+
+    `key` is the front-matter key at fault; `path` and `line`, as far as they are known, say where it is.
+    """
 
     kind: ClassVar[Kind] = Kind.DOCUMENT_AT_FAULT
 
-    def __init__(self, message: str | Finding, key: str = "") -> None:
-        super().__init__(message)
-        self.key = key
+    def __init__(
+        self, reason: str | Finding, key: str = "", *, path: Path | None = None, line: int | None = None
+    ) -> None:
+        super().__init__(reason)
+        self.key, self.path, self.line = key, path, line
+
+    def __str__(self) -> str:
+        return located(self.path, self.line, str(self.args[0]))
 
 
 class EvaluationError(ArmproofError):

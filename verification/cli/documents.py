@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.cli.progress import Progress
+from armproof.verification.findings import Kind, say
 from armproof.verification.running.batch import Failure, check_each
 from armproof.verification.verdict import DocumentResult
 
@@ -61,13 +62,13 @@ def named_documents(paths: Sequence[Path]) -> dict[Path | Failure, None]:
     for path in paths:
         try:
             if path.exists() and not (path.is_dir() or path.is_file()):  # a pipe or a device, which may never end
-                found[Failure(str(path), f"{path}: not a file")] = None
+                found[Failure(str(path), say(Kind.NOT_A_FILE))] = None
             else:
                 found.update(dict.fromkeys(find_documents([path])))
         except ArmproofError as error:
-            found[Failure(str(path), str(error))] = None
+            found[Failure.of(path, error)] = None
         except OSError as error:
-            found[Failure(str(path), f"{path}: cannot be read: {error.strerror}")] = None
+            found[Failure(str(path), say(Kind.FILE_UNREADABLE, reason=str(error.strerror)))] = None
     return found
 
 

@@ -13,6 +13,7 @@ from armproof.verification.document.rst import read_rst
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.text import read_text
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 
 _READERS: dict[str, Callable[[Path, str], Document]] = {
     ".md": read_markdown_file,
@@ -39,7 +40,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     """Return the document of a text, read as its format or else the name of `path` says; raises DocumentError."""
     if format and f".{format}" not in _READERS:
         formats = ", ".join(suffix.removeprefix(".") for suffix in SUFFIXES)
-        raise DocumentError(f"{path}: no format '{format}'; the formats are {formats}")
+        raise DocumentError(say(Kind.UNKNOWN_FORMAT, format=format, formats=formats), path=path)
     return _READERS.get(f".{format}" if format else path.suffix, read_markdown_file)(path, text)
 
 
@@ -53,14 +54,12 @@ def find_documents(paths: list[Path]) -> list[Path]:
         if path.is_dir():
             documents = [child for child in _files_below(path) if _is_document(child)]
             if not documents:
-                raise DocumentError(
-                    f"{path}: no document in this folder; a document is a {', '.join(SUFFIXES)} file with displays"
-                )
+                raise DocumentError(say(Kind.NO_DOCUMENT, suffixes=list(SUFFIXES)), path=path)
             found.extend(documents)
         elif not path.exists():
-            raise DocumentError(f"{path}: no such file or folder")
+            raise DocumentError(say(Kind.NO_FILE_OR_FOLDER), path=path)
         elif path.suffix not in SUFFIXES:
-            raise DocumentError(f"{path}: '{path.suffix}' files are not read; those that are: {', '.join(SUFFIXES)}")
+            raise DocumentError(say(Kind.UNKNOWN_SUFFIX, suffix=path.suffix, suffixes=list(SUFFIXES)), path=path)
         else:
             found.append(path)
     return list(dict.fromkeys(found))

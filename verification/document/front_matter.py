@@ -9,6 +9,7 @@ from typing import Any
 import yaml
 
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 
 FRONT_MATTER_KEYS = ("title", "source", "arm", "symbols", "transforms", "quantities", "inverse")
 # keys that notebook and site tools put into the same block, and `figures`, which the course's printing reads
@@ -32,7 +33,7 @@ def split_front_matter(path: Path, text: str, first: int = 1) -> tuple[dict[str,
         return None, {}, text, first
     end = re.compile(r"^(?:---|\.\.\.)[ \t]*$", re.MULTILINE).search(text, text.index("\n") + 1)
     if end is None:
-        raise DocumentError(f"{path}:{first}: the front matter opened by '---' is never closed by '---'")
+        raise DocumentError(say(Kind.FRONT_MATTER_OPEN), path=path, line=first)
     block = text[text.index("\n") + 1 : end.start()]
     front, lines = parse_front_matter(path, block, first + 1)
     body_start = end.end() + 1
@@ -53,21 +54,19 @@ def _load(path: Path, block: str, first_line: int) -> dict[str, Any]:
         for event in yaml.parse(block, Loader=loader):
             if isinstance(event, yaml.AliasEvent):  # a few of them can stand for millions of entries
                 line = first_line + (event.start_mark.line if event.start_mark else 0)
-                raise DocumentError(
-                    f"{path}:{line}: the front matter may not repeat a part by '*{event.anchor}'; write it out"
-                )
+                raise DocumentError(say(Kind.FRONT_MATTER_ALIAS, anchor=event.anchor), path=path, line=line)
         front = yaml.load(block, Loader=loader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         line = first_line + (mark.line if mark else 0)
         problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-        raise DocumentError(f"{path}:{line}: the front matter is not YAML: {problem}") from None
+        raise DocumentError(say(Kind.FRONT_MATTER_NOT_YAML, reason=str(problem)), path=path, line=line) from None
     except (ValueError, RecursionError) as error:
-        raise DocumentError(f"{path}:{first_line}: the front matter is not YAML: {error}") from None
+        raise DocumentError(say(Kind.FRONT_MATTER_NOT_YAML, reason=str(error)), path=path, line=first_line) from None
     if front is None:
         front = {}
     if not isinstance(front, dict):
-        raise DocumentError(f"{path}:{first_line}: the front matter must be a mapping of keys such as 'arm: scara'")
+        raise DocumentError(say(Kind.FRONT_MATTER_NO_MAPPING), path=path, line=first_line)
     return front
 
 
@@ -77,9 +76,7 @@ def _lines_of_keys(path: Path, block: str, first_line: int) -> dict[str, int]:
         if found := re.match(r"([A-Za-z_]+)\s*:", text):
             key, line = found.group(1), first_line + number
             if key in lines:
-                raise DocumentError(
-                    f"{path}:{line}: the front-matter key '{key}' stands twice, first in line {lines[key]}"
-                )
+                raise DocumentError(say(Kind.KEY_TWICE, key=str(key), first=lines[key]), path=path, line=line)
             lines[key] = line
     return lines
 
@@ -87,13 +84,11 @@ def _lines_of_keys(path: Path, block: str, first_line: int) -> dict[str, int]:
 def _validate(path: Path, front: dict[str, Any], lines: dict[str, int], first_line: int) -> None:
     for key in front:
         if key not in FRONT_MATTER_KEYS and key not in FOREIGN_KEYS:
-            where = f"{path}:{lines.get(str(key), first_line)}"
-            raise DocumentError(
-                f"{where}: unknown front-matter key '{key}'; the keys are {', '.join(FRONT_MATTER_KEYS)}"
-            )
+            unknown = say(Kind.UNKNOWN_KEY, key=str(key), keys=list(FRONT_MATTER_KEYS))
+            raise DocumentError(unknown, path=path, line=lines.get(str(key), first_line))
     if "arm" in front and front["arm"] is None:
-        where = f"{path}:{lines.get('arm', first_line)}"
-        raise DocumentError(f"{where}: 'arm' is empty; name an arm, a model file or a DH table, or leave the key out")
+        raise DocumentError(say(Kind.ARM_EMPTY), path=path, line=lines.get("arm", first_line))
     for key in ("title", "source"):
         if not isinstance(front.get(key, ""), str):
-            raise DocumentError(f"{path}:{lines.get(key, first_line)}: '{key}' must be text, not {front[key]!r}")
+            other = say(Kind.KEY_NOT_TEXT, key=key, value=repr(front[key]))
+            raise DocumentError(other, path=path, line=lines.get(key, first_line))

@@ -6,6 +6,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from armproof.verification.errors import DocumentError
+from armproof.verification.findings import finding_of
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -70,3 +73,7 @@ class Document:
     def at(self, key: str) -> str:
         """Return `file:line` of a front-matter key, for messages."""
         return f"{self.path}:{self.lines.get(key, 1)}"
+
+    def fault(self, key: str, error: Exception) -> DocumentError:
+        """Return an error of a front-matter key, with its file and line."""
+        return DocumentError(finding_of(error), path=self.path, line=self.lines.get(key, 1))

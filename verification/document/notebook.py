@@ -13,6 +13,7 @@ from armproof.verification.document.front_matter import split_front_matter
 from armproof.verification.document.markdown import read_markdown
 from armproof.verification.document.model import Document, Piece
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 
 
 def read_notebook(path: Path, text: str) -> Document:
@@ -25,9 +26,9 @@ def read_cells(path: Path, text: str) -> tuple[Cell, ...]:
     try:
         return notebook_cells(text)
     except json.JSONDecodeError as error:
-        raise DocumentError(f"{path}:{error.lineno}: not a notebook: {error.msg} (a notebook is JSON)") from None
+        raise DocumentError(say(Kind.NOT_JSON, reason=error.msg), path=path, line=error.lineno) from None
     except ValueError as error:
-        raise DocumentError(f"{path}:1: not a notebook: {error}") from None
+        raise DocumentError(say(Kind.NOT_A_NOTEBOOK, reason=str(error)), path=path, line=1) from None
 
 
 def read_percent(path: Path, text: str) -> Document:

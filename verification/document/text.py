@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 
 MAX_BYTES = 20_000_000
 ATTEMPTS = 5  # at a file that changes while it is read
@@ -19,7 +20,7 @@ def read_text(path: Path) -> str:
         return read_bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
-        raise DocumentError(f"{path}:{line}: not a text file in UTF-8 (byte {error.start})") from None
+        raise DocumentError(say(Kind.NOT_UTF8, byte=error.start), path=path, line=line) from None
 
 
 def read_bytes(path: Path) -> bytes:
@@ -27,13 +28,13 @@ def read_bytes(path: Path) -> bytes:
     try:
         for _ in range(ATTEMPTS):
             if path.stat().st_size > MAX_BYTES:
-                raise DocumentError(f"{path}: larger than {MAX_BYTES // 1_000_000} MB")
+                raise DocumentError(say(Kind.FILE_TOO_LARGE, megabytes=MAX_BYTES // 1_000_000), path=path)
             if (data := _read_unchanged(path)) is not None:
                 return data
             time.sleep(PAUSE)
     except OSError as error:
-        raise DocumentError(f"{path}: cannot be read: {error.strerror}") from None
-    raise DocumentError(f"{path}: it changes while it is read; save it and verify it again")
+        raise DocumentError(say(Kind.FILE_UNREADABLE, reason=str(error.strerror)), path=path) from None
+    raise DocumentError(say(Kind.FILE_CHANGES), path=path)
 
 
 def _read_unchanged(path: Path) -> bytes | None:

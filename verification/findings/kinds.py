@@ -645,6 +645,41 @@ class Kind(StrEnum):
     IN_LINE = "in_line", " in line {line}"
     AT_VALUES = "at_values", "{what} (at {values})"
 
+    # -- documents that cannot be checked -------------------------------------------------------------------------------
+    OUR_FAULT = "our_fault", "internal error of Armproof, please report it: {reason}"
+    PROCESS_ENDED = "process_ended", "the process that checked it ended; Drake may have aborted on its arm"
+    TOO_MANY_FRACTIONS = "too_many_fractions", "fractions of angles with too many denominators"
+    NO_INVERSE = "no_inverse", "no 'inverse' in the front matter, as inverse: {{target: [X, Y]}}"
+    NO_SUCH_FILE = "no_such_file", "no such file"
+    NO_FILE_OR_FOLDER = "no_file_or_folder", "no such file or folder"
+    NO_DOCUMENT = "no_document", "no document in this folder; a document is a {suffixes} file with displays"
+    NOT_A_FILE = "not_a_file", "not a file"
+    NOT_ONE_FILE = "not_one_file", "not a file; one document is corrected at a time"
+    UNKNOWN_SUFFIX = "unknown_suffix", "'{suffix}' files are not read; those that are: {suffixes}"
+    UNKNOWN_FORMAT = "unknown_format", "no format '{format}'; the formats are {formats}"
+    FILE_GONE = "file_gone", "it is gone"
+    FILE_UNREADABLE = "file_unreadable", "cannot be read: {reason}"
+    FILE_TOO_LARGE = "file_too_large", "larger than {megabytes} MB"
+    FILE_CHANGES = "file_changes", "it changes while it is read; save it and verify it again"
+    HAS_CHANGED = "has_changed", "it has changed since it was read; correct it again"
+    NOT_UTF8 = "not_utf8", "not a text file in UTF-8 (byte {byte})"
+    NOT_JSON = "not_json", "not a notebook: {reason} (a notebook is JSON)"
+    NOT_A_NOTEBOOK = "not_a_notebook", "not a notebook: {reason}"
+    FRONT_MATTER_OPEN = "front_matter_open", "the front matter opened by '---' is never closed by '---'"
+    FRONT_MATTER_ALIAS = (
+        "front_matter_alias",
+        "the front matter may not repeat a part by '*{anchor}'; write it out",
+    )
+    FRONT_MATTER_NOT_YAML = "front_matter_not_yaml", "the front matter is not YAML: {reason}"
+    FRONT_MATTER_NO_MAPPING = (
+        "front_matter_no_mapping",
+        "the front matter must be a mapping of keys such as 'arm: scara'",
+    )
+    KEY_TWICE = "key_twice", "the front-matter key '{key}' stands twice, first in line {first}"
+    UNKNOWN_KEY = "unknown_key", "unknown front-matter key '{key}'; the keys are {keys}"
+    KEY_NOT_TEXT = "key_not_text", "'{key}' must be text, not {value}"
+    ARM_EMPTY = "arm_empty", "'arm' is empty; name an arm, a model file or a DH table, or leave the key out"
+
     # -- the parts of a matrix ------------------------------------------------------------------------------------------
     EMPTY = "empty", "empty"
     THE_MATRIX = "the_matrix", "the matrix"

@@ -9,6 +9,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.document import Document, read_document
 from armproof.verification.errors import DocumentError, EvaluationError
+from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.branch_graph import BranchGraph
 from armproof.verification.inverse.claim import read_claim
 from armproof.verification.inverse.derivation import Derivation
@@ -30,15 +31,15 @@ def read_inverse(source: Path | str | Document) -> InverseKinematics:
     """
     document = source if isinstance(source, Document) else read_document(Path(source))
     if "inverse" not in document.front:
-        raise DocumentError(f"{document.path}: no 'inverse' in the front matter, as inverse: {{target: [X, Y]}}")
+        raise DocumentError(say(Kind.NO_INVERSE), path=document.path)
     try:
         spec = document.front.get("arm")
         arm = load_arm(spec, document.path.parent) if spec is not None else None
         return InverseKinematics(read_derivation(document, read_names(arm, document.front)))
     except DocumentError as error:
-        raise DocumentError(f"{document.at(error.key or 'inverse')}: {error}") from None
+        raise document.fault(error.key or "inverse", error) from None
     except ArmproofError as error:
-        raise DocumentError(f"{document.at('arm')}: {error}") from None
+        raise document.fault("arm", error) from None
 
 
 def read_derivation(document: Document, names: Names) -> Derivation:

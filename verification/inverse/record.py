@@ -29,7 +29,7 @@ def check_inverse(document: Document, arm: Arm | None) -> Record:
     except NoDerivation as error:
         return replace(record, findings=(finding_of(error),))
     except DocumentError as error:
-        raise DocumentError(f"{document.at(error.key or 'inverse')}: {error}") from None
+        raise document.fault(error.key or "inverse", error) from None
     try:
         proof = inverse.proof
     except EvaluationError as error:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -12,6 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.errors import DocumentError, located
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.running.processes import share_out, usual_workers
 
 if TYPE_CHECKING:
@@ -20,26 +21,31 @@ if TYPE_CHECKING:
 
     After = Callable[[Document, DocumentResult], None]
 
-_PLACE = re.compile(r":(\d+): ")
-
 
 @dataclass(frozen=True)
 class Failure:
-    """A document that could not be checked, and why: "file:line: message"."""
+    """A document that could not be checked: why, and in which line, where one is at fault."""
 
     path: str
-    message: str
+    finding: Finding
+    line: int | None = None
 
-    @property
-    def line(self) -> int | None:
-        """The line of the document that is at fault, if the message names one."""
-        found = _PLACE.match(self.message.removeprefix(self.path))
-        return int(found.group(1)) if found else None
+    @classmethod
+    def of(cls, path: Path, error: Exception) -> Failure:
+        """Return what an error says of a document."""
+        if isinstance(error, DocumentError) and error.path is not None and str(error.path) == str(path):
+            return cls(str(path), finding_of(error), error.line)
+        return cls(str(path), say(Kind.PROBLEM, reason=str(error)))
 
     @property
     def reason(self) -> str:
-        """The message without file and line."""
-        return _PLACE.sub("", self.message.removeprefix(self.path), count=1).removeprefix(": ")
+        """Why, in words."""
+        return str(self.finding)
+
+    @property
+    def message(self) -> str:
+        """Why, behind file and line."""
+        return located(self.path, self.line, self.reason)
 
 
 def check_each(
@@ -75,13 +81,13 @@ def check_one(path: Path, after: After | None = None, correct: bool = False) -> 
         after(document, result)
         return result
     except ArmproofError as error:
-        return Failure(str(path), _with_file(path, str(error)))
+        return Failure.of(path, error)
     except Exception as error:
-        return Failure(str(path), f"{path}: {_internal_error(error)}")
+        return Failure(str(path), _internal_error(error))
 
 
 def _ended(path: Path) -> Failure:
-    return Failure(str(path), f"{path}: the process that checked it ended; Drake may have aborted on its arm")
+    return Failure(str(path), say(Kind.PROCESS_ENDED))
 
 
 def _size(path: Path) -> int:
@@ -91,15 +97,11 @@ def _size(path: Path) -> int:
         return 0
 
 
-def _with_file(path: Path, message: str) -> str:
-    return message if message.startswith(str(path)) else f"{path}: {message}"
-
-
-def _internal_error(error: Exception) -> str:
+def _internal_error(error: Exception) -> Finding:
     """Describe a fault of Armproof itself by the exception and the place in our code that raised it."""
     root = Path(__file__).resolve().parents[2]
     ours = tuple(str(root / room) + os.sep for room in ("models", "verification", "course"))
     frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(ours)]
     where = f" at {Path(frames[-1].filename).relative_to(root)}:{frames[-1].lineno}" if frames else ""
     text = f"{type(error).__name__}: {str(error)[:200]}" if str(error) else type(error).__name__
-    return f"internal error of Armproof, please report it: {text}{where}"
+    return say(Kind.OUR_FAULT, reason=f"{text}{where}")

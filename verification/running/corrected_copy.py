@@ -15,6 +15,7 @@ from armproof.verification.document import SUFFIXES, Display, Document, Table, p
 from armproof.verification.document.rewriting import Change, change_of, change_of_cell, rewrite
 from armproof.verification.document.text import read_bytes, read_text
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 from armproof.verification.running.atomic import write_atomically
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
@@ -49,11 +50,11 @@ class _Mending:
 def correct_file(path: Path) -> CorrectedCopy:
     """Return the corrected copy of a document file; raises DocumentError where it is none."""
     if not path.exists():
-        raise DocumentError(f"{path}: no such file")
+        raise DocumentError(say(Kind.NO_SUCH_FILE), path=path)
     if not path.is_file():
-        raise DocumentError(f"{path}: not a file; one document is corrected at a time")
+        raise DocumentError(say(Kind.NOT_ONE_FILE), path=path)
     if path.suffix not in SUFFIXES:
-        raise DocumentError(f"{path}: '{path.suffix}' files are not read; those that are: {', '.join(SUFFIXES)}")
+        raise DocumentError(say(Kind.UNKNOWN_SUFFIX, suffix=path.suffix, suffixes=list(SUFFIXES)), path=path)
     return correct_text(path, read_text(path))
 
 
@@ -62,7 +63,7 @@ def save(copy: CorrectedCopy, target: Path) -> None:
     original = read_bytes(copy.path)
     mark = BOM_UTF8 if original.startswith(BOM_UTF8) else b""
     if original != mark + copy.before.encode("utf-8"):
-        raise DocumentError(f"{copy.path}: it has changed since it was read; correct it again")
+        raise DocumentError(say(Kind.HAS_CHANGED), path=copy.path)
     data = mark + copy.after.encode("utf-8")
     if not (target.exists() and target.read_bytes() == data):
         write_atomically(target, data)

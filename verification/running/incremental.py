@@ -14,6 +14,7 @@ from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.check import DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import DocumentResult, Record
 
@@ -58,7 +59,7 @@ class IncrementalChecker:
                 denominators[fraction.symbol] = fraction.denominator
                 fresh = True
         self._checker = None
-        raise DocumentError(f"{document.path}: fractions of angles with too many denominators")
+        raise DocumentError(say(Kind.TOO_MANY_FRACTIONS), path=document.path)
 
     def _begin(self, document: Document, denominators: dict[str, int]) -> None:
         self._checker, self._checked = None, []

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.document import read_document
+from armproof.verification.findings import Kind, say
 from armproof.verification.running.batch import Failure
 from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Record
@@ -91,7 +92,7 @@ class Watched:
             assert self.checker.result is not None
             self.result = self.checker.result
         except ArmproofError as problem:
-            self.result, self.checker = Failure(str(self.path), str(problem)), None
+            self.result, self.checker = Failure.of(self.path, problem), None
         yield Settled(self.path, self.result)
 
 
@@ -130,7 +131,7 @@ class Watch:
                 if isinstance(seen, bool):
                     yield from self._check(watched) if seen else ()
                 else:
-                    watched.result = Failure(str(watched.path), f"{watched.path}: it is gone")
+                    watched.result = Failure(str(watched.path), say(Kind.FILE_GONE))
                     yield seen
 
     def _check(self, watched: Watched) -> Iterator[Event]:

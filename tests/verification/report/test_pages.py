@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from armproof.verification.cli.documents import check_paths
+from armproof.verification.findings import Kind, say
 from armproof.verification.report.html.site import INDEX, VERDICTS, page_names, render_index
 from armproof.verification.report.html.templating import versions
 from armproof.verification.running.batch import Failure
@@ -181,7 +182,7 @@ def test_the_names_of_pages_are_plain_and_each_its_own() -> None:
 
 
 def test_a_document_that_cannot_be_checked_is_named_in_the_index() -> None:
-    failure = Failure("a <b>.md", "a <b>.md:3: no arm 'x'")
+    failure = Failure("a <b>.md", say(Kind.PROBLEM, reason="no arm 'x'"), 3)
     page = render_index({}, [failure])
     assert "could not be checked" in page and "a &lt;b&gt;.md" in page and "no arm" in page and "(line 3)" in page
 
