@@ -17,8 +17,8 @@ from armproof.verification.cli.plugins import as_command
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
-    from armproof.course.authoring.building import Files
-    from armproof.course.authoring.places import Place
+    from armproof.course.authoring.checking.building import Files
+    from armproof.course.sources.places import Place
 
 
 class LessonGroup(TyperGroup):
@@ -76,7 +76,7 @@ def build(
 
     Only what changed is written, and over no notebook that somebody has worked in. Exit code 0: all is up to date; 1: with --check, something is not; 2: a source is malformed.
     """
-    from armproof.course.authoring.building import orphans, refuse_worked_in, stale, write_stale
+    from armproof.course.authoring.checking.building import orphans, refuse_worked_in, stale, write_stale
     from armproof.course.authoring.table import relative
 
     try:
@@ -105,7 +105,7 @@ def check_command(
 
     Exit code 0: all pass; 1: one does not; 2: one cannot be checked.
     """
-    from armproof.course.authoring.kernel import require_jupyter
+    from armproof.course.sources.kernel import require_jupyter
 
     try:
         require_jupyter()
@@ -127,7 +127,7 @@ def new(
 
     It passes `armproof lesson check` as it is written. Exit code 0: it is written; 2: it cannot be.
     """
-    from armproof.course.authoring.new import new_lesson
+    from armproof.course.authoring.beginning.new import new_lesson
     from armproof.course.authoring.table import relative
 
     try:
@@ -143,15 +143,15 @@ def new(
 
 
 def _place(folder: Path | None) -> Place:
-    from armproof.course.authoring.places import place_of
+    from armproof.course.sources.places import place_of
 
     return place_of(folder)
 
 
 def _place_for_writing(folder: Path | None) -> Place:
     """Return where a new lesson goes: the folder named, which need not be there, else the course of the working folder."""
-    from armproof.course.authoring.errors import AuthoringError
-    from armproof.course.authoring.places import COURSE, Place
+    from armproof.course.sources.errors import AuthoringError
+    from armproof.course.sources.places import COURSE, Place
 
     if folder is not None and not folder.exists():
         return Place(folder)
@@ -163,8 +163,8 @@ def _place_for_writing(folder: Path | None) -> Place:
 
 
 def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out: Path | None) -> Files:
-    from armproof.course.authoring.building import instructor_files, nbgrader_files, student_files
-    from armproof.course.authoring.errors import AuthoringError
+    from armproof.course.authoring.checking.building import instructor_files, nbgrader_files, student_files
+    from armproof.course.sources.errors import AuthoringError
 
     if instructor and nbgrader:
         raise AuthoringError("--instructor and --nbgrader are two editions; build one at a time")
@@ -183,7 +183,7 @@ def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out
 
 def _check(place: Place, sources: list[Path], processes: int, report_format: o.Format) -> int:
     """Write the reports as they come; return the exit code."""
-    from armproof.course.authoring.checking import check_lessons
+    from armproof.course.authoring.checking.lessons import check_lessons
     from armproof.course.authoring.writing import write_json, write_text
 
     write = write_json if report_format is o.Format.json else write_text

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from armproof.course.authoring.lesson_source import read_lesson_source
-from armproof.course.authoring.places import Place
-from armproof.course.authoring.tasks import load_tasks
+from armproof.course.authoring.checking.tasks import load_tasks
+from armproof.course.sources.lesson_source import read_lesson_source
+from armproof.course.sources.places import Place
 
 if TYPE_CHECKING:
     from armproof.course.feedback import Lesson

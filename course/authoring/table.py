@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from armproof.course.authoring.report import Report
+from armproof.course.authoring.checking.report import Report
 from armproof.verification.report.lines import Line
 
 HEAD = ("lesson", "tasks", "answers", "equations", "solved", "student", "check", "")

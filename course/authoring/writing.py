@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from armproof.course.authoring.report import Report
+from armproof.course.authoring.checking.report import Report
 from armproof.course.authoring.table import head, relative, row
 from armproof.verification.cli.progress import Progress
 from armproof.verification.report.lines import write_lines

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from armproof.course.grading.errors import GradingError
+from armproof.course.grading.sandbox.errors import GradingError
 from armproof.models.errors import ArmproofError
 from armproof.verification.cli.app import CANNOT_RUN, INTERRUPTED
 from armproof.verification.cli.loading import give_up
@@ -52,8 +52,8 @@ def grade(
     if os.name != "posix":
         give_up(GradingError("armproof grade needs Linux or macOS: no other system can run a student's code apart"))
     from armproof.course.grading.grading import grade as grade_all
-    from armproof.course.grading.limits import MEGABYTE, Limits
     from armproof.course.grading.pages import GRADES, write_grades
+    from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
     from armproof.course.grading.submissions import find_submissions
     from armproof.course.grading.summary import summarise
     from armproof.verification.report.html.folder import new_report

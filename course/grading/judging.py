@@ -6,11 +6,11 @@ import signal
 from collections.abc import Sequence
 from typing import Any
 
-from armproof.course.grading.keeper import Ended
-from armproof.course.grading.limits import MEGABYTE, Limits
 from armproof.course.grading.notebook import Notebook
 from armproof.course.grading.reports import NOT_ATTEMPTED, Report, read_report
 from armproof.course.grading.results import Graded, Status, TaskResult
+from armproof.course.grading.running.keeper import Ended
+from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
 from armproof.course.grading.submissions import Submission
 from armproof.course.grading.text import clean, clean_lines
 

@@ -9,7 +9,7 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.course.grading.limits import MEGABYTE
+from armproof.course.grading.sandbox.limits import MEGABYTE
 from armproof.verification.document.cells import notebook_cells
 
 _LARGEST = 20 * MEGABYTE

@@ -9,9 +9,9 @@ from itertools import groupby
 from pathlib import Path
 
 from armproof.course.grading.grading import Grades
-from armproof.course.grading.limits import MEGABYTE
-from armproof.course.grading.protections import describe
 from armproof.course.grading.results import Graded, Status
+from armproof.course.grading.running.protections import describe
+from armproof.course.grading.sandbox.limits import MEGABYTE
 from armproof.course.grading.tables import RESULTS, SUBMISSIONS, results_table, submissions_table
 from armproof.verification.report.html.folder import Kind, is_page
 from armproof.verification.report.html.site import INDEX, page_names

@@ -6,8 +6,8 @@ from collections import Counter
 from pathlib import Path
 
 from armproof.course.grading.grading import Grades
-from armproof.course.grading.protections import describe
 from armproof.course.grading.results import Status
+from armproof.course.grading.running.protections import describe
 from armproof.verification.cli.app import FAILS, PASSES
 from armproof.verification.cli.messages import complain
 from armproof.verification.report.html.site import INDEX

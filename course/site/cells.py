@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from armproof.course.authoring.editions import student_cells
-from armproof.course.authoring.lesson_source import LessonSource
+from armproof.course.sources.editions import student_cells
+from armproof.course.sources.lesson_source import LessonSource
 
 Output = Mapping[str, Any]  # as a notebook holds it
 

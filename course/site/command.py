@@ -47,11 +47,11 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
     there; 1: a lesson does not run or does not pass; 2: an unknown lesson, or a folder that cannot be written. What is there stays
     unless all of the new site is there.
     """
-    from armproof.course.authoring.kernel import require_jupyter
-    from armproof.course.authoring.places import place_of
     from armproof.course.site.build import build_site
     from armproof.course.site.errors import SiteError
     from armproof.course.site.work import Order
+    from armproof.course.sources.kernel import require_jupyter
+    from armproof.course.sources.places import place_of
 
     started = time.perf_counter()
     target = out or Path("build/site-solutions" if solutions else "build/site")

@@ -5,11 +5,11 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from armproof.course.authoring.kernel import Fault, run_cells
-from armproof.course.authoring.lesson_source import LessonSource
-from armproof.course.authoring.places import COURSE, Place
 from armproof.course.site.cells import Cell, cells_of, with_outputs
 from armproof.course.site.errors import SiteError
+from armproof.course.sources.kernel import Fault, run_cells
+from armproof.course.sources.lesson_source import LessonSource
+from armproof.course.sources.places import COURSE, Place
 from armproof.verification.document.cells import Cell as SourceCell
 
 _CONFIG = "c.InlineBackend.figure_formats = {'svg'}\nc.HistoryManager.enabled = False\n"

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from armproof.course.authoring.places import COURSE, Place
 from armproof.course.site.errors import SiteError
+from armproof.course.sources.places import COURSE, Place
 from armproof.models.errors import ArmproofError
 
 if TYPE_CHECKING:
@@ -87,10 +87,10 @@ def build_rest(order: Order, described: Sequence[Described], folder: Path) -> No
 
 
 def _write_lesson(order: Order, described: Sequence[Described], index: int, folder: Path) -> tuple[str, ...]:
-    from armproof.course.authoring.editions import student_notebook
-    from armproof.course.authoring.lesson_source import read_lesson_source
     from armproof.course.site.execution import execute
     from armproof.course.site.page import Neighbour, Surroundings, write_page
+    from armproof.course.sources.editions import student_notebook
+    from armproof.course.sources.lesson_source import read_lesson_source
     from armproof.verification.check import check_document
     from armproof.verification.document import read_document
 

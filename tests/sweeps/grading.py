@@ -20,12 +20,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import armproof.course
-from armproof.course.authoring.editions import instructor_notebook, student_notebook
-from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
-from armproof.course.grading.client import Client
-from armproof.course.grading.limits import Limits
 from armproof.course.grading.pages import render_student
 from armproof.course.grading.results import Status
+from armproof.course.grading.running.client import Client
+from armproof.course.grading.sandbox.limits import Limits
+from armproof.course.sources.editions import instructor_notebook, student_notebook
+from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.models.errors import ArmproofError
 from armproof.verification.running.processes import cores
 from tests.course.grading.conftest import notebook

@@ -16,10 +16,10 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
-from armproof.course.authoring.places import COURSE
 from armproof.course.site.build import build_site
 from armproof.course.site.work import Order
+from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
+from armproof.course.sources.places import COURSE
 from tests.course.site.test_in_browser import HELD
 from tests.course.site.test_page import check_valid
 from tests.verification.report.browser import Browser

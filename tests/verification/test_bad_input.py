@@ -496,8 +496,8 @@ def executing_calls(source: str) -> Iterator[str]:
 
 # Grading runs what students wrote, in a process of its own that is shut off from everything else.
 SANDBOX = {
-    "course/grading/client.py": ["subprocess.Popen"],
-    "course/grading/runner.py": ["exec", "compile"],
+    "course/grading/running/client.py": ["subprocess.Popen"],
+    "course/grading/running/runner.py": ["exec", "compile"],
     "course/grading/sandbox/bubblewrap.py": ["subprocess.Popen"],
 }
 

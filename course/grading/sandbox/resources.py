@@ -8,7 +8,7 @@ import os
 import resource
 from pathlib import Path
 
-from armproof.course.grading.limits import Limits
+from armproof.course.grading.sandbox.limits import Limits
 
 
 def limit_resources(limits: Limits, *, shared: bool) -> None:

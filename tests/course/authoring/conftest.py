@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from armproof.course.authoring.places import Place
+from armproof.course.sources.places import Place
 
 SOURCE = '''# ---
 # jupyter:

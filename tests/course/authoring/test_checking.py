@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from armproof.course.authoring import checking
-from armproof.course.authoring.building import student_files, write_stale
-from armproof.course.authoring.checking import check_lesson, check_lessons
-from armproof.course.authoring.kernel import Fault, Run
-from armproof.course.authoring.places import COURSE, Place
+from armproof.course.authoring.checking import lessons as checking
+from armproof.course.authoring.checking.building import student_files, write_stale
+from armproof.course.authoring.checking.lessons import check_lesson, check_lessons
+from armproof.course.sources.kernel import Fault, Run
+from armproof.course.sources.places import COURSE, Place
 from armproof.verification.document.cells import Cell
 
 pytest.importorskip("nbclient")

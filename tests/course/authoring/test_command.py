@@ -10,10 +10,11 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from armproof.course.authoring import checking, kernel
+from armproof.course.authoring.checking import lessons as checking
+from armproof.course.authoring.checking.report import Report
 from armproof.course.authoring.command import lesson as group
-from armproof.course.authoring.places import Place
-from armproof.course.authoring.report import Report
+from armproof.course.sources import kernel
+from armproof.course.sources.places import Place
 from armproof.verification.cli.plugins import as_command
 
 

@@ -9,11 +9,11 @@ from typing import Any
 
 import pytest
 
-from armproof.course.authoring.editions import instructor_notebook, student_notebook
-from armproof.course.authoring.errors import SourceError
-from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
-from armproof.course.authoring.nbgrader import nbgrader_notebook
-from armproof.course.authoring.places import COURSE
+from armproof.course.sources.editions import instructor_notebook, student_notebook
+from armproof.course.sources.errors import SourceError
+from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
+from armproof.course.sources.nbgrader import nbgrader_notebook
+from armproof.course.sources.places import COURSE
 
 nbformat = pytest.importorskip("nbformat")
 EDITIONS = [student_notebook, instructor_notebook, nbgrader_notebook]

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from armproof.course.authoring.checking import check_lesson
-from armproof.course.authoring.places import COURSE
+from armproof.course.authoring.checking.lessons import check_lesson
+from armproof.course.sources.places import COURSE
 
 
 @pytest.mark.parametrize("source", COURSE.sources(), ids=lambda path: path.stem)

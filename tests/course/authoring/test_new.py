@@ -8,19 +8,19 @@ from pathlib import Path
 
 import pytest
 
-from armproof.course.authoring.answers import check_answers
-from armproof.course.authoring.checking import check_lesson
-from armproof.course.authoring.drafts import as_task, drafts_of_arm
-from armproof.course.authoring.errors import AuthoringError
-from armproof.course.authoring.exact_text import as_matrix, write_quantity
-from armproof.course.authoring.from_document import as_mapping
-from armproof.course.authoring.lesson_source import read_lesson_source
-from armproof.course.authoring.new import new_lesson
-from armproof.course.authoring.places import COURSE, Place
-from armproof.course.authoring.python_text import NotPython, write_python
-from armproof.course.authoring.slips import slips
-from armproof.course.authoring.tasks import load_tasks
+from armproof.course.authoring.beginning.drafts import as_task, drafts_of_arm
+from armproof.course.authoring.beginning.exact_text import as_matrix, write_quantity
+from armproof.course.authoring.beginning.from_document import as_mapping
+from armproof.course.authoring.beginning.new import new_lesson
+from armproof.course.authoring.beginning.python_text import NotPython, write_python
+from armproof.course.authoring.beginning.slips import slips
+from armproof.course.authoring.checking.answers import check_answers
+from armproof.course.authoring.checking.lessons import check_lesson
+from armproof.course.authoring.checking.tasks import load_tasks
 from armproof.course.feedback import Outcome
+from armproof.course.sources.errors import AuthoringError
+from armproof.course.sources.lesson_source import read_lesson_source
+from armproof.course.sources.places import COURSE, Place
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.latex.reader import Reader
@@ -174,7 +174,7 @@ def test_a_quantity_is_written_back_as_the_front_matter_has_it(spec):
 
 
 def test_what_is_too_long_to_type_is_not_written(monkeypatch):
-    from armproof.course.authoring import exact_text
+    from armproof.course.authoring.beginning import exact_text
 
     arm = load_arm("kr210")
     assert write_quantity(arm, {"jacobian": 6}) is not None
@@ -184,7 +184,7 @@ def test_what_is_too_long_to_type_is_not_written(monkeypatch):
 
 
 def test_a_quantity_that_takes_too_long_is_not_written(monkeypatch):
-    from armproof.course.authoring import exact_text
+    from armproof.course.authoring.beginning import exact_text
 
     arm = load_arm("rx90")
     assert write_quantity(arm, {"jacobian": 6}) is not None

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from armproof.course.authoring.errors import SourceError
-from armproof.course.authoring.lesson_source import read_lesson_source
-from armproof.course.authoring.places import COURSE
-from armproof.course.authoring.source import parse_cells
+from armproof.course.sources.errors import SourceError
+from armproof.course.sources.lesson_source import read_lesson_source
+from armproof.course.sources.places import COURSE
+from armproof.course.sources.source import parse_cells
 from armproof.verification.document import parse_document
 from armproof.verification.document.cells import percent_cells
 

@@ -4,11 +4,11 @@ import contextlib
 
 import pytest
 
-from armproof.course.grading.errors import GradingError
 from armproof.course.grading.grading import grade
-from armproof.course.grading.keeper import Ended
-from armproof.course.grading.limits import Limits
 from armproof.course.grading.results import Status
+from armproof.course.grading.running.keeper import Ended
+from armproof.course.grading.sandbox.errors import GradingError
+from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import find_submissions
 
 DONE = ['{"done": true, "changed": []}']

@@ -7,11 +7,11 @@ import pytest
 
 from armproof.course.feedback import Outcome
 from armproof.course.grading.judging import judge
-from armproof.course.grading.keeper import Ended, _with_token
-from armproof.course.grading.limits import Limits
 from armproof.course.grading.notebook import Notebook
 from armproof.course.grading.reports import OUTCOMES, read_report
 from armproof.course.grading.results import Status
+from armproof.course.grading.running.keeper import Ended, _with_token
+from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import Submission
 
 CATALOGUE = [{"name": "frames", "number": 1, "title": "Frames", "tasks": [{"name": "rot", "title": "Rot"}, {"name": "inv", "title": "Inv"}]}]  # fmt: skip

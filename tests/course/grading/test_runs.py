@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from armproof.course.grading.client import Client
 from armproof.course.grading.judging import judge
-from armproof.course.grading.limits import MEGABYTE, Limits
 from armproof.course.grading.notebook import Notebook
-from armproof.course.grading.protections import ATTEMPTS
 from armproof.course.grading.results import Graded, Status
+from armproof.course.grading.running.client import Client
+from armproof.course.grading.running.protections import ATTEMPTS
+from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
 from armproof.course.grading.submissions import Submission
 from armproof.verification.cli import app
 from tests.course.grading.hostile import KINDS

@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
-from armproof.course.authoring.places import Place
 from armproof.course.feedback import open_lesson
 from armproof.course.site.cells import cells_of, with_outputs
 from armproof.course.site.page import Neighbour, Surroundings, Written, write_page
+from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
+from armproof.course.sources.places import Place
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
 from tests.verification.report.conftest import browser  # noqa: F401 - a fixture

@@ -11,12 +11,12 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from armproof.course.authoring.lesson_source import read_lesson_source
 from armproof.course.site import build, command, execution
 from armproof.course.site.build import build_site
 from armproof.course.site.cells import cells_of
 from armproof.course.site.errors import SiteError
 from armproof.course.site.work import Built, Order
+from armproof.course.sources.lesson_source import read_lesson_source
 from armproof.verification.report.html.folder import ReportFolderError, new_report
 from tests.course.site.conftest import SECRET
 from tests.course.site.test_page import check_valid
@@ -82,7 +82,7 @@ def test_a_lesson_that_does_not_run_is_named_with_cell_line_and_exception(order,
 
 
 def execution_run(fault):
-    from armproof.course.authoring.kernel import Run
+    from armproof.course.sources.kernel import Run
 
     return Run(1.0, fault=fault)
 
@@ -183,7 +183,7 @@ def test_a_folder_that_cannot_be_written_is_named(order, tmp_path):
 
 
 def test_without_jupyter_the_command_says_what_to_install(order, tmp_path, monkeypatch):
-    monkeypatch.setattr("armproof.course.authoring.kernel.find_spec", lambda name: None)
+    monkeypatch.setattr("armproof.course.sources.kernel.find_spec", lambda name: None)
     result = run("--folder", order.place.root, "--out", tmp_path / "site")
     assert result.exit_code == 2 and "pip install" in result.stderr
 

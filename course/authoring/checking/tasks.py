@@ -6,9 +6,9 @@ import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from armproof.course.authoring.errors import SourceError
-from armproof.course.authoring.lesson_source import LessonSource
-from armproof.course.authoring.places import Place
+from armproof.course.sources.errors import SourceError
+from armproof.course.sources.lesson_source import LessonSource
+from armproof.course.sources.places import Place
 
 if TYPE_CHECKING:
     from armproof.course.feedback import Lesson

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from armproof.course.authoring.code import raw, written
-from armproof.course.authoring.drafts import Draft
+from armproof.course.authoring.beginning.code import raw, written
+from armproof.course.authoring.beginning.drafts import Draft
 from armproof.models.arm import Arm
 
 _HEAD = '''"""Tasks of lesson {number}, {title}; begun by `armproof lesson new`."""

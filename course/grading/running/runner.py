@@ -15,8 +15,8 @@ import types
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from armproof.course.grading.integrity import changes, snapshot
-from armproof.course.grading.magics import without_magics
+from armproof.course.grading.running.integrity import changes, snapshot
+from armproof.course.grading.running.magics import without_magics
 
 Send = Callable[[dict[str, Any]], None]
 _LONGEST = 500  # characters of a message

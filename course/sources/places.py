@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.course.authoring.errors import AuthoringError
-from armproof.course.authoring.lesson_source import FILE
+from armproof.course.sources.errors import AuthoringError
+from armproof.course.sources.lesson_source import FILE
 
 
 @dataclass(frozen=True)

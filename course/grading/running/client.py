@@ -17,11 +17,11 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from armproof.course.grading.errors import GradingError
-from armproof.course.grading.keeper import Ended
-from armproof.course.grading.limits import LIBRARIES, Limits
-from armproof.course.grading.own_folder import remove
+from armproof.course.grading.running.keeper import Ended
+from armproof.course.grading.running.own_folder import remove
 from armproof.course.grading.sandbox.bubblewrap import find_bubblewrap
+from armproof.course.grading.sandbox.errors import GradingError
+from armproof.course.grading.sandbox.limits import LIBRARIES, Limits
 
 _GRACE = 30.0  # s beyond a submission's own time, after which a keeper that does not answer is given up
 _STARTING = 300.0
@@ -121,7 +121,7 @@ class Client:
             sys.executable,
             "-P",
             "-m",
-            "armproof.course.grading.server",
+            "armproof.course.grading.running.server",
             self._base,
             self._bubblewrap,
             self._used,

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.course.authoring.errors import SourceError
-from armproof.course.authoring.solutions import BEGIN, END, Block, find_blocks
-from armproof.course.authoring.source import read_cells
+from armproof.course.sources.errors import SourceError
+from armproof.course.sources.solutions import BEGIN, END, Block, find_blocks
+from armproof.course.sources.source import read_cells
 from armproof.verification.document.cells import Cell
 
 FILE = re.compile(r"(?P<number>\d\d)_(?P<name>[a-z][a-z0-9_]*)\.py")

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from armproof.course.authoring.answers import progress_left_alone
-from armproof.course.authoring.code import written
-from armproof.course.authoring.exact_text import ExactText, write_quantity
-from armproof.course.authoring.slips import slips
+from armproof.course.authoring.beginning.code import written
+from armproof.course.authoring.beginning.exact_text import ExactText, write_quantity
+from armproof.course.authoring.beginning.slips import slips
+from armproof.course.authoring.checking.answers import progress_left_alone
 from armproof.models.arm import Arm
 from armproof.verification.naming.quantities import numbered_frames
 

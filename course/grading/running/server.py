@@ -17,13 +17,13 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, NoReturn
 
-from armproof.course.grading.errors import GradingError
-from armproof.course.grading.keeper import keep
-from armproof.course.grading.limits import Limits
-from armproof.course.grading.own_folder import remove
-from armproof.course.grading.protections import try_out
+from armproof.course.grading.running.keeper import keep
+from armproof.course.grading.running.own_folder import remove
+from armproof.course.grading.running.protections import try_out
 from armproof.course.grading.sandbox.bubblewrap import choose_user
+from armproof.course.grading.sandbox.errors import GradingError
 from armproof.course.grading.sandbox.kernel import PR_SET_PDEATHSIG, prctl
+from armproof.course.grading.sandbox.limits import Limits
 from armproof.models.errors import ArmproofError
 
 Results = Callable[[], list[dict[str, Any]]]
@@ -62,7 +62,7 @@ def main(base: str, bubblewrap: str, used: list[str], own: str, sockets: list[in
 
 
 def _load(used: list[str], own: str, base: str) -> tuple[list[dict[str, Any]], Results]:
-    from armproof.course.grading.checker import load_course, preload
+    from armproof.course.grading.running.checker import load_course, preload
 
     preload()
     try:
@@ -151,7 +151,7 @@ class _Server:
             os._exit(code)
 
     def _task(self, slot: socket.socket) -> tuple[Any, str, Limits]:
-        from armproof.course.grading.runner import run_cells
+        from armproof.course.grading.running.runner import run_cells
 
         with slot.makefile("rb") as file:
             task = json.loads(file.readline())

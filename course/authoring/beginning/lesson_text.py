@@ -8,9 +8,9 @@ from typing import Any
 
 import yaml
 
-from armproof.course.authoring.drafts import Draft
-from armproof.course.authoring.module_text import Heading, joints, lengths, python_rows
-from armproof.course.authoring.solutions import BEGIN, END
+from armproof.course.authoring.beginning.drafts import Draft
+from armproof.course.authoring.beginning.module_text import Heading, joints, lengths, python_rows
+from armproof.course.sources.solutions import BEGIN, END
 
 _JUPYTER = """# ---
 # jupyter:

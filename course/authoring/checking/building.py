@@ -6,11 +6,11 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from armproof.course.authoring.editions import instructor_notebook, student_notebook
-from armproof.course.authoring.errors import AuthoringError
-from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
-from armproof.course.authoring.nbgrader import nbgrader_notebook
-from armproof.course.authoring.places import Place
+from armproof.course.sources.editions import instructor_notebook, student_notebook
+from armproof.course.sources.errors import AuthoringError
+from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
+from armproof.course.sources.nbgrader import nbgrader_notebook
+from armproof.course.sources.places import Place
 from armproof.verification.running.atomic import write_atomically
 
 Files = dict[Path, bytes]

@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
-from armproof.course.authoring.lesson_source import LessonSource
-from armproof.course.authoring.places import Place
-from armproof.course.authoring.tasks import task_lines, tasks_file
+from armproof.course.authoring.checking.tasks import task_lines, tasks_file
+from armproof.course.sources.lesson_source import LessonSource
+from armproof.course.sources.places import Place
 
 if TYPE_CHECKING:
     from armproof.course.feedback import Feedback, Lesson, Task

@@ -7,9 +7,9 @@ import os
 import select
 import time
 
-from armproof.course.grading.limits import Limits
-from armproof.course.grading.own_folder import size_of
-from armproof.course.grading.processes import descendants, memory_of
+from armproof.course.grading.running.own_folder import size_of
+from armproof.course.grading.running.processes import descendants, memory_of
+from armproof.course.grading.sandbox.limits import Limits
 
 _TICK = 0.05  # s between looks at the run's memory
 _SURVEY = 0.5  # s between looks at all of its processes, and at its folder

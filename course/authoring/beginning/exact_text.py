@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from armproof.course.authoring.python_text import NotPython, names_in, write_python
+from armproof.course.authoring.beginning.python_text import NotPython, names_in, write_python
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.budget import Budget

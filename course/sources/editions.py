@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from armproof.course.authoring.lesson_source import LessonSource
-from armproof.course.authoring.notebook import as_bytes, as_notebook
-from armproof.course.authoring.solutions import without_solutions
+from armproof.course.sources.lesson_source import LessonSource
+from armproof.course.sources.notebook import as_bytes, as_notebook
+from armproof.course.sources.solutions import without_solutions
 from armproof.verification.document.cells import Cell
 
 FOLDED = {"jupyter": {"source_hidden": True}}  # JupyterLab shows the front matter as a bar

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
-from armproof.course.authoring.code import written
-from armproof.course.authoring.drafts import Draft, completed, draft_of_quantity
+from armproof.course.authoring.beginning.code import written
+from armproof.course.authoring.beginning.drafts import Draft, completed, draft_of_quantity
 from armproof.models.arm import Arm
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity

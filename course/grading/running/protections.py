@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from armproof.course.grading.errors import SandboxError
-from armproof.course.grading.keeper import Ended, Send, keep
-from armproof.course.grading.limits import Limits
+from armproof.course.grading.running.keeper import Ended, Send, keep
 from armproof.course.grading.sandbox.bubblewrap import WITHOUT, choose_user
+from armproof.course.grading.sandbox.errors import SandboxError
+from armproof.course.grading.sandbox.limits import Limits
 
 ATTEMPTS = {
     "own": "has a folder of its own, and can write there",

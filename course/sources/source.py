@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from armproof.course.authoring.errors import AuthoringError, SourceError
+from armproof.course.sources.errors import AuthoringError, SourceError
 from armproof.verification.document.cells import Cell, percent_cells
 
 

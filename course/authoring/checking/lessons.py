@@ -9,15 +9,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from armproof.course.authoring.answers import check_answers, count_answers
-from armproof.course.authoring.building import stale, student_files
-from armproof.course.authoring.editions import solved_cells, student_cells
-from armproof.course.authoring.errors import SourceError
-from armproof.course.authoring.kernel import Run, run_cells
-from armproof.course.authoring.lesson_source import LessonSource, read_lesson_source
-from armproof.course.authoring.places import Place
-from armproof.course.authoring.report import Report
-from armproof.course.authoring.tasks import load_tasks
+from armproof.course.authoring.checking.answers import check_answers, count_answers
+from armproof.course.authoring.checking.building import stale, student_files
+from armproof.course.authoring.checking.report import Report
+from armproof.course.authoring.checking.tasks import load_tasks
+from armproof.course.sources.editions import solved_cells, student_cells
+from armproof.course.sources.errors import SourceError
+from armproof.course.sources.kernel import Run, run_cells
+from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
+from armproof.course.sources.places import Place
 from armproof.models.errors import ArmproofError
 from armproof.verification.running.processes import share_out
 from armproof.verification.verdict import DocumentResult, Record, Verdict

@@ -1,0 +1,1 @@
+"""A lesson begun: tasks, text and wrong answers drafted for an arm or from a document."""
