@@ -18,6 +18,7 @@ import numpy as np
 
 from armproof.models.arm import Arm, once_per_arm
 from armproof.models.bulk.graph import Graph, Matrix, Term
+from armproof.models.bulk.inputs import JointInputs
 from armproof.models.bulk.jacobian_part import JacobianPart, read_part
 from armproof.models.bulk.minors import maximal_minors
 from armproof.models.bulk.program import Program
@@ -199,7 +200,7 @@ class BulkKinematics:
     def _compile(self, matrices: Sequence[Matrix]) -> tuple[Program, list[tuple[int, int]]]:
         groups = [[term for row in matrix for term in row] for matrix in matrices]
         shapes = [(len(matrix), len(matrix[0])) for matrix in matrices]
-        return Program(self._graph, self._arm.joints, groups), shapes
+        return Program(self._graph, partial(JointInputs, self._arm.joints), groups), shapes
 
     def _matrices(self, what: str, *of: Any) -> list[Matrix]:
         """Return the matrices of terms that a program evaluates."""

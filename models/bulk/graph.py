@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import prod
 from typing import NamedTuple
 
+from armproof.models.bulk.operations import OPERATIONS
 from armproof.models.exact.polynomial import Entry, Generator, Monomial
 
 Matrix = list[list["Term"]]
@@ -28,8 +29,8 @@ class Node(NamedTuple):
     """An input, or an operation on one or two nodes.
 
     Attributes:
-        operation: "one", "input"; "add", "subtract", "multiply" (of `left` and `right`); "scale", "offset" (`left` times,
-            or plus, the number `value`).
+        operation: "one", "input", or one of models/bulk/operations.py: of `left` and `right`, of `left` alone, or of `left`
+            and the number `value`.
     """
 
     operation: str
@@ -43,7 +44,7 @@ class Node(NamedTuple):
         """The nodes that it is made of."""
         if self.operation in ("one", "input"):
             return ()
-        return (self.left,) if self.operation in ("scale", "offset") else (self.left, self.right)
+        return (self.left, self.right)[: OPERATIONS[self.operation].arity]
 
 
 ZERO, ONE = Term(0, 0.0), Term(0, 1.0)
@@ -90,12 +91,12 @@ class Graph:
         return self.add(*(self.multiply(a, b) for a, b in zip(left, right, strict=True)))
 
     def needed(self, terms: Sequence[Term]) -> list[int]:
-        """Return the nodes that terms are made of, but for the number 1, each after what it is made of."""
-        needed = {term.node for term in terms}
-        for place in range(len(self.nodes) - 1, 0, -1):
+        """Return the nodes that terms are made of, each after what it is made of; a constant term needs none."""
+        needed = {term.node for term in terms if term.factor and term.node}
+        for place in range(max(needed, default=0), 0, -1):
             if place in needed:
                 needed.update(self.nodes[place].operands)
-        return sorted(needed - {0})
+        return sorted(needed)
 
     def _add(self, left: Term, right: Term) -> Term:
         if not left.factor or not right.factor:

@@ -6,33 +6,25 @@ used again as soon as its value is no longer needed. The instructions are data; 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from armproof.models.arm import Joint
-from armproof.models.bulk.graph import Graph, Term
+from armproof.models.bulk.graph import Graph, Node, Term
+from armproof.models.bulk.inputs import Inputs
+from armproof.models.bulk.operations import OPERATIONS
 from armproof.models.exact.polynomial import Generator
 
 BLOCK = 1024  # configurations; an intermediate array is 8 KiB, all of them fit into the second-level cache
-
-_OPERATIONS = {
-    "add": np.add,
-    "subtract": np.subtract,
-    "multiply": np.multiply,
-    "scale": np.multiply,
-    "offset": np.add,
-}
+_SCRATCH, _NEAR, _DOUBTFUL = -3, -2, -1  # the last rows: of numbers, of booleans, of booleans
 
 
 class Instruction(NamedTuple):
-    """rows[target] = operation(rows[left], right); `right` is the index of a row, or a number as an array of no axes."""
+    """operation(*operands): each operand is the index of a row, or a number as an array of no axes."""
 
-    operation: np.ufunc
-    left: int
-    right: int | np.ndarray
-    target: int
+    operation: Callable[..., Any]
+    operands: tuple[int | np.ndarray, ...]
 
 
 class Program:
@@ -41,70 +33,71 @@ class Program:
     A program holds no working memory: threads may share it.
     """
 
-    def __init__(self, graph: Graph, joints: Sequence[Joint], groups: Sequence[Sequence[Term]]) -> None:
-        """Compile groups of terms; each group becomes one array, (N, number of its terms)."""
+    def __init__(
+        self,
+        graph: Graph,
+        inputs: Callable[[set[Generator]], Inputs],
+        groups: Sequence[Sequence[Term]],
+        thresholds: Mapping[int, float] | None = None,
+    ) -> None:
+        """Compile groups of terms; each group becomes one array, (N, number of its terms).
+
+        Args:
+            inputs: what computes those inputs of the graph that occur.
+            thresholds: for each guarded node (by its place) the size below which a configuration is doubtful.
+        """
         self._sizes = [len(group) for group in groups]
-        outputs = [term for group in groups for term in group]
+        outputs = [term if term.factor else Term(0, 0.0) for group in groups for term in group]
         self._constants = {row: term.factor for row, term in enumerate(outputs) if not term.node}
-        names = {graph.nodes[place].generator[1] for place in graph.needed(outputs)}
-        self._angles, self._slides = (_inputs(joints, kind, names) for kind in ("revolute", "prismatic"))
-        self.instructions, self._height = _compile(graph, outputs, self._input_rows(len(outputs)))
+        needed = graph.needed(outputs)
+        occurring = {graph.nodes[place].generator for place in needed if graph.nodes[place].operation == "input"}
+        self._inputs = inputs(occurring)
+        rows = _Rows(graph, outputs, needed, self._inputs.generators)
+        if 0 in needed:
+            self._constants[rows.home[0]] = 1.0
+        self.instructions = _compile(graph, outputs, needed, rows, thresholds or {})
+        self._height = rows.height
 
-    def _input_rows(self, start: int) -> dict[Generator, int]:
-        """Return the row of each input: the cosines, the sines, the variables of prismatic joints."""
-        cosines, sines = ([(kind, name) for name, _ in self._angles] for kind in ("cos", "sin"))
-        slides = [("symbol", name) for name, _ in self._slides]
-        return {generator: start + place for place, generator in enumerate([*cosines, *sines, *slides])}
-
-    def __call__(self, q: np.ndarray) -> list[np.ndarray]:
+    def __call__(self, values: np.ndarray) -> list[np.ndarray]:
         """Return one (N, size) array for each group of terms.
 
         Args:
-            q: (N, n) array of doubles, joint variables from base to tool (rad, m).
+            values: (N, columns) array of doubles, as the inputs take them: joint variables (rad, m), or targets.
         """
-        results = [np.empty((len(q), size)) for size in self._sizes]
-        whole = len(q) - len(q) % BLOCK
-        for part in (slice(0, whole), slice(whole, len(q))):
-            if len(q[part]):
-                self._run(q[part], [result[part] for result in results])
-        return results
+        return self.run(values)[0]
 
-    def _run(self, q: np.ndarray, results: Sequence[np.ndarray]) -> None:
+    def run(self, values: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
+        """Return the arrays, and at which configurations a guarded node is below its threshold, (N,) booleans."""
+        results = [np.empty((len(values), size)) for size in self._sizes]
+        doubtful = np.zeros(len(values), dtype=bool)
+        whole = len(values) - len(values) % BLOCK
+        for part in (slice(0, whole), slice(whole, len(values))):
+            if len(values[part]):
+                self._run(values[part], [result[part] for result in results], doubtful[part])
+        return results, doubtful
+
+    def _run(self, values: np.ndarray, results: Sequence[np.ndarray], doubtful: np.ndarray) -> None:
         """Evaluate whole blocks, or less than one."""
-        workspace = np.empty((self._height, min(len(q), BLOCK)))
+        workspace = np.empty((self._height + 1, min(len(values), BLOCK)))
+        near, found = np.zeros((2, workspace.shape[1]), dtype=bool)
         for row, value in self._constants.items():
             workspace[row] = value
-        rows = list(workspace)
+        rows = [*workspace, near, found]
         bound = [
-            (operation, rows[left], rows[right] if isinstance(right, int) else right, rows[target])
-            for operation, left, right, target in self.instructions
+            (operation, tuple(rows[operand] if isinstance(operand, int) else operand for operand in operands))
+            for operation, operands in self.instructions
         ]
+        first = sum(self._sizes)
+        inputs = workspace[first : first + len(self._inputs.generators)]
         with np.errstate(under="ignore"):
-            for start in range(0, len(q), BLOCK):
+            for start in range(0, len(values), BLOCK):
                 block = slice(start, start + BLOCK)
-                self._set_inputs(workspace, q[block])
-                for operation, left, right, target in bound:
-                    operation(left, right, target)
+                found[:] = False
+                self._inputs.write(inputs, values[block])
+                for operation, operands in bound:
+                    operation(*operands)
                 self._hand_out(workspace, [result[block] for result in results])
-
-    def _set_inputs(self, workspace: np.ndarray, block: np.ndarray) -> None:
-        """Write cosines, sines and prismatic variables, by t = tan θ/2: cos θ = 2/(1 + t²) − 1, sin θ = 2t/(1 + t²).
-
-        One tangent and one division take less than half the time of a cosine and a sine, and both come out within 4e-16.
-        """
-        first, count = sum(self._sizes), len(self._angles)
-        cosines = workspace[first : first + count]
-        sines = workspace[first + count : first + 2 * count]
-        for row, (_, column) in zip(sines, self._angles, strict=True):
-            np.multiply(block[:, column], 0.5, row)
-        np.tan(sines, sines)
-        np.multiply(sines, sines, cosines)
-        np.add(cosines, 1.0, cosines)
-        np.divide(2.0, cosines, cosines)
-        np.multiply(sines, cosines, sines)
-        np.subtract(cosines, 1.0, cosines)
-        for row, (_, column) in enumerate(self._slides, first + 2 * count):
-            workspace[row] = block[:, column]
+                doubtful[block] = found
 
     def _hand_out(self, workspace: np.ndarray, results: Sequence[np.ndarray]) -> None:
         first = 0
@@ -114,22 +107,24 @@ class Program:
             first += size
 
 
-def _inputs(joints: Sequence[Joint], kind: str, names: set[str]) -> list[tuple[str, int]]:
-    """Return the joint variables of a kind that occur, each with its column of q."""
-    return [(joint.symbol, joint.index - 1) for joint in joints if joint.kind == kind and joint.symbol in names]
-
-
 class _Rows:
     """The row of the working memory that holds each node: first the outputs, then the inputs, then whichever is free."""
 
-    def __init__(self, graph: Graph, outputs: Sequence[Term], inputs: dict[Generator, int]) -> None:
-        needed = graph.needed(outputs)
-        self.home = {term.node: row for row, term in reversed(list(enumerate(outputs))) if term.factor == 1}
-        self.home |= {i: inputs[graph.nodes[i].generator] for i in needed if graph.nodes[i].operation == "input"}
+    def __init__(
+        self, graph: Graph, outputs: Sequence[Term], needed: Sequence[int], inputs: Sequence[Generator]
+    ) -> None:
+        nodes = self._nodes = graph.nodes
+        places = {generator: row for row, generator in enumerate(inputs, start=len(outputs))}
+        self.home = {
+            term.node: row for row, term in reversed(list(enumerate(outputs))) if term.node and term.factor == 1
+        }
+        self.home |= {place: places[nodes[place].generator] for place in needed if nodes[place].operation == "input"}
         self.height = len(outputs) + len(inputs)
-        self._nodes = graph.nodes
+        if 0 in needed:
+            self.home[0] = self.height
+            self.height += 1
         self._kept = {*self.home, *(term.node for term in outputs)}
-        self._last_use = {operand: place for place in needed for operand in graph.nodes[place].operands}
+        self._last_use = {operand: place for place in needed for operand in nodes[place].operands}
         self._free: list[int] = []
 
     def target(self, place: int) -> int:
@@ -145,17 +140,44 @@ class _Rows:
         return self.home[place]
 
 
-def _compile(graph: Graph, outputs: Sequence[Term], inputs: dict[Generator, int]) -> tuple[list[Instruction], int]:
-    """Return the instructions, and the number of rows that they work on."""
-    rows = _Rows(graph, outputs, inputs)
-    instructions = []
-    for place in graph.needed(outputs):
+def _compile(
+    graph: Graph, outputs: Sequence[Term], needed: Sequence[int], rows: _Rows, thresholds: Mapping[int, float]
+) -> list[Instruction]:
+    """Return the instructions: those of the nodes, then those that finish the outputs."""
+    instructions: list[Instruction] = []
+    for place in needed:
         node = graph.nodes[place]
-        if node.operation != "input":
-            target = rows.target(place)
-            right = rows.home[node.right] if len(node.operands) == 2 else np.array(node.value)
-            instructions.append(Instruction(_OPERATIONS[node.operation], rows.home[node.left], right, target))
+        if node.operation in ("one", "input"):
+            continue
+        own = _instruction(node, rows, place)
+        if place in thresholds:
+            guarded = OPERATIONS[node.operation].guarded
+            guard = _guard(rows.home[place if guarded == "result" else getattr(node, guarded)], thresholds[place])
+            # What guards an operand comes first: its row may be that of the result.
+            instructions += [own, *guard] if guarded == "result" else [*guard, own]
+        else:
+            instructions.append(own)
     for row, term in enumerate(outputs):
         if term.node and rows.home[term.node] != row:
-            instructions.append(Instruction(np.multiply, rows.home[term.node], np.array(term.factor), row))
-    return instructions, rows.height
+            instructions.append(Instruction(np.multiply, (rows.home[term.node], np.array(term.factor), row)))
+    return instructions
+
+
+def _instruction(node: Node, rows: _Rows, place: int) -> Instruction:
+    operation = OPERATIONS[node.operation]
+    operands: list[int | np.ndarray] = [rows.home[operand] for operand in node.operands]
+    if operation.has_number:
+        operands.append(np.array(node.value))
+    operands.append(rows.target(place))
+    if operation.has_scratch:
+        operands.append(_SCRATCH)
+    return Instruction(operation.run, tuple(operands))
+
+
+def _guard(row: int, threshold: float) -> list[Instruction]:
+    """Return what adds to the doubtful those configurations at which a row is not larger than a threshold."""
+    return [
+        Instruction(np.absolute, (row, _SCRATCH)),
+        Instruction(np.less_equal, (_SCRATCH, np.array(threshold), _NEAR)),
+        Instruction(np.logical_or, (_DOUBTFUL, _NEAR, _DOUBTFUL)),
+    ]

@@ -1,6 +1,7 @@
 """A compiled program gives what its terms mean: exact entries, sums, products and minors, at any number of configurations."""
 
 from fractions import Fraction
+from functools import partial
 from itertools import combinations
 
 import numpy as np
@@ -10,6 +11,7 @@ from hypothesis import strategies as st
 
 from armproof.models.arm import Joint
 from armproof.models.bulk.graph import ONE, ZERO, Graph
+from armproof.models.bulk.inputs import JointInputs
 from armproof.models.bulk.minors import maximal_minors
 from armproof.models.bulk.program import BLOCK, Program
 from armproof.models.exact.constants import constant_value
@@ -20,6 +22,7 @@ JOINTS = (
     Joint(2, "j2", "d_2", "prismatic", -np.inf, np.inf),
     Joint(3, "j3", "theta_3", "revolute", -np.inf, np.inf),
 )
+INPUTS = partial(JointInputs, JOINTS)
 SYMBOLS = [joint.symbol for joint in JOINTS]
 VALUES = {"a_1": 0.45, "alpha_1": 0.7}
 VARYING = [("cos", "theta_1"), ("sin", "theta_1"), ("symbol", "d_2"), ("cos", "theta_3"), ("sin", "theta_3")]
@@ -62,7 +65,7 @@ def sizes(entry: Entry, q: np.ndarray) -> np.ndarray:
 @given(st.lists(entries, min_size=1, max_size=5), st.integers(1, 40))
 def test_a_program_gives_the_value_of_each_entry(some: list[Entry], count: int) -> None:
     graph, q = new_graph(), configurations(count)
-    (values,) = Program(graph, JOINTS, [[graph.entry(entry) for entry in some]])(q)
+    (values,) = Program(graph, INPUTS, [[graph.entry(entry) for entry in some]])(q)
     assert values.shape == (count, len(some))
     for column, entry in zip(values.T, some, strict=True):
         assert (np.abs(column - direct(entry, q)) <= 1e-13 * sizes(entry, q)).all()
@@ -77,7 +80,7 @@ def test_sums_and_products_of_terms_are_those_of_their_values(left: Entry, right
     x, y = direct(left, q), direct(right, q)
     scale = sizes(left, q) * sizes(right, q)
     for column, expected in zip(
-        Program(graph, JOINTS, [made])(q)[0].T, (x + y, x * y, number * x, 2 * x * y), strict=True
+        Program(graph, INPUTS, [made])(q)[0].T, (x + y, x * y, number * x, 2 * x * y), strict=True
     ):
         assert (np.abs(column - expected) <= 1e-12 * scale).all()
 
@@ -89,7 +92,7 @@ def test_blocks_join_without_a_seam(count: int) -> None:
         [graph.entry({((VARYING[0], 1), (VARYING[2], 1)): Fraction(1)}), ONE],
         [graph.entry({((VARYING[4], 1),): Fraction(-3)})],
     ]
-    first, second = Program(graph, JOINTS, groups)(q)
+    first, second = Program(graph, INPUTS, groups)(q)
     np.testing.assert_allclose(first[:, 0], np.cos(q[:, 0]) * q[:, 1], atol=1e-14)
     np.testing.assert_array_equal(first[:, 1], np.ones(count))
     np.testing.assert_allclose(second[:, 0], -3 * np.sin(q[:, 2]), atol=1e-14)
@@ -104,7 +107,7 @@ def test_cosines_and_sines_are_right_at_every_angle() -> None:
     q = np.zeros((len(angles), 3))
     q[:, 0] = angles
     graph = new_graph()
-    cosine, sine = Program(graph, JOINTS, [[graph.entry({((g, 1),): Fraction(1)}) for g in VARYING[:2]]])(q)[0].T
+    cosine, sine = Program(graph, INPUTS, [[graph.entry({((g, 1),): Fraction(1)}) for g in VARYING[:2]]])(q)[0].T
     np.testing.assert_allclose(cosine, np.cos(angles), rtol=0, atol=1e-15)
     np.testing.assert_allclose(sine, np.sin(angles), rtol=0, atol=1e-15)
 
@@ -119,7 +122,7 @@ def test_the_same_expression_is_computed_once() -> None:
     assert graph.add(difference, graph.scale(difference, -1)) == ZERO
     assert graph.multiply(d, ZERO) == ZERO and graph.multiply(d, ONE) == d
     program = Program(
-        graph, JOINTS, [[difference, graph.scale(difference, 2.0), graph.multiply(difference, difference)]]
+        graph, INPUTS, [[difference, graph.scale(difference, 2.0), graph.multiply(difference, difference)]]
     )
     assert [instruction.operation for instruction in program.instructions].count(np.subtract) == 1
 
@@ -128,7 +131,7 @@ def test_what_no_output_needs_is_not_computed() -> None:
     graph = new_graph()
     c = graph.entry({((VARYING[0], 1),): Fraction(1)})
     graph.multiply(graph.add(c, ONE), c)
-    assert len(Program(graph, JOINTS, [[graph.multiply(c, c)]]).instructions) == 1
+    assert len(Program(graph, INPUTS, [[graph.multiply(c, c)]]).instructions) == 1
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (2, 2), (3, 3), (4, 4), (1, 4), (2, 4), (3, 5), (4, 6)])
@@ -145,7 +148,7 @@ def test_minors_are_determinants(shape: tuple[int, int]) -> None:
     values = weights @ np.stack([np.cos(q[:, 0]), np.sin(q[:, 0]), np.ones(len(q))])
     values = values.transpose(2, 0, 1)
     minors = maximal_minors(graph, matrix)
-    found = Program(graph, JOINTS, [minors])(q)[0]
+    found = Program(graph, INPUTS, [minors])(q)[0]
     expected = np.stack([np.linalg.det(values[:, :, list(c)]) for c in combinations(range(width), height)], axis=1)
     np.testing.assert_allclose(found, expected, atol=1e-12)
 
@@ -158,17 +161,17 @@ def test_a_slip_in_one_instruction_changes_the_values(slip: str) -> None:
         ((VARYING[1], 1),): Fraction(1),
         (): Fraction(1, 3),
     }
-    program = Program(graph, JOINTS, [[graph.entry(entry)]])
+    program = Program(graph, INPUTS, [[graph.entry(entry)]])
     kinds = {"operation": np.multiply, "operand": np.multiply, "constant": np.add}
     place = next(
         i
         for i, one in enumerate(program.instructions)
-        if one.operation is kinds[slip] and isinstance(one.right, int) == (slip != "constant")
+        if one.operation is kinds[slip] and isinstance(one.operands[1], int) == (slip != "constant")
     )
     old = program.instructions[place]
     program.instructions[place] = {
         "operation": lambda: old._replace(operation=np.subtract),
-        "operand": lambda: old._replace(left=old.right),
-        "constant": lambda: old._replace(right=np.array(0.3)),
+        "operand": lambda: old._replace(operands=(old.operands[1], *old.operands[1:])),
+        "constant": lambda: old._replace(operands=(old.operands[0], np.array(0.3), old.operands[2])),
     }[slip]()
     assert (np.abs(program(q)[0][:, 0] - direct(entry, q)) > 1e-13 * sizes(entry, q)).any()

@@ -141,11 +141,3 @@ def _positive(term: Term) -> Term:
 
 def _negative(term: Term) -> Term:
     return Term(term.node, -term.factor)
-
-
-def operands(node: Node) -> tuple[int, ...]:
-    """Return the nodes that a node is made of."""
-    if node.operation in ("one", "input"):
-        return ()
-    binary = ("add", "subtract", "multiply", "divide", ARC, "hypot", "cosine", "sine")
-    return (node.left, node.right) if node.operation in binary else (node.left,)

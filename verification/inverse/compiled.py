@@ -10,6 +10,9 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.bulk.graph import Term
+from armproof.models.bulk.inputs import ColumnInputs
+from armproof.models.bulk.operations import OPERATIONS
+from armproof.models.bulk.program import Program
 from armproof.models.numeric.configurations import sample
 from armproof.verification.algebra.calculus import Ring
 from armproof.verification.inverse.branch_graph import BranchGraph
@@ -18,7 +21,6 @@ from armproof.verification.inverse.formulas import Formula
 from armproof.verification.inverse.forward import forward_values
 from armproof.verification.inverse.numeric_algebra import NumericAlgebra
 from armproof.verification.inverse.numeric_scalar import NumericScalar
-from armproof.verification.inverse.program import Program, needed_nodes
 from armproof.verification.inverse.resolution import Resolution, solve_branch
 from armproof.verification.inverse.rounding import CarefulValues, evaluate_carefully
 from armproof.verification.inverse.symbolic_algebra import free_algebra, is_angle
@@ -54,11 +56,11 @@ class Compiled:
         algebra = NumericAlgebra(self.arm, Target((), (0,), ()), graph, self.values)
         for joint in self.arm.joints:
             algebra.solved[joint.symbol] = NumericScalar(graph, graph.input("joint", str(joint.index - 1)))
-        return Program(graph, [value.term for value in forward_values(self.derivation, algebra)], {})
+        return Program(graph, ColumnInputs, [[value.term for value in forward_values(self.derivation, algebra)]])
 
     def forward(self, q: np.ndarray) -> np.ndarray:
         """Return the target, (N, m), of configurations, (N, n)."""
-        return self._forward(q)[0]
+        return _evaluate(self._forward, q)[0]
 
     @cached_property
     def angles(self) -> tuple[bool, ...]:
@@ -109,7 +111,7 @@ class Compiled:
     @cached_property
     def branch_nodes(self) -> tuple[list[int], ...]:
         """The nodes of each branch."""
-        return tuple(needed_nodes(self.graph, [term.node for term in branch if term.factor]) for branch in self.outputs)
+        return tuple(self.graph.needed(branch) for branch in self.outputs)
 
     def careful(self, targets: np.ndarray) -> CarefulValues:
         """Evaluate targets with error bounds."""
@@ -124,7 +126,7 @@ class Compiled:
         found: list[str] = []
         for step in self.derivation.steps if turning else ():
             term = self.outputs[0][self.arm.joint(step.joint).index - 1]
-            nodes = [self.graph.nodes[place] for place in needed_nodes(self.graph, [term.node])]
+            nodes = [self.graph.nodes[place] for place in self.graph.needed([term])]
             if any(node.operation == "input" and int(node.generator[1]) in turning for node in nodes):
                 break
             found.append(step.joint)
@@ -136,22 +138,36 @@ class Compiled:
         algebra = NumericAlgebra(self.arm, self.derivation.target, self.graph, self.values)
         solve_branch(self.derivation, algebra, signs)
         resolution = Resolution(self.derivation, algebra, signs)
-        values = Program(self.graph, [resolution.part(formula, node).term for node in nodes], {})(self.seeds)[0]
+        program = Program(self.graph, ColumnInputs, [[resolution.part(formula, node).term for node in nodes]])
+        values, _ = _evaluate(program, self.seeds)
         square = (values**2).sum(axis=1)
         return bool(np.nanmax(square) - np.nanmin(square) > 1e-9 * np.nanmax(square))
 
+    def solve(self, targets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the joints of all branches, (N, number of terms), and which targets are doubtful, (N,).
+
+        What is doubtful is decided by bounds of the rounding errors (rounding.py).
+        """
+        return _evaluate(self._program, targets)
+
     @cached_property
-    def program(self) -> Program:
+    def _program(self) -> Program:
         """The program of all branches; targets at which a guarded node is small for its usual size are doubtful."""
-        terms = self.terms
         found = self.careful(self.seeds)
         thresholds = {}
         for place in {*found.degenerate, *found.unreachable}:
             node = self.graph.nodes[place]
             if node.operation == "atan2":  # its hypotenuse is guarded
                 continue
-            guarded = place if node.operation == "hypot" else node.right if node.operation == "divide" else node.left
-            value = np.abs(found.value[guarded])
+            guarded = OPERATIONS[node.operation].guarded
+            value = np.abs(found.value[place if guarded == "result" else getattr(node, guarded)])
             size = float(np.max(value, initial=0.0, where=np.isfinite(value)))
             thresholds[place] = size * (ROOT if node.operation == "sqrt" else LENGTH)
-        return Program(self.graph, terms, thresholds)
+        return Program(self.graph, ColumnInputs, [self.terms], thresholds)
+
+
+def _evaluate(program: Program, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the one array of a program, and what is doubtful; what has no value is NaN or infinite without a warning."""
+    with np.errstate(all="ignore"):
+        (found,), doubtful = program.run(values)
+    return found, doubtful

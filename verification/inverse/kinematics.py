@@ -61,7 +61,7 @@ class InverseKinematics:
         compiled = self.compiled(lengths)
         values, invalid = read_targets(self.derivation.target, targets)
         count, branches, joints = len(values), len(self.branches), len(self.arm.joints)
-        flat, doubtful = compiled.program(values)
+        flat, doubtful = compiled.solve(values)
         q = flat.reshape(count, branches, joints)
         valid, mark = np.ones((count, branches), dtype=bool), np.full(count, Mark.REACHABLE, dtype=np.int8)
         if not np.isfinite(flat).all():

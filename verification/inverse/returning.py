@@ -41,7 +41,7 @@ def sees_every_number(compiled: Compiled) -> bool:
         columns = [cells[row, column] for row in range(3) for column in range(3)]
         R = targets[:, columns].reshape(-1, 3, 3) @ _small_rotations(generator, len(targets))
         moved[:, columns] = R.reshape(-1, 9)
-    values, _ = compiled.program(moved)
+    values, _ = compiled.solve(moved)
     q = values.reshape(len(moved), len(compiled.outputs), -1)
     missed = np.isfinite(q).all(axis=-1) & ~returns(compiled, q, moved)
     return not missed.any()

@@ -16,8 +16,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from armproof.models.bulk.graph import Node, Term
+from armproof.models.bulk.operations import TWO_PI
 from armproof.verification.inverse.branch_graph import BranchGraph
-from armproof.verification.inverse.program import TWO_PI, needed_nodes
 
 UNIT = float(np.finfo(float).eps)
 SAFETY = 2.0
@@ -54,7 +54,7 @@ def evaluate_carefully(graph: BranchGraph, outputs: Sequence[Term], inputs: Arra
     """
     found = CarefulValues()
     with np.errstate(all="ignore"):
-        for place in needed_nodes(graph, [term.node for term in outputs if term.factor]):
+        for place in graph.needed(outputs):
             node = graph.nodes[place]
             if node.operation == "input":
                 column = int(node.generator[1])
