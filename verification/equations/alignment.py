@@ -6,8 +6,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.scalar import Scalar
@@ -148,7 +146,7 @@ def _is_planar_rotation(true: Matrix) -> bool:
 
 
 def _is_constant(value: Any, number: int) -> bool:
-    return is_zero(value - number) if isinstance(value, Scalar) else bool(np.all(value == number))
+    return is_zero(value - number) if isinstance(value, Scalar) else _all(value == number)
 
 
 def exactly_equal(a: Scalar, b: Scalar) -> bool:
@@ -195,15 +193,6 @@ def angle_places(pair: Pair) -> set[tuple[int, int]]:
     }
 
 
-def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c: False) -> np.ndarray:
-    """Return |printed − true| of sampled values as an array (rows, columns, samples); up to whole turns for `angles`."""
-    stacked = []
-    for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True)):
-        cells = []
-        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
-            error = np.abs(a - b)
-            if angles(r, c):
-                error = np.minimum(error, np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi))
-            cells.append(error)
-        stacked.append(cells)
-    return np.array(stacked)
+def _all(equal: Any) -> bool:
+    """Whether a comparison holds, of numbers or of arrays of samples."""
+    return equal if isinstance(equal, bool) else bool(equal.all())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
@@ -15,10 +16,12 @@ from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.trees import bare_key, has_branches
+
+if TYPE_CHECKING:
+    from armproof.verification.evaluation.sampled import SampledAlgebra
 
 
 class ChainChecker:

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.equations.alignment import Pair
-from armproof.verification.equations.branches import holds_on
 from armproof.verification.equations.numeric_matrices import (
     FEW,
     coarsest_decimals,
-    compare_numbers,
     depends_on_joints,
     finest_decimals,
     is_numeric,
 )
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.second_route import SecondRoute
+from armproof.verification.equations.second_route import FEWEST, SecondRoute
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.findings import Kind, say
 from armproof.verification.verdict import Verdict
@@ -29,17 +27,14 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
     errors = route.sampled_errors(outcome, branches)
     if errors is None:
         return False
-    scaled, finite = errors
     tolerance = 0.45 * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
-    holding = (scaled <= tolerance).all(axis=(0, 1)) & finite
+    holding = errors.where_equal(tolerance)
     left = min(outcome.true.node, outcome.printed.node, key=lambda node: node.span)
-    everywhere = holding.sum() == finite.sum() >= 10
-    if not everywhere and not (
-        route.is_solved_for(left) and holds_on(scaled, finite & route.sampled().random, tolerance)
-    ):
+    everywhere = holding.samples == errors.samples >= FEWEST
+    if not everywhere and not (route.is_solved_for(left) and errors.on_a_branch(tolerance)):
         return False
     outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
-    outcome.samples, outcome.max_error = int(holding.sum()), float(scaled[..., holding].max())
+    outcome.samples, outcome.max_error = holding.samples, holding.largest
     kind = Kind.TO_DECIMALS if everywhere else Kind.TO_DECIMALS_ON_A_BRANCH
     outcome.findings = (say(kind, decimals=decimals),)
     return True
@@ -70,6 +65,9 @@ def at_a_configuration(members: Members, true: Member, printed: Member, outcome:
         return None
     if not depends_on_joints(true.value, {joint.symbol for joint in arm.joints}):
         return None
+    with members.exact.budget.paused():
+        from armproof.verification.equations.sampled_errors import compare_numbers
+
     found = compare_numbers(
         true.value, printed.value, printed.node, members.sampled(), members.names.state.configuration
     )

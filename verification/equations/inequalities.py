@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.scalar import Scalar
 from armproof.verification.algebra.values import Identity, as_scalar, is_zero
@@ -74,6 +72,9 @@ def _size_of_space(node: n.Node) -> tuple[int, int] | None:
 
 
 def _sampled_inequality(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
+    with checker.exact.budget.paused():
+        import numpy as np
+
     holds = {"≤": lambda a, b: a <= b + 1e-9, "<": lambda a, b: a < b + 1e-9, "≥": lambda a, b: a >= b - 1e-9,
              ">": lambda a, b: a > b - 1e-9, "=": lambda a, b: np.abs(a - b) < 1e-9}  # fmt: skip
     try:
@@ -95,6 +96,9 @@ def _sampled_inequality(checker: ChainChecker, chain: n.Chain, outcome: Outcome)
 
 
 def _sampled_approximation(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
+    with checker.exact.budget.paused():
+        import numpy as np
+
     try:
         with np.errstate(all="ignore"):
             first, *others = [as_scalar(checker.sampled_value(node)) for node in chain.members]

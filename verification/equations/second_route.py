@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-import numpy as np
+from typing import TYPE_CHECKING
 
-from armproof.verification.equations.alignment import align, angle_places, entry_errors
-from armproof.verification.equations.branches import holds_on
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError
-from armproof.verification.evaluation.evaluator import Evaluator
-from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.trees import bare, is_arc
+from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Verdict
 
+if TYPE_CHECKING:
+    from armproof.verification.equations.sampled_errors import SampledErrors
+
 TOLERANCE = 1e-6  # of the sampled values, scaled by their size; polynomials come out near 1e-15
-SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula and are left out
+FEWEST = 10  # samples at which a formula has a value; with fewer it is not decided
 
 
 class SecondRoute:
@@ -38,20 +37,18 @@ class SecondRoute:
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
             return outcome
-        scaled, finite = errors
-        outcome.samples = int(finite.sum())
-        outcome.max_error = float(scaled[..., finite].max()) if outcome.samples else None
+        outcome.samples = errors.samples
+        outcome.max_error = errors.largest if errors.samples else None
         if outcome.max_error is not None and outcome.max_error > TOLERANCE:
-            if self.on_a_branch(outcome, scaled, finite):
+            if self.on_a_branch(outcome, errors):
                 return outcome
-            wrong = np.argwhere((scaled[..., finite] > TOLERANCE).any(axis=-1))
             outcome.verdict = Verdict.REFUTED
-            outcome.wrong = [(int(r), int(c)) for r, c in wrong]
+            outcome.wrong = errors.wrong(TOLERANCE)
             outcome.findings = (say(Kind.UP_TO_A_SIGN),)
             outcome.sampled_only = True
         elif self._rests_on_lengths(outcome, branches):
             outcome.verdict = Verdict.REFUTED
-            outcome.wrong = [(r, c) for r, row in enumerate(scaled) for c in range(len(row))]
+            outcome.wrong = errors.places
             outcome.findings = (say(Kind.FOR_THESE_LENGTHS),)
             outcome.sampled_only = True
         return outcome
@@ -68,15 +65,11 @@ class SecondRoute:
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
             return outcome
-        scaled, finite = errors
-        if (
-            finite.sum() >= 10
-            and float(scaled[..., finite].max()) <= TOLERANCE
-            and not self._rests_on_lengths(outcome, branches)
-        ):
+        equal = errors.samples >= FEWEST and errors.largest <= TOLERANCE
+        if equal and not self._rests_on_lengths(outcome, branches):
             outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
-            outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
-        elif not self.on_a_branch(outcome, scaled, finite) and signs:
+            outcome.samples, outcome.max_error = errors.samples, errors.largest
+        elif not self.on_a_branch(outcome, errors) and signs:
             outcome.sampled_only = True
             outcome.findings = (say(Kind.ROOTS_POSITIVE),)
         return outcome
@@ -90,29 +83,28 @@ class SecondRoute:
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
             return outcome
-        scaled, finite = errors
-        if finite.sum() < 10:
+        if errors.samples < FEWEST:
             outcome.also(say(Kind.FEW_VALUES))
             return outcome
-        outcome.samples, outcome.max_error = int(finite.sum()), float(scaled[..., finite].max())
+        outcome.samples, outcome.max_error = errors.samples, errors.largest
         if outcome.max_error <= TOLERANCE:
             outcome.verdict = Verdict.CONFIRMED
-        elif not self.on_a_branch(outcome, scaled, finite):
+        elif not self.on_a_branch(outcome, errors):
             outcome.verdict, outcome.sampled_only = Verdict.REFUTED, True
-            outcome.wrong = [(int(r), int(c)) for r, c in np.argwhere((scaled[..., finite] > TOLERANCE).any(axis=-1))]
+            outcome.wrong = errors.wrong(TOLERANCE)
         return outcome
 
-    def on_a_branch(self, outcome: Outcome, scaled: np.ndarray, finite: np.ndarray) -> bool:
+    def on_a_branch(self, outcome: Outcome, errors: SampledErrors) -> bool:
         """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations."""
         assert outcome.true is not None and outcome.printed is not None
         left = min(outcome.true.node, outcome.printed.node, key=lambda node: node.span)
-        counts = holds_on(scaled, finite & self.sampled().random, TOLERANCE) if self.is_solved_for(left) else None
+        counts = errors.on_a_branch(TOLERANCE) if self.is_solved_for(left) else None
         if counts is None:
             return False
-        holding = (scaled <= TOLERANCE).all(axis=(0, 1)) & finite
+        holding = errors.where_equal(TOLERANCE)
         outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
-        outcome.samples, outcome.max_error = int(holding.sum()), float(scaled[..., holding].max())
-        outcome.findings = (say(Kind.ON_A_BRANCH, holding=int(counts[0]), configurations=int(counts[1])),)
+        outcome.samples, outcome.max_error = holding.samples, holding.largest
+        outcome.findings = (say(Kind.ON_A_BRANCH, holding=counts[0], configurations=counts[1]),)
         return True
 
     def is_solved_for(self, node: n.Node) -> bool:
@@ -144,45 +136,14 @@ class SecondRoute:
             ring.signs_chosen and any(self._has_roots(m.node) for m in (outcome.true, outcome.printed))
         ):
             return False
-        generator = np.random.default_rng(len(arm.lengths))
-        sampled = self.sampled()
-        others = sampled.at({name: generator.uniform(0.2, 1.2, sampled.samples) for name in arm.lengths})
-        errors = self.sampled_errors(outcome, branches, others)
-        return errors is not None and bool((errors[0][..., errors[1]] > TOLERANCE).any())
+        errors = self.sampled_errors(outcome, branches, other_lengths=True)
+        return errors is not None and bool(errors.wrong(TOLERANCE))
 
-    def sampled_errors(
-        self, outcome: Outcome, branches: bool, sampled: SampledAlgebra | None = None
-    ) -> tuple[np.ndarray, np.ndarray] | None:
-        """Return the errors (rows, columns, samples), scaled by 1 + size, and the samples at which they count."""
+    def sampled_errors(self, outcome: Outcome, branches: bool, *, other_lengths: bool = False) -> SampledErrors | None:
+        """Return the errors of an equation on the double plant; None where a side cannot be evaluated there."""
+        with self.exact.budget.paused():
+            from armproof.verification.equations.sampled_errors import errors_between, with_other_lengths
+
         assert outcome.true is not None and outcome.printed is not None
-        sampled = self.sampled() if sampled is None else sampled
-        places = angle_places(outcome.pair) if outcome.pair is not None else set()
-        # without exact values the trees tell: a side that is an arc function is an angle
-        loose = outcome.pair is None and any(is_arc(m.node) for m in (outcome.true, outcome.printed))
-
-        def angles(r: int, c: int) -> bool:
-            return loose or (r, c) in places
-
-        best: np.ndarray | None = None
-        sizes: np.ndarray | None = None
-        with np.errstate(all="ignore"):
-            sampled.regular[:] = True
-            for branch in self.names.state.signs.branches(branches):
-                try:
-                    one = Evaluator(self.names, sampled, branch)
-                    true, printed = one.evaluate(outcome.true.node), one.evaluate(outcome.printed.node)
-                    pairs = list(align(true, printed, sampled))
-                    pair = next((p for p in pairs if outcome.pair is None or p.note == outcome.pair.note), pairs[0])
-                except EvaluationError:
-                    return None
-                errors = entry_errors(pair, angles)
-                errors = np.broadcast_to(errors, (*errors.shape[:2], sampled.samples))
-                size = np.abs(
-                    np.array([[np.broadcast_to(c, (sampled.samples,)) for c in row] for row in pair.true.rows])
-                )
-                best = errors if best is None else np.minimum(best, errors)
-                sizes = size if sizes is None else np.maximum(sizes, size)
-            assert best is not None and sizes is not None
-            scaled = best / (1.0 + sizes)
-            finite = sampled.regular & np.isfinite(scaled).all(axis=(0, 1)) & (sizes < SINGULAR).all(axis=(0, 1))
-        return scaled, finite
+        sampled = with_other_lengths(self.sampled()) if other_lengths else self.sampled()
+        return errors_between(self.names, sampled, outcome.true.node, outcome.printed.node, outcome.pair, branches)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.matrix import Matrix
@@ -14,10 +14,12 @@ from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.trees import call_key
+
+if TYPE_CHECKING:
+    from armproof.verification.evaluation.sampled import SampledAlgebra
 
 
 @dataclass(frozen=True)

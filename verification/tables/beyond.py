@@ -7,8 +7,6 @@ from dataclasses import replace
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.tables.entries import WrongEntries
-from armproof.verification.tables.mend import single_mends
-from armproof.verification.tables.plant import confirm_tool
 from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.tool import turned_tool
 from armproof.verification.verdict import Record, Verdict
@@ -25,7 +23,15 @@ def check_beyond_frames(
             kind = Kind.MOVES_WITH if tool.origin == tool.frame else Kind.MOVES_WITH_BUT_AT
             moves = say(kind, frame=tool.frame, origin=tool.origin)
             proved = replace(unchecked, verdict=Verdict.PROVED, findings=(moves, reason, *reading.notes))
-            return confirm_tool(reading, tool, proved, checker.sampled()) if checker.confirm else proved
+            if not checker.confirm:
+                return proved
+            with checker.exact.budget.paused():
+                from armproof.verification.tables.plant import confirm_tool
+
+            return confirm_tool(reading, tool, proved, checker.sampled())
+    with checker.exact.budget.paused():
+        from armproof.verification.tables.mend import single_mends
+
     for reading in readings:
         for verdict, parameter, value in single_mends(reading):
             if (tool := turned_tool(reading.mended(verdict, parameter, value))) is not None:

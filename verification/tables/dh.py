@@ -18,7 +18,6 @@ from armproof.verification.tables.columns import CONVENTIONS, Columns
 from armproof.verification.tables.entries import WrongEntries
 from armproof.verification.tables.faults import fault_of_table, letter
 from armproof.verification.tables.frames import row_frames
-from armproof.verification.tables.plant import confirm_rows, counterexample
 from armproof.verification.tables.reading import TableReading
 from armproof.verification.verdict import Record, Verdict
 
@@ -123,6 +122,9 @@ class DHTableCheck:
         if faults:
             more = [say(Kind.AND_MORE, count=len(single) - MOST_WORDS)] if len(single) > MOST_WORDS else []
             findings = [fault.finding for fault in faults[: MOST_WORDS + bool(whole)]]
+            with self.checker.exact.budget.paused():
+                from armproof.verification.tables.plant import counterexample
+
             return replace(
                 self.unchecked,
                 verdict=Verdict.REFUTED,
@@ -134,7 +136,12 @@ class DHTableCheck:
             return replace(self.unchecked, findings=(*left_open, *self._remarks(found)))
         holds = (*self._convention(found), *self._remarks(found))
         proved = replace(self.unchecked, verdict=Verdict.PROVED, findings=holds)
-        return confirm_rows(found, proved, self.checker.sampled()) if self.checker.confirm else proved
+        if not self.checker.confirm:
+            return proved
+        with self.checker.exact.budget.paused():
+            from armproof.verification.tables.plant import confirm_rows
+
+        return confirm_rows(found, proved, self.checker.sampled())
 
     def _convention(self, found: TableReading) -> Iterator[Finding]:
         if self.columns.stated:

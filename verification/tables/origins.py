@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-
-import numpy as np
 
 from armproof.models.exact.numbers import exact_number
 from armproof.models.exact.polynomial import generators
@@ -131,7 +129,7 @@ class _OriginTable:
         if role in RPY:
             return self._angle(row, role)
         if role == "axis":
-            if origin.axis is None or np.allclose(origin.axis, read_axis(row.texts[role]), rtol=0.0, atol=1e-9):
+            if origin.axis is None or _is_axis(origin.axis, read_axis(row.texts[role])):
                 return None
             return " ".join(f"{part:g}" for part in origin.axis), say(Kind.THE_AXIS)
         if role == "type":
@@ -201,3 +199,7 @@ def _wrong(entry: WrongEntry) -> Finding:
     """Return a wrong cell with what it should be, and why."""
     terms = {"printed": entry.printed or say(Kind.EMPTY), "correct": entry.correct, "change": entry.finding}
     return say(Kind.WRONG_ORIGIN, **terms).at(row=entry.row, column=entry.column)
+
+
+def _is_axis(axis: Sequence[float], printed: Sequence[float]) -> bool:
+    return all(abs(a - b) <= 1e-9 for a, b in zip(axis, printed, strict=True))

@@ -11,7 +11,8 @@ import numpy as np
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.scalar import Scalar
-from armproof.verification.equations.alignment import Pair, entry_errors
+from armproof.verification.equations.alignment import Pair
+from armproof.verification.equations.sampled_errors import entry_errors
 from armproof.verification.equations.second_route import TOLERANCE
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.findings import Kind, say

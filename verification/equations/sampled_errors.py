@@ -1,0 +1,164 @@
+"""How far the two sides of an equation are from each other at samples of the double plant; loaded where that is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.equations.alignment import Pair, align, angle_places
+from armproof.verification.equations.numeric_matrices import printed_decimals
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.sampled import SampledAlgebra
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.trees import is_arc
+
+SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula and are left out
+LEAST_SHARE = 0.05  # of the configurations drawn at random
+LEAST = 8
+
+
+@dataclass(frozen=True)
+class SampledErrors:
+    """The errors of an equation.
+
+    Attributes:
+        scaled: by 1 + size, (rows, columns, samples).
+        counted: the samples at which they count, (samples,): the formulas have a value there.
+        at_random: the samples that are drawn at random, (samples,).
+    """
+
+    scaled: np.ndarray
+    counted: np.ndarray
+    at_random: np.ndarray
+
+    @property
+    def samples(self) -> int:
+        """The number of samples at which they count."""
+        return int(self.counted.sum())
+
+    @property
+    def largest(self) -> float:
+        """The largest error at a sample that counts; 0 without one."""
+        return float(self.scaled[..., self.counted].max(initial=0.0))
+
+    @property
+    def places(self) -> list[tuple[int, int]]:
+        """The rows and columns of all entries, from 0."""
+        return [(r, c) for r, row in enumerate(self.scaled) for c in range(len(row))]
+
+    def wrong(self, tolerance: float) -> list[tuple[int, int]]:
+        """Return the rows and columns of the entries that differ somewhere, from 0."""
+        return [(int(r), int(c)) for r, c in np.argwhere((self.scaled[..., self.counted] > tolerance).any(axis=-1))]
+
+    def where_equal(self, tolerance: float) -> SampledErrors:
+        """Return the errors where only samples count at which every entry agrees."""
+        return SampledErrors(self.scaled, self._equal(tolerance) & self.counted, self.at_random)
+
+    def on_a_branch(self, tolerance: float) -> tuple[int, int] | None:
+        """Return at how many of how many configurations every entry agrees, or None where it is no branch.
+
+        Square roots and arc functions have branches: an equation printed with one of them holds on that branch only.
+        θ = arctan(y/x), θ = arccos D and sin θ = √(1 − D²) leave half a turn or a sign open that the configuration decides:
+        each agrees with the arm in an open set of configurations. A wrong formula, being piecewise analytic, agrees nowhere
+        but by chance, so that the families that are not drawn at random (zero, quarter turns) are left out.
+        """
+        usable = self.counted & self.at_random
+        count, total = int((self._equal(tolerance) & usable).sum()), int(usable.sum())
+        return (count, total) if count >= max(LEAST, LEAST_SHARE * total) else None
+
+    def _equal(self, tolerance: float) -> np.ndarray:
+        return np.all(self.scaled <= tolerance, axis=(0, 1))
+
+
+def errors_between(
+    names: Names, sampled: SampledAlgebra, true: n.Node, printed: n.Node, exact: Pair | None, branches: bool
+) -> SampledErrors | None:
+    """Return the errors between two sides, on the nearest of their branches; None where one cannot be evaluated.
+
+    `exact` are their exact values, where they have some: they tell the entries that are angles, equal up to whole turns.
+    """
+    places = angle_places(exact) if exact is not None else set()
+    # without exact values the trees tell: a side that is an arc function is an angle
+    loose = exact is None and any(is_arc(node) for node in (true, printed))
+
+    def angles(r: int, c: int) -> bool:
+        return loose or (r, c) in places
+
+    best: np.ndarray | None = None
+    sizes: np.ndarray | None = None
+    with np.errstate(all="ignore"):
+        sampled.regular[:] = True
+        for branch in names.state.signs.branches(branches):
+            try:
+                one = Evaluator(names, sampled, branch)
+                pairs = list(align(one.evaluate(true), one.evaluate(printed), sampled))
+                pair = next((p for p in pairs if exact is None or p.note == exact.note), pairs[0])
+            except EvaluationError:
+                return None
+            errors = entry_errors(pair, angles)
+            errors = np.broadcast_to(errors, (*errors.shape[:2], sampled.samples))
+            size = np.abs(np.array([[np.broadcast_to(c, (sampled.samples,)) for c in row] for row in pair.true.rows]))
+            best = errors if best is None else np.minimum(best, errors)
+            sizes = size if sizes is None else np.maximum(sizes, size)
+        assert best is not None and sizes is not None
+        scaled = best / (1.0 + sizes)
+        finite = sampled.regular & np.isfinite(scaled).all(axis=(0, 1)) & (sizes < SINGULAR).all(axis=(0, 1))
+    return SampledErrors(scaled, finite, sampled.random)
+
+
+def with_other_lengths(sampled: SampledAlgebra) -> SampledAlgebra:
+    """Return the samples of an arm with lengths drawn at random in the place of its own."""
+    assert sampled.arm is not None
+    lengths = sampled.arm.lengths
+    generator = np.random.default_rng(len(lengths))
+    return sampled.at({name: generator.uniform(0.2, 1.2, sampled.samples) for name in lengths})
+
+
+def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c: False) -> np.ndarray:
+    """Return |printed − true| of sampled values as an array (rows, columns, samples); up to whole turns for `angles`."""
+    stacked = []
+    for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True)):
+        cells = []
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
+            error = np.abs(a - b)
+            if angles(r, c):
+                error = np.minimum(error, np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi))
+            cells.append(error)
+        stacked.append(cells)
+    return np.array(stacked)
+
+
+@dataclass(frozen=True)
+class NumericComparison:
+    """Which entries of a numeric matrix differ, and which hang on a joint or a length that has no value."""
+
+    wrong: list[tuple[int, int]]
+    open: list[tuple[int, int]]
+    largest: float
+
+
+def compare_numbers(
+    true: Matrix, printed: Matrix, node: n.Node, sampled: SampledAlgebra, configuration: Mapping[str, float]
+) -> NumericComparison:
+    """Compare entry by entry, within one unit of the last decimal printed, at the values that the document gave before."""
+    assert sampled.arm is not None
+    symbols = [joint.symbol for joint in sampled.arm.joints] + [*sampled.arm.lengths]
+    values = {symbol: np.array([configuration.get(symbol, np.nan)]) for symbol in symbols}
+    there = SampledAlgebra(sampled.exact, sampled.q[:1], sampled.seed, values)
+    tolerance = 10.0 ** -printed_decimals(node)
+    wrong, left_open, largest = [], [], 0.0
+    for r, (true_row, printed_row) in enumerate(zip(true.rows, printed.rows, strict=True)):
+        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
+            error = float(np.abs(there.from_exact(a) - there.from_exact(b))[0])
+            if np.isnan(error):
+                left_open.append((r, c))
+            elif error > tolerance:
+                wrong.append((r, c))
+            else:
+                largest = max(largest, error)
+    return NumericComparison(wrong, left_open, largest)
