@@ -162,7 +162,7 @@ arms = pytest.mark.parametrize("name", CLOSED_FORMS)
 def checker(name: str, *displays: str, confirm: bool = True) -> DocumentChecker:
     closed = CLOSED_FORMS[name]
     lines = [Display(line, latex) for line, latex in enumerate((*closed.definitions, *displays), 1)]
-    return DocumentChecker(Document(Path(f"{name}.md"), closed.front, tuple(lines), ()), load_arm(name), {}, confirm)
+    return DocumentChecker(Document(Path(f"{name}.md"), closed.front, tuple(lines), ()), load_arm(name), confirm)
 
 
 @cache

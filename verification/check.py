@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -12,8 +11,7 @@ from typing import TYPE_CHECKING
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
@@ -66,14 +64,7 @@ def check_document(document: Document, *, confirm: bool = True, correct: bool = 
 
     `confirm` also evaluates each proved equation on the double plant; `correct` also seeks what mends each refuted one.
     """
-    arm = load_arm_of(document)
-    denominators: dict[str, int] = {}
-    for _ in range(8):
-        try:
-            return DocumentChecker(document, arm, denominators, confirm, correct).run()
-        except AngleFraction as fraction:  # θ/2 was met: begin again with it as the ring's generator
-            denominators[fraction.symbol] = fraction.denominator
-    raise DocumentError(say(Kind.TOO_MANY_FRACTIONS), path=document.path)
+    return DocumentChecker(document, load_arm_of(document), confirm, correct).run()
 
 
 def load_arm_of(document: Document) -> Arm | None:
@@ -94,7 +85,6 @@ class DocumentChecker:
         self,
         document: Document,
         arm: Arm | None,
-        denominators: Mapping[str, int],
         confirm: bool = True,
         correct: bool = False,
     ) -> None:
@@ -104,7 +94,7 @@ class DocumentChecker:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
-        self.ring = Ring(denominators)
+        self.ring = Ring()
         self.exact = ExactAlgebra(self.ring, arm)
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm
@@ -186,6 +176,7 @@ class DocumentChecker:
         if not display.closed:
             return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
         self.names.state.section = display.section
+        self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
                 if (table := check_array_table(self.checker, display)) is not None:
@@ -199,8 +190,6 @@ class DocumentChecker:
             )
         except RecursionError:
             return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NESTED_TOO_DEEPLY),))
-        except AngleFraction:
-            raise
         except Exception as error:  # a fault of ours must not cost the other displays their verdicts
             return replace(record, findings=(say(Kind.INTERNAL_ERROR, type=type(error).__name__, reason=str(error)),))
 

@@ -16,10 +16,9 @@ from armproof.course.feedback.errors import AnswerError, LessonError
 from armproof.course.feedback.outcome import Feedback, Outcome, Row
 from armproof.course.feedback.wording import ASKED, place, told, without_asked
 from armproof.models.arm import Arm
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document
 from armproof.verification.errors import ReadError, TooComplex
@@ -142,7 +141,7 @@ class Claim:
     def _checker(self) -> DocumentChecker:
         """A checker that has read all but the answer."""
         document = self._document("")
-        checker = DocumentChecker(document, self.arm, {}, confirm=False)
+        checker = DocumentChecker(document, self.arm, confirm=False)
         for display in document.displays[:-1]:
             checker.check_display(display)
         return checker
@@ -201,7 +200,7 @@ class Claim:
         try:
             with self._budget.of(SECONDS_TO_DECIDE):
                 sides = [self._checker.checker.member(side) for side in (self._asked, node)]
-        except (AngleFraction, TooComplex):  # the verdict meets it too: it begins again with half the angle, or says so
+        except TooComplex:  # the verdict meets it too, and says so
             return ""
         if not all(side.known and isinstance(side.value, Matrix | Scalar) for side in sides):
             return ""

@@ -65,7 +65,7 @@ def measure(claims: Claims) -> Times:
     clock = _Clock()
     arm = catalogue.load_arm("rx90")
     load = clock.lap()
-    checker = DocumentChecker(claims.document, arm, {}, confirm=False)
+    checker = DocumentChecker(claims.document, arm, confirm=False)
     groups = ((claims.unknowns, *claims.pose), (claims.jacobian,), (claims.determinant,))
     statements = [[(display, checker.names.reader.read(display.latex)) for display in group] for group in groups]
     read = clock.lap()
@@ -76,7 +76,7 @@ def measure(claims: Claims) -> Times:
     for group in statements:
         _prove(checker, group)
         proofs.append(clock.lap())
-    confirming = DocumentChecker(claims.document, arm, {}, confirm=True)
+    confirming = DocumentChecker(claims.document, arm, confirm=True)
     clock.lap()
     _prove(confirming, [*statements[0], *statements[1]])
     pose, jacobian, determinant = proofs
@@ -93,7 +93,7 @@ def _prove(checker: DocumentChecker, claims: list[tuple[Display, list[n.Statemen
 
 def right_sides(claims: Claims) -> tuple[list[n.Node], n.Node, n.Node]:
     """Return the printed formulas: twelve components, the matrix J, its determinant."""
-    checker = DocumentChecker(claims.document, catalogue.load_arm("rx90"), {}, confirm=False)
+    checker = DocumentChecker(claims.document, catalogue.load_arm("rx90"), confirm=False)
 
     def side(display: Display) -> n.Node:
         statement = checker.names.reader.read(display.latex)[0]

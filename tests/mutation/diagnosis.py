@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 from tests.mutation.mutants import Mutant, mutants_of

@@ -9,7 +9,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from armproof.models.catalogue import load_arm
-from armproof.verification.algebra.angles import AngleFraction
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.check import DocumentChecker
 from armproof.verification.diagnosis.diagnosis import Diagnostician
 from armproof.verification.document import Display, Document, read_document
@@ -40,7 +40,6 @@ class Place:
     document: Document
     index: int
     record: Record
-    denominators: dict[str, int]
     checker: DocumentChecker
 
     @property
@@ -69,11 +68,6 @@ class Place:
                 self.checker.diagnostician = _Silent(self.checker.checker)
             with self.altered():
                 return self.checker.check_display(replace(self.display, latex=latex))
-        except AngleFraction as fraction:  # in this LaTeX alone: the angles become finer for one check
-            finer = {**self.denominators, fraction.symbol: fraction.denominator}
-            return Place(
-                self.document, self.index, self.record, finer, _replay(self.document, self.index, finer)
-            ).check(latex, confirm=confirm, diagnose=diagnose)
         finally:
             self.checker.checker.confirm = False
             if self.checker.diagnostician.__class__ is _Silent:
@@ -94,13 +88,18 @@ class Place:
         """Let displays be checked here; what they define is forgotten afterwards, and the roots that they adjoin."""
         checker, ring = self.checker, self.checker.ring
         before = checker.names.state.copy()
-        roots = len(ring.radicands), len(ring.arcs)
+        grown = _grown(ring)
         try:
             yield
         finally:
             checker.names.state.become(before)
-            if (len(ring.radicands), len(ring.arcs)) != roots:  # generators cannot be taken back
-                self.checker = _replay(self.document, self.index, self.denominators)
+            if _grown(ring) != grown:  # generators cannot be taken back
+                self.checker = _replay(self.document, self.index)
+
+
+def _grown(ring: Ring) -> tuple[int, int, dict[str, int]]:
+    """What displays have adjoined to a ring: square roots, arc functions, fractions of angles."""
+    return len(ring.radicals), len(ring.arcs), dict(ring.parts)
 
 
 class _Silent(Diagnostician):
@@ -112,46 +111,41 @@ class _Silent(Diagnostician):
 
 def proved_indices(path: Path) -> list[int]:
     """Return the numbers of the displays of a document that are proved and no errata."""
-    _, records = _read_through(path)
+    records = _read_through(path)
     return [index for index, record in enumerate(records) if record.verdict is Verdict.PROVED and not record.erratum]
 
 
 def proved_places(path: Path, indices: Collection[int] | None = None) -> Iterator[Place]:
     """Yield the displays of a document that are proved and no errata, in order, or only those with the numbers given."""
     document = load(path)
-    denominators, records = _read_through(path)
+    records = _read_through(path)
     wanted = set(proved_indices(path) if indices is None else indices)
-    checker = _new_checker(document, denominators)
+    checker = _new_checker(document)
     for index in range(max(wanted, default=-1) + 1):
         if index in wanted:
-            place = Place(document, index, records[index], denominators, checker)
+            place = Place(document, index, records[index], checker)
             yield place
             checker = place.checker
         checker.check_display(document.displays[index])
 
 
 @lru_cache(maxsize=64)
-def _read_through(path: Path) -> tuple[dict[str, int], list[Record]]:
-    """Return the records of a document as `armproof verify` gives them, and the fractions of angles in it."""
+def _read_through(path: Path) -> list[Record]:
+    """Return the records of a document as `armproof verify` gives them."""
     document = load(path)
-    denominators: dict[str, int] = {}
-    while True:  # until the angles are fine enough for the document
-        checker = _new_checker(document, denominators)
-        checker.checker.confirm = True
-        try:
-            return denominators, [checker.check_display(display) for display in document.displays]
-        except AngleFraction as fraction:
-            denominators[fraction.symbol] = fraction.denominator
+    checker = _new_checker(document)
+    checker.checker.confirm = True
+    return [checker.check_display(display) for display in document.displays]
 
 
-def _replay(document: Document, index: int, denominators: dict[str, int]) -> DocumentChecker:
-    checker = _new_checker(document, denominators)
+def _replay(document: Document, index: int) -> DocumentChecker:
+    checker = _new_checker(document)
     for display in document.displays[:index]:
         checker.check_display(display)
     return checker
 
 
-def _new_checker(document: Document, denominators: dict[str, int]) -> DocumentChecker:
+def _new_checker(document: Document) -> DocumentChecker:
     spec = document.front.get("arm")
     arm = None if spec is None else load_arm(spec, document.path.parent)
-    return DocumentChecker(document, arm, denominators, confirm=False)
+    return DocumentChecker(document, arm, confirm=False)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_scalar
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation, Writer

@@ -11,7 +11,7 @@ from hypothesis import settings
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.numeric.configurations import sample
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.check import check_document
 from armproof.verification.document import Display, Document
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -53,12 +53,10 @@ def judge() -> Callable[..., Record]:
 class Workbench:
     """An arm's names in both algebras: the exact one, and samples of the double plant."""
 
-    def __init__(
-        self, arm: Arm | None, count: int = 60, denominators: dict[str, int] | None = None, **front: Any
-    ) -> None:
+    def __init__(self, arm: Arm | None, count: int = 60, **front: Any) -> None:
         self.arm = arm
         self.names: Names = read_names(arm, front)
-        self.exact = ExactAlgebra(Ring(denominators), arm)
+        self.exact = ExactAlgebra(Ring(), arm)
         q = sample(arm, count, np.random.default_rng(11))[0] if arm is not None else np.zeros((count, 0))
         self.sampled = SampledAlgebra(self.exact, q, 5)
 

@@ -94,6 +94,23 @@ def test_a_number_too_large_to_factor_costs_no_time_and_refutes_nothing_true(che
     assert time.monotonic() - started < 3.0
 
 
+def test_many_fractions_of_an_angle_cost_one_display_and_not_the_document(check: Check) -> None:
+    half, third = r"\frac{\theta_1}{2}", r"\frac{\theta_1}{3}"
+    displays = {
+        r"P_x = l_1 c_1 + l_2 c_{12}": "proved",
+        rf"\cos\theta_1 = 2\cos^2{half} - 1": "proved",
+        rf"\cos\theta_1 = 2\cos^2{half} + 1": "refuted",
+        rf"\cos\theta_1 = 4\cos^3{third} - 3\cos{third}": "proved",
+        r"\cos\frac{2\theta_1}{5} = 2\cos^2\frac{\theta_1}{5} - 1": "unchecked",
+        r"\cos\frac{2\theta_2}{5} = 2\cos^2\frac{\theta_2}{5} - 1": "proved",
+        r"P_y = l_1 s_1 + l_2 s_{12}": "proved",
+        r"P_y = l_1 s_1 - l_2 s_{12}": "refuted",
+        rf"\sqrt{{\frac{{1 + c_1}}{{2}}}} = \left|\cos{half}\right|": "confirmed",
+        rf"\sin\theta_1 = 2\sin{half}\cos{half}": "proved",
+    }
+    assert told(check(*displays, arm="planar_2r", quantities=PLANE)) == list(displays.values())
+
+
 def test_constant_angles_that_depend_on_each_other_are_no_false_alarm(check: Check) -> None:
     pairs = [
         (r"\cos\frac{\pi}{5} = \frac{1 + \sqrt{5}}{4}", r"\cos\frac{\pi}{5} = \frac{1 - \sqrt{5}}{4}"),

@@ -1,100 +1,139 @@
-"""Angles in the exact algebra: the cosine and sine of sums of angles."""
+"""Angles in the exact algebra: the cosine and sine of sums of angles, by the addition theorems.
+
+The cosine and sine of an angle θ are generators. Where a fraction θ/d is met those of θ/d take their place, and all scalars
+follow: cos θ is then a polynomial in cos θ/d.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from fractions import Fraction
 
 from armproof.models.exact.numbers import cos_sin_of_pi, cos_sin_of_radians
-from armproof.models.exact.polynomial import Entry, Generator
-from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.ring import QuotientRing
-from armproof.verification.algebra.scalar import Scalar
+from armproof.models.exact.polynomial import Generator
+from armproof.verification.algebra.ring import Radical, Ring, Scalar
 from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.findings import Kind, say
 
 MAX_MULTIPLE = 24
 
-
-class AngleFraction(Exception):
-    """A fraction of an angle was met (θ/2): the ring must be rebuilt with that fraction as its generator."""
-
-    def __init__(self, symbol: str, denominator: int) -> None:
-        super().__init__(f"{symbol}/{denominator}")
-        self.symbol, self.denominator = symbol, denominator
+Pair = tuple[Scalar, Scalar]  # cosine and sine of one angle
 
 
-class AngleRing(QuotientRing):
-    """A ring in which linear forms in angles have a cosine and a sine, by the addition theorems."""
+def cos_sin(angle: Scalar) -> Pair:
+    """Return (cos, sin) of a linear form in angles, multiples of π, arc functions and a constant in radians.
 
-    def __init__(self, denominators: Mapping[str, int] | None = None, budget: Budget | None = None) -> None:
-        super().__init__(budget)
-        self.arcs: dict[str, tuple[Scalar, Scalar]] = {}  # arc name → (cos, sin) of it
-        self.denominators = dict(denominators or {})  # angle → d where cos(angle/d) is the generator
+    Raises:
+        EvaluationError: the argument is not such a form.
+        TooComplex: a multiple or a fraction of an angle that is too large.
+    """
+    angle = angle.normal()
+    if not angle.denominator.is_constant():
+        raise EvaluationError("the cosine of a quotient")
+    ring = angle.ring
+    pair = ring.one, ring.zero
+    for powers, coefficient in list(ring.terms(angle.numerator)):
+        pair = _sum(pair, _cos_sin_term(ring, powers, coefficient))
+    return pair
 
-    def generator(self, generator: Generator) -> Scalar:
-        """Return a generator, adding it and its relation where it is new; the cosine of θ is one of θ/d in it."""
-        kind, name = generator
-        if kind in ("cos", "sin") and (parts := self.denominators.get(name)):
-            cosine, sine = self._multiple(self._pair(f"{name}/{parts}"), parts)
-            return cosine if kind == "cos" else sine
-        return super().generator(generator)
 
-    def cos_sin(self, angle: Scalar) -> tuple[Scalar, Scalar]:
-        """Return (cos, sin) of a linear form in angles, multiples of π, arc functions and a constant in radians.
+def _cos_sin_term(ring: Ring, powers: dict[Generator, int], coefficient: Fraction) -> Pair:
+    """Return (cos, sin) of a term; of ±α they are cos α and ± sin α."""
+    signs = [generator for generator in powers if generator[0] == "sign"]
+    rest = {generator: power for generator, power in powers.items() if generator not in signs}
+    cosine, sine = _cos_sin_of(ring, rest, coefficient)
+    for sign in signs:
+        sine = sine * ring.generator(sign)
+    return cosine, sine
 
-        Raises EvaluationError where the argument is not such a form, AngleFraction where it holds a fraction θ/d
-        for which this ring was not made.
-        """
-        angle = angle.normal()
-        if not angle.denominator.is_constant():
-            raise EvaluationError("the cosine of a quotient")
-        cosine, sine = self.one, self.zero
-        for powers, coefficient in self.terms(angle.numerator):
-            pair = self._cos_sin_term(powers, coefficient)
-            cosine, sine = cosine * pair[0] - sine * pair[1], sine * pair[0] + cosine * pair[1]
-        return cosine, sine
 
-    def _cos_sin_term(self, powers: dict[Generator, int], coefficient: Fraction) -> tuple[Scalar, Scalar]:
-        if not powers:
-            return self._from_entries(cos_sin_of_radians(coefficient))
-        if len(powers) != 1 or set(powers.values()) != {1}:
-            raise EvaluationError("the cosine of something that is not a sum of angles")
-        (kind, name), _ = powers.popitem()
-        if kind == "pi":
-            return self._constant_angle(coefficient)
-        if kind == "arc":
-            if coefficient.denominator != 1:
-                raise EvaluationError("a fraction of an arc function")
-            return self._multiple(self.arcs[name], int(coefficient))
-        if kind != "symbol":
-            raise EvaluationError("the cosine of something that is not a sum of angles")
-        parts = self.denominators.get(name, 1)
-        scaled = coefficient * parts
-        if scaled.denominator != 1:
-            raise AngleFraction(name, math.lcm(parts, coefficient.denominator))
-        return self._multiple(self._pair(self._finest(name)), int(scaled))
+def _cos_sin_of(ring: Ring, powers: dict[Generator, int], coefficient: Fraction) -> Pair:
+    if not powers:
+        cosine, sine = cos_sin_of_radians(coefficient)
+        return ring.from_entry(cosine), ring.from_entry(sine)
+    if len(powers) != 1 or set(powers.values()) != {1}:
+        raise EvaluationError("the cosine of something that is not a sum of angles")
+    ((kind, name),) = powers
+    if kind == "pi":
+        return constant_angle(ring, coefficient)
+    if kind == "arc":
+        if coefficient.denominator != 1:
+            raise EvaluationError("a fraction of an arc function")
+        return _multiple(ring.arcs[name], int(coefficient))
+    if kind != "symbol":
+        raise EvaluationError("the cosine of something that is not a sum of angles")
+    parts = math.lcm(ring.parts.get(name, 1), coefficient.denominator)
+    if parts != ring.parts.get(name, 1):
+        _refine(ring, name, parts)
+    return _multiple(_pair(ring, finest(ring, name)), int(coefficient * parts))
 
-    def _multiple(self, pair: tuple[Scalar, Scalar], times: int) -> tuple[Scalar, Scalar]:
-        if abs(times) > MAX_MULTIPLE:
-            raise TooComplex(f"{times} times an angle")
-        cosine, sine = self.one, self.zero
-        for _ in range(abs(times)):
-            cosine, sine = cosine * pair[0] - sine * pair[1], sine * pair[0] + cosine * pair[1]
-        return (cosine, -sine) if times < 0 else (cosine, sine)
 
-    def _constant_angle(self, turns: Fraction) -> tuple[Scalar, Scalar]:
-        """Return (cos, sin) of turns·π, named as a trace names them: radicals for multiples of π/12, else a pair."""
-        return self._from_entries(cos_sin_of_pi(turns))
+def constant_angle(ring: Ring, turns: Fraction) -> Pair:
+    """Return (cos, sin) of turns·π, named as a trace names them: radicals for multiples of π/12, else a pair."""
+    if turns not in ring.constants:
+        cosine, sine = cos_sin_of_pi(turns)
+        ring.constants[turns] = ring.from_entry(cosine), ring.from_entry(sine)
+    return ring.constants[turns]
 
-    def _from_entries(self, pair: tuple[Entry, Entry]) -> tuple[Scalar, Scalar]:
-        return self.from_entry(pair[0]), self.from_entry(pair[1])
 
-    def _finest(self, name: str) -> str:
-        """Return the angle whose cosine and sine are generators: θ, or θ/d where a fraction of it was met."""
-        parts = self.denominators.get(name, 1)
-        return f"{name}/{parts}" if parts > 1 else name
+def finest(ring: Ring, name: str) -> str:
+    """Return the angle whose cosine and sine are generators: θ, or θ/d where a fraction of it was met."""
+    parts = ring.parts.get(name, 1)
+    return f"{name}/{parts}" if parts > 1 else name
 
-    def has_arcs(self, value: Scalar) -> bool:
-        """Whether the value holds an arc function, so that it is an angle known up to whole turns."""
-        return any(kind == "arc" for powers, _ in self.terms(value.numerator) for kind, _ in powers)
+
+def has_arcs(value: Scalar) -> bool:
+    """Whether the value holds an arc function, so that it is an angle known up to whole turns."""
+    return any(kind == "arc" for _, (kind, _) in value.ring.generators_of(value.numerator))
+
+
+def _pair(ring: Ring, angle: str) -> Pair:
+    return ring.generator(("cos", angle)), ring.generator(("sin", angle))
+
+
+def _sum(a: Pair, b: Pair) -> Pair:
+    return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
+
+
+def _multiple(pair: Pair, times: int) -> Pair:
+    if abs(times) > MAX_MULTIPLE:
+        raise TooComplex(f"{times} times an angle")
+    total = pair[0].ring.one, pair[0].ring.zero
+    for _ in range(abs(times)):
+        total = _sum(total, pair)
+    return (total[0], -total[1]) if times < 0 else total
+
+
+def _refine(ring: Ring, name: str, parts: int) -> None:
+    """Put the cosine and sine of θ/parts in the place of those that were generators, and take the roots again.
+
+    Raises:
+        TooComplex: the document has too many denominators; the ring then stays as it is.
+    """
+    if parts > MAX_MULTIPLE:
+        raise TooComplex(say(Kind.TOO_MANY_FRACTIONS))
+    ring.budget.check()
+    polynomials, coarse = ring.polynomials, finest(ring, name)
+    _pair(ring, coarse)
+    retired = {("cos", coarse), ("sin", coarse)}
+    changed: dict[str, Radical] = {}
+    for root, radical in ring.radicals.items():
+        if retired & {generator for _, generator in ring.generators_of(radical.square.numerator)}:
+            changed[root] = radical
+            retired.add(("radical", root))
+    pair = _multiple(_pair(ring, f"{name}/{parts}"), parts // ring.parts.get(name, 1))
+    ring.parts[name] = parts
+    ring.radicals = {root: radical for root, radical in ring.radicals.items() if root not in changed}
+    polynomials.retire(retired)
+    polynomials.replace({("cos", coarse): pair[0].numerator, ("sin", coarse): pair[1].numerator})
+    for root, radical in changed.items():
+        polynomials.replace({("radical", root): _root_again(ring, radical).numerator})
+
+
+def _root_again(ring: Ring, radical: Radical) -> Scalar:
+    square = ring.lift(radical.square)
+    try:
+        root = radical.rule(square)
+        return root if root.denominator.is_one() else ring.radical(square.numerator, radical.rule)
+    except Exception:  # the rule finds no root now; one of its own is right as well, and no scalar may be left without
+        return ring.radical(square.numerator, radical.rule)

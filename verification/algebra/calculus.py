@@ -1,4 +1,4 @@
-"""The exact algebra's ring: derivatives, substitution, and what its normal form leaves open."""
+"""Derivatives and substitution in the exact algebra, and what its normal form leaves open."""
 
 from __future__ import annotations
 
@@ -8,104 +8,116 @@ from fractions import Fraction
 from flint import fmpq_mpoly
 
 from armproof.models.exact.polynomial import Generator
-from armproof.verification.algebra.roots import RootRing
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.angles import cos_sin, finest
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.algebra.roots import arc
 from armproof.verification.errors import EvaluationError
 
 
-class Ring(RootRing):
-    """ℚ[joint variables, lengths, cosines, sines, square roots] / relations, with derivatives and substitution.
+def derivative(value: Scalar, variable: Scalar) -> Scalar:
+    """Return ∂value/∂variable for a variable that is a free symbol (a joint variable, a length).
 
-    Built in steps: polynomials in normal form (QuotientRing), angles (AngleRing), square roots and arc functions
-    (RootRing).
+    d cos θ = −sin θ, d sin θ = cos θ, d√k = dk/(2√k), d atan2(s, c) = c ds − s dc for s² + c² = 1.
     """
+    ring = value.ring
+    found = list(ring.terms(variable.numerator)) if variable.denominator.is_one() else []
+    if len(found) != 1 or found[0][1] != 1 or len(found[0][0]) != 1:
+        raise EvaluationError("a derivative with respect to something that is not a variable")
+    (kind, name), power = next(iter(found[0][0].items()))
+    if kind != "symbol" or power != 1:
+        raise EvaluationError("a derivative with respect to something that is not a variable")
+    numerator = _poly_derivative(ring, value.numerator, name)
+    denominator = _poly_derivative(ring, value.denominator, name)
+    top, bottom = ring.scalar(value.numerator), ring.scalar(value.denominator)
+    return (numerator * bottom - top * denominator) / (bottom * bottom)
 
-    def derivative(self, value: Scalar, variable: Scalar) -> Scalar:
-        """Return ∂value/∂variable for a variable that is a free symbol (a joint variable, a length).
 
-        d cos θ = −sin θ, d sin θ = cos θ, d√k = dk/(2√k), d atan2(s, c) = c ds − s dc for s² + c² = 1.
-        """
-        found = list(self.terms(variable.numerator)) if variable.denominator.is_one() else []
-        if len(found) != 1 or found[0][1] != 1 or len(found[0][0]) != 1:
-            raise EvaluationError("a derivative with respect to something that is not a variable")
-        (kind, name), power = next(iter(found[0][0].items()))
-        if kind != "symbol" or power != 1:
-            raise EvaluationError("a derivative with respect to something that is not a variable")
-        numerator = self._poly_derivative(value.numerator, name)
-        denominator = self._poly_derivative(value.denominator, name)
-        top, bottom = self.scalar(value.numerator), self.scalar(value.denominator)
-        return (numerator * bottom - top * denominator) / (bottom * bottom)
+def _poly_derivative(ring: Ring, polynomial: fmpq_mpoly, name: str) -> Scalar:
+    polynomial = ring.polynomials.lift(polynomial)
+    total = ring.zero
+    for place, generator in ring.generators_of(polynomial):
+        inner = _generator_derivative(ring, generator, name)
+        if inner is not None and not inner.is_zero():
+            total = total + ring.scalar(ring.reduce(polynomial.derivative(place))) * inner
+    return total
 
-    def _poly_derivative(self, polynomial: fmpq_mpoly, name: str) -> Scalar:
-        polynomial = self._lifted(polynomial)
-        last = self._slots - 1
-        total = self.zero
-        degrees = polynomial.degrees()
-        parts, angle = self.denominators.get(name, 1), self._finest(name)
-        for slot, generator in enumerate(self._generator_at[: len(degrees)]):
-            if not degrees[last - slot]:
-                continue
-            kind, label = generator
-            inner: Scalar | None = None
-            if generator == ("symbol", name):
-                inner = self.one
-            elif kind == "cos" and label == angle:
-                inner = -self.generator(("sin", angle)) * self.rational(Fraction(1, parts))
-            elif kind == "sin" and label == angle:
-                inner = self.generator(("cos", angle)) * self.rational(Fraction(1, parts))
-            elif kind == "radical":
-                inner = self._poly_derivative(self.lift(self.radicands[slot]).numerator, name)
-                if not inner.is_zero():
-                    inner = inner / (self.scalar(self._variable(slot)) * self.rational(2))
-            elif kind == "arc":
-                cosine, sine = self.arcs[label]
-                variable = self.symbol(name)
-                inner = cosine * self.derivative(sine, variable) - sine * self.derivative(cosine, variable)
-            if inner is not None and not inner.is_zero():
-                total = total + self.scalar(self.reduce(polynomial.derivative(last - slot))) * inner
-        return total
 
-    def substitute(self, value: Scalar, values: Mapping[str, Scalar]) -> Scalar:
-        """Return the value with symbols (joint variables, lengths) replaced, their cosines and sines with them."""
-        replacements: dict[Generator, Scalar] = {}
-        for name, replacement in values.items():
-            replacements["symbol", name] = replacement
-            parts, angle = self.denominators.get(name, 1), self._finest(name)
-            if ("cos", angle) in self._slot:
-                pair = self.cos_sin(replacement / parts)
-                replacements["cos", angle], replacements["sin", angle] = pair
-        return self._replaced(value, replacements)
+def _generator_derivative(ring: Ring, generator: Generator, name: str) -> Scalar | None:
+    """Return the derivative of a generator, None where it does not depend on the variable."""
+    kind, label = generator
+    share = ring.rational(Fraction(1, ring.parts.get(name, 1)))
+    if generator == ("symbol", name):
+        return ring.one
+    if kind == "cos" and label == finest(ring, name):
+        return -ring.generator(("sin", label)) * share
+    if kind == "sin" and label == finest(ring, name):
+        return ring.generator(("cos", label)) * share
+    if kind == "radical":
+        inner = _poly_derivative(ring, ring.radicand(label).numerator, name)
+        return inner if inner.is_zero() else inner / (ring.generator(generator) * 2)
+    if kind == "arc":
+        (cosine, sine), variable = ring.arcs[label], ring.symbol(name)
+        return cosine * derivative(sine, variable) - sine * derivative(cosine, variable)
+    return None
 
-    def _replaced(self, value: Scalar, replacements: Mapping[Generator, Scalar]) -> Scalar:
-        return self._replace(value.numerator, replacements) / self._replace(value.denominator, replacements)
 
-    def _replace(self, polynomial: fmpq_mpoly, replacements: Mapping[Generator, Scalar]) -> Scalar:
-        total = self.zero
-        for powers, coefficient in self.terms(polynomial):
-            term = self.rational(coefficient)
-            for generator, power in powers.items():
-                if generator in replacements:
-                    base = replacements[generator]
-                elif generator[0] == "radical":
-                    slot = self._slot[generator]
-                    base = self.sqrt(self._replace(self.lift(self.radicands[slot]).numerator, replacements))
-                elif generator[0] == "arc":
-                    cosine, sine = (self._replaced(self.lift(v), replacements) for v in self.arcs[generator[1]])
-                    base = self.arc(cosine, sine)
-                else:
-                    base = self.generator(generator)
-                term = term * base**power
-            total = total + term
-        return total
+def substitute(value: Scalar, values: Mapping[str, Scalar]) -> Scalar:
+    """Return the value with symbols (joint variables, lengths) replaced, their cosines and sines with them."""
+    parts: dict[str, int] | None = None
+    replacements: dict[Generator, Scalar] = {}
+    while parts != value.ring.parts:  # a fraction of an angle among the values changes the generators
+        parts = dict(value.ring.parts)
+        replacements = _replacements(value.ring, values)
+    return _replaced(value, replacements)
 
-    def leaves_open(self, difference: Scalar) -> bool:
-        """Whether a difference that is not zero in normal form may vanish nevertheless.
 
-        So it may if it holds a square root of an expression, an arc function, or the cosine of a constant angle that is
-        no multiple of π/12 (cos 2π/5 is a generator of its own, though it is a polynomial in cos π/5).
-        """
-        parts = (difference.numerator, difference.denominator)
-        return any(_is_open(generator) for part in parts for _, generator in self.generators_of(part))
+def _replacements(ring: Ring, values: Mapping[str, Scalar]) -> dict[Generator, Scalar]:
+    replacements: dict[Generator, Scalar] = {}
+    for name, replacement in values.items():
+        replacements["symbol", name] = replacement
+        angle = finest(ring, name)
+        if ("cos", angle) in ring.polynomials:
+            pair = cos_sin(replacement / ring.parts.get(name, 1))
+            replacements["cos", angle], replacements["sin", angle] = pair
+    return replacements
+
+
+def _replaced(value: Scalar, replacements: Mapping[Generator, Scalar]) -> Scalar:
+    numerator = _replace(value.ring, value.numerator, replacements)
+    return numerator / _replace(value.ring, value.denominator, replacements)
+
+
+def _replace(ring: Ring, polynomial: fmpq_mpoly, replacements: Mapping[Generator, Scalar]) -> Scalar:
+    total = ring.zero
+    for powers, coefficient in ring.terms(polynomial):
+        term = ring.rational(coefficient)
+        for generator, power in powers.items():
+            term = term * _replacement(ring, generator, replacements) ** power
+        total = total + term
+    return total
+
+
+def _replacement(ring: Ring, generator: Generator, replacements: Mapping[Generator, Scalar]) -> Scalar:
+    """Return what a generator becomes; a root is taken anew, by its own rule."""
+    kind, name = generator
+    if generator in replacements:
+        return replacements[generator]
+    if kind == "radical":
+        radical = ring.radicals[name]
+        return radical.rule(_replace(ring, radical.square.numerator, replacements))
+    if kind == "arc":
+        return arc(*(_replaced(ring.lift(part), replacements) for part in ring.arcs[name]))
+    return ring.generator(generator)
+
+
+def leaves_open(difference: Scalar) -> bool:
+    """Whether a difference that is not zero in normal form may vanish nevertheless.
+
+    So it may if it holds a square root of an expression, an arc function, or the cosine of a constant angle that is no
+    multiple of π/12 (cos 2π/5 is a generator of its own, though it is a polynomial in cos π/5).
+    """
+    parts = (difference.numerator, difference.denominator)
+    return any(_is_open(generator) for part in parts for _, generator in difference.ring.generators_of(part))
 
 
 def _is_open(generator: Generator) -> bool:

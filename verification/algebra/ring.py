@@ -1,63 +1,216 @@
-"""Polynomials over ℚ in joint variables, lengths, cosines, sines and square roots, in normal form.
+"""The exact algebra: a ring of polynomials with all that was adjoined to it, and its scalars, quotients of two of them.
 
-Modulo c² + s² = 1 for every angle and r² = k for every square root, each polynomial has one normal form: its
-remainder on division by those relations, which are a Gröbner basis for the lexicographic order used here (their
-leading terms s² and r² are coprime). Two formulas are equal for every configuration and every length exactly when
-their normal forms are: a decision, with no tolerance and no heuristic simplification. Quotients are compared
-crosswise. FLINT does the arithmetic.
+Two scalars are compared crosswise, each polynomial being in its normal form. What is made of scalars stands beside the
+ring: sines and cosines (angles), square roots and arc functions (roots), derivatives and substitution (calculus).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, cast
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly
 
 from armproof.models.exact.polynomial import Entry, Generator
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.scalar import Scalar
-from armproof.verification.errors import TooComplex
-
-if TYPE_CHECKING:
-    from armproof.verification.algebra.calculus import Ring
-
-MAX_TERM_PRODUCTS = 400_000
-MAX_TERMS = 60_000
-MAX_GENERATORS = 512
-FIRST_SLOTS = 32  # most documents have fewer; each slot costs time in every product
+from armproof.verification.algebra.polynomials import Polynomials
+from armproof.verification.errors import NoValue
 
 
-class QuotientRing:
-    """A growing ring ℚ[generators] / relations.
+class Scalar:
+    """numerator/denominator, both in normal form; the operators keep them so."""
+
+    __slots__ = ("denominator", "numerator", "ring")
+
+    def __init__(self, ring: Ring, numerator: fmpq_mpoly, denominator: fmpq_mpoly) -> None:
+        self.ring, self.numerator, self.denominator = ring, numerator, denominator
+
+    def _coerce(self, other: object) -> tuple[Scalar, Scalar]:
+        if not isinstance(other, Scalar):
+            other = self.ring.rational(other)  # type: ignore[arg-type]
+        return self.ring.lift(self), self.ring.lift(other)
+
+    def __add__(self, other: object) -> Scalar:
+        a, b = self._coerce(other)
+        if a.numerator.is_zero():
+            return b
+        if b.numerator.is_zero():
+            return a
+        if a.denominator == b.denominator:
+            total = Scalar(a.ring, a.numerator + b.numerator, a.denominator)
+            return total if a.denominator.is_one() else total.normal()
+        multiply = a.ring.multiply
+        numerator = multiply(a.numerator, b.denominator) + multiply(b.numerator, a.denominator)
+        return Scalar(a.ring, a.ring.reduce(numerator), multiply(a.denominator, b.denominator)).normal()
+
+    def __sub__(self, other: object) -> Scalar:
+        a, b = self._coerce(other)
+        return a + (-b)
+
+    def __neg__(self) -> Scalar:
+        return Scalar(self.ring, -self.numerator, self.denominator)
+
+    def __mul__(self, other: object) -> Scalar:
+        a, b = self._coerce(other)
+        if a.numerator.is_zero() or b.is_one():
+            return a
+        if b.numerator.is_zero() or a.is_one():
+            return b
+        numerator = a.ring.multiply(a.numerator, b.numerator)
+        if a.denominator.is_one() and b.denominator.is_one():
+            return Scalar(a.ring, numerator, a.denominator)
+        return Scalar(a.ring, numerator, a.ring.multiply(a.denominator, b.denominator)).normal()
+
+    def __truediv__(self, other: object) -> Scalar:
+        a, b = self._coerce(other)
+        if b.is_zero():
+            raise NoValue("a division by zero")
+        return a * Scalar(b.ring, b.denominator, b.numerator).normal()
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+    def __rsub__(self, other: object) -> Scalar:
+        return -(self - other)
+
+    def __pow__(self, exponent: int) -> Scalar:
+        if exponent < 0:
+            return self.ring.one / self**-exponent
+        result = self.ring.one
+        for _ in range(exponent):
+            result = result * self
+        return result
+
+    def normal(self) -> Scalar:
+        """Return the quotient with a common factor cancelled and a constant denominator divided out."""
+        ring = self.ring
+        numerator, denominator = self.numerator, self.denominator
+        if denominator.is_one():
+            return self
+        if numerator.is_zero():
+            return ring.zero
+        if not denominator.is_constant():
+            common = numerator.gcd(denominator)
+            if not common.is_constant():
+                numerator, denominator = divmod(numerator, common)[0], divmod(denominator, common)[0]
+        content = denominator.leading_coefficient()
+        if content != 1:
+            numerator, denominator = numerator / content, denominator / content
+        return Scalar(ring, numerator, denominator)
+
+    def is_zero(self) -> bool:
+        """Decide whether the value is zero for every configuration."""
+        return bool(self.numerator.is_zero())
+
+    def is_one(self) -> bool:
+        """Decide whether the value is one for every configuration."""
+        return bool(self.numerator.is_one() and self.denominator.is_one())
+
+    def as_fraction(self) -> Fraction | None:
+        """Return the value where it is a rational constant, else None."""
+        value = self.normal()
+        if not (value.numerator.is_constant() and value.denominator.is_one()):
+            return None
+        coefficient = value.numerator.leading_coefficient() if not value.numerator.is_zero() else fmpq(0)
+        return Fraction(int(coefficient.p), int(coefficient.q))
+
+    def __repr__(self) -> str:
+        return f"({self._shown(self.numerator)})/({self._shown(self.denominator)})"
+
+    def _shown(self, polynomial: fmpq_mpoly) -> str:
+        terms = [
+            "·".join([str(k), *(f"{kind[0]}[{name}]^{power}" for (kind, name), power in powers.items())])
+            for powers, k in self.ring.terms(polynomial)
+        ]
+        return " + ".join(terms) or "0"
+
+
+RootRule = Callable[[Scalar], Scalar]  # how a square root is taken
+
+
+@dataclass(frozen=True)
+class Radical:
+    """A square root that was adjoined: its square, and the rule by which its root is taken again where it has changed."""
+
+    square: Scalar
+    rule: RootRule
+
+
+class Ring:
+    """A growing ring ℚ[generators] / relations with its quotients.
 
     Generators are named as in a trace: ("cos", angle), ("sin", angle), ("symbol", name), ("sqrt", "3"); beside them
-    stand ("pi", ""), ("radical", n) and ("arc", n). Later generators are larger in the lexicographic order, so a
-    square root is always reduced into what it was made of.
+    stand ("pi", ""), ("sign", name), ("radical", name) and ("arc", name).
+
+    Attributes:
+        budget: the time for what is computed in it.
+        parts: angle θ → d where cos(θ/d) and sin(θ/d) are the generators; 1 unless a fraction of it was met.
+        radicals: name of a radical → what it is the root of.
+        arcs: name of an arc function → (cos, sin) of it.
+        constants: the cosines and sines of multiples of π met so far.
+        signs_chosen: whether √(k²) was taken as k for a k that may be negative, since `forget_signs`.
     """
 
     def __init__(self, budget: Budget | None = None) -> None:
         self.budget = Budget() if budget is None else budget
-        self._slots = FIRST_SLOTS
-        self._context = _context(FIRST_SLOTS)
-        self._slot: dict[Generator, int] = {}
-        self._generator_at: list[Generator] = []
-        self._relations: dict[int, fmpq_mpoly] = {}  # slot of the leading generator → relation
-        self.zero = self.rational(0)
-        self.one = self.rational(1)
+        self.polynomials = Polynomials(self.budget)
+        self.reduce, self.multiply = self.polynomials.reduce, self.polynomials.multiply
+        self.parts: dict[str, int] = {}
+        self.radicals: dict[str, Radical] = {}
+        self.arcs: dict[str, tuple[Scalar, Scalar]] = {}
+        self.constants: dict[Fraction, tuple[Scalar, Scalar]] = {}
+        self.signs_chosen = False
+        self.zero, self.one = self.rational(0), self.rational(1)
 
-    # -- scalars ---------------------------------------------------------------------------------------------------
+    @property
+    def size(self) -> int:
+        """The number of generators met so far."""
+        return self.polynomials.size
 
     def scalar(self, numerator: fmpq_mpoly, denominator: fmpq_mpoly | None = None) -> Scalar:
         """Return numerator/denominator, both in normal form, as a scalar; the denominator is 1 unless given."""
-        below = self._context.constant(1) if denominator is None else denominator
-        return Scalar(cast("Ring", self), numerator, below)
+        return Scalar(self, numerator, self.polynomials.constant(1) if denominator is None else denominator)
 
     def rational(self, value: int | Fraction) -> Scalar:
         """Return a rational constant."""
-        number = Fraction(value)
-        return self.scalar(self._context.constant(fmpq(number.numerator, number.denominator)))
+        return self.scalar(self.polynomials.constant(value))
+
+    def symbol(self, name: str) -> Scalar:
+        """Return a free symbol: a length, a joint variable, a letter of a general statement."""
+        return self.generator(("symbol", name))
+
+    def generator(self, generator: Generator) -> Scalar:
+        """Return a generator, adding it and its relation where it is new."""
+        if generator not in self.polynomials:
+            self._adjoin(generator)
+        return self.scalar(self.polynomials.variable(generator))
+
+    def _adjoin(self, generator: Generator) -> None:
+        kind, name = generator
+        if kind in ("cos", "sin"):
+            c, s = (self.polynomials.adjoin((function, name)) for function in ("cos", "sin"))
+            self.polynomials.relate(("sin", name), s * s + self.polynomials.lift(c) ** 2 - 1)
+            return
+        variable = self.polynomials.adjoin(generator)
+        if kind in ("sqrt", "sign"):
+            self.polynomials.relate(generator, variable * variable - (int(name) if kind == "sqrt" else 1))
+
+    def radical(self, square: fmpq_mpoly, rule: RootRule) -> Scalar:
+        """Return the generator whose square is a polynomial in normal form, adding it where it is new."""
+        for name, known in self.radicals.items():
+            if self.lift(known.square).numerator == square:
+                return self.generator(("radical", name))
+        generator = ("radical", str(self.size))
+        variable = self.polynomials.adjoin(generator)
+        square = self.polynomials.lift(square)
+        self.polynomials.relate(generator, variable * variable - square)
+        self.radicals[generator[1]] = Radical(self.scalar(square), rule)
+        return self.scalar(variable)
+
+    def radicand(self, name: str) -> Scalar:
+        """Return the square of the radical of that name."""
+        return self.lift(self.radicals[name].square)
 
     def from_entry(self, entry: Entry) -> Scalar:
         """Return a traced entry (armproof.models.exact.trace) as a scalar of this ring."""
@@ -70,102 +223,20 @@ class QuotientRing:
         return total
 
     def lift(self, value: Scalar) -> Scalar:
-        """Bring the scalar, in place, into today's context (the ring may have grown since it was made)."""
-        if value.numerator.context() is not self._context:
-            value.numerator = value.numerator.project_to_context(self._context)
-            value.denominator = value.denominator.project_to_context(self._context)
+        """Bring the scalar, in place, into the ring as it is today (it may have grown since the scalar was made)."""
+        if value.numerator.context() is not self.polynomials.context:
+            value.numerator = self.polynomials.lift(value.numerator)
+            value.denominator = self.polynomials.lift(value.denominator)
         return value
 
-    def _lifted(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        return polynomial if polynomial.context() is self._context else polynomial.project_to_context(self._context)
-
-    # -- generators ------------------------------------------------------------------------------------------------
-
-    def generator(self, generator: Generator) -> Scalar:
-        """Return a generator, adding it and its relation where it is new."""
-        kind, name = generator
-        if generator not in self._slot:
-            if kind in ("cos", "sin"):
-                self._pair(name)
-            elif kind == "sqrt":
-                slot = self._add(generator)
-                root = self._variable(slot)
-                self._relations[slot] = root * root - int(name)
-            else:
-                self._add(generator)
-        return self.scalar(self._variable(self._slot[generator]))
-
-    @property
-    def size(self) -> int:
-        """The number of generators met so far."""
-        return len(self._generator_at)
-
-    def symbol(self, name: str) -> Scalar:
-        """Return a free symbol: a length, a joint variable, a letter of a general statement."""
-        return self.generator(("symbol", name))
-
-    def _pair(self, angle: str) -> tuple[Scalar, Scalar]:
-        if ("cos", angle) not in self._slot:
-            slots = self._add(("cos", angle)), self._add(("sin", angle))
-            c, s = map(self._variable, slots)
-            self._relations[slots[1]] = s * s + c * c - 1
-        cosine, sine = (self._variable(self._slot[function, angle]) for function in ("cos", "sin"))
-        return self.scalar(cosine), self.scalar(sine)
-
-    def _add(self, generator: Generator) -> int:
-        slot = len(self._generator_at)
-        if slot == self._slots:
-            if slot >= MAX_GENERATORS:
-                raise TooComplex(f"more than {MAX_GENERATORS} symbols in one document")
-            self._slots *= 2
-            self._context = _context(self._slots)
-            self._relations = {k: p.project_to_context(self._context) for k, p in self._relations.items()}
-            self.zero, self.one = self.lift(self.zero), self.lift(self.one)
-        self._slot[generator] = slot
-        self._generator_at.append(generator)
-        return slot
-
-    def _variable(self, slot: int) -> fmpq_mpoly:
-        return self._context.gen(self._slots - 1 - slot)
-
-    # -- normal form -----------------------------------------------------------------------------------------------
-
-    def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """Return the normal form: the remainder on division by the relations, the latest first."""
-        if not self._relations:
-            return polynomial
-        degrees = polynomial.degrees()
-        last = self._slots - 1
-        for slot in reversed(self._relations):
-            if degrees[last - slot] >= 2:
-                polynomial = divmod(polynomial, self._relations[slot])[1]
-                degrees = polynomial.degrees()
-        return polynomial
-
-    def multiply(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-        """Return the product in normal form, within the bounds on size and time."""
-        if len(a) * len(b) > MAX_TERM_PRODUCTS:
-            raise TooComplex(f"a product of {len(a):,} by {len(b):,} terms")
-        self.budget.check()
-        product = self.reduce(a * b)
-        if len(product) > MAX_TERMS:
-            raise TooComplex(f"an expression of {len(product):,} terms")
-        return product
-
-    def terms(self, polynomial: fmpq_mpoly) -> Iterable[tuple[dict[Generator, int], Fraction]]:
+    def terms(self, polynomial: fmpq_mpoly) -> Iterator[tuple[dict[Generator, int], Fraction]]:
         """Yield the terms as (powers of generators, coefficient)."""
-        polynomial = self._lifted(polynomial)
-        present = self.generators_of(polynomial)
-        for exponents, coefficient in polynomial.terms():
-            powers = {generator: int(exponents[k]) for k, generator in present if exponents[k]}
-            yield powers, Fraction(int(coefficient.p), int(coefficient.q))
+        return self.polynomials.terms(polynomial)
 
     def generators_of(self, polynomial: fmpq_mpoly) -> list[tuple[int, Generator]]:
         """Return the generators that a polynomial holds, each with its place among the exponents of a term."""
-        last = self._slots - 1
-        degrees = self._lifted(polynomial).degrees()
-        return [(k, self._generator_at[last - k]) for k, degree in enumerate(degrees) if degree > 0]
+        return self.polynomials.generators_of(polynomial)
 
-
-def _context(slots: int) -> fmpq_mpoly_ctx:
-    return fmpq_mpoly_ctx.get([f"g{slot}" for slot in reversed(range(slots))], Ordering.lex)
+    def forget_signs(self) -> None:
+        """Begin anew: what is evaluated from now on has chosen no sign of a root yet."""
+        self.signs_chosen = False

@@ -15,7 +15,7 @@ from typing import Any
 
 from armproof.models.exact.polynomial import Generator
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.latex.writer import Notation, join_factors, number
 
 Angle = tuple[tuple[str, Fraction | int], ...]  # sorted (symbol, coefficient); whole numbers as int, which hash faster

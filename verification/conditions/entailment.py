@@ -15,7 +15,8 @@ from functools import cached_property
 import numpy as np
 
 from armproof.models.exact.trace import trace_of
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.calculus import substitute
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.system import Condition, System, Undecided, read_condition
 from armproof.verification.equations.chain import ChainChecker
@@ -112,10 +113,9 @@ class Entailment:
         """
         if not given.values or len(given.values) != len(given.zero) or given.not_all_zero:
             return False
-        ring = self.checker.exact.ring
         values = dict(given.values)
         return any(
-            not system.not_all_zero and all(ring.substitute(scalar, values).is_zero() for scalar in system.zero)
+            not system.not_all_zero and all(substitute(scalar, values).is_zero() for scalar in system.zero)
             for system in self.conclusion
         )
 
@@ -189,10 +189,8 @@ class Entailment:
                 joint.symbol: pi * ring.rational(turn) if joint.kind == "revolute" else ring.rational(turn)
                 for joint, turn in zip(joints, choice, strict=True)
             }
-            holds = any(_holds(system, lambda s, v=values: ring.substitute(s, v)) for system in self.premise)
-            if holds and not any(
-                _holds(system, lambda s, v=values: ring.substitute(s, v)) for system in self.conclusion
-            ):
+            holds = any(_holds(system, lambda s, v=values: substitute(s, v)) for system in self.premise)
+            if holds and not any(_holds(system, lambda s, v=values: substitute(s, v)) for system in self.conclusion):
                 scale = {joint.symbol: np.pi if joint.kind == "revolute" else 1.0 for joint in joints}
                 pairs = zip(joints, choice, strict=True)
                 return {joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in pairs}

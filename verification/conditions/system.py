@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from armproof.verification.algebra.angles import has_arcs
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.values import as_scalar
 from armproof.verification.equations.alignment import align
 from armproof.verification.equations.chain import ChainChecker
@@ -190,7 +191,7 @@ def _angle_or_difference(checker: ChainChecker, left: n.Node, right: n.Node, eva
     a, b = (as_scalar(evaluator.evaluate(node)) for node in (left, right))
     if not (isinstance(a, Scalar) and isinstance(b, Scalar)):
         raise Undecided("a matrix stands where a scalar condition is expected")
-    if _is_angle(checker, a - b) or checker.exact.ring.has_arcs(a):
+    if _is_angle(checker, a - b) or has_arcs(a):
         return 1 - checker.exact.cos_sin(a - b)[0]
     return a - b
 

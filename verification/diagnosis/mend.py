@@ -8,7 +8,7 @@ import numpy as np
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.values import Identity, as_scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.counterexample import Probe

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, exactly_equal
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n

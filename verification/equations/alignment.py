@@ -6,9 +6,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from armproof.verification.algebra.angles import cos_sin, has_arcs
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Algebra, Value
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.values import Identity, as_scalar, identity, is_zero
 from armproof.verification.errors import EvaluationError, ShapeError
 from armproof.verification.findings import Finding, Kind, say
@@ -154,11 +155,10 @@ def exactly_equal(a: Scalar, b: Scalar) -> bool:
     difference = a - b
     if difference.is_zero():
         return True
-    ring = a.ring
-    if not (ring.has_arcs(a) or ring.has_arcs(b)):
+    if not (has_arcs(a) or has_arcs(b)):
         return False
     try:
-        cosine, sine = ring.cos_sin(difference)
+        cosine, sine = cos_sin(difference)
     except EvaluationError:
         return False
     return (cosine - 1).is_zero() and sine.is_zero()
@@ -189,7 +189,7 @@ def angle_places(pair: Pair) -> set[tuple[int, int]]:
         (r, c)
         for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True))
         for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True))
-        if a.ring.has_arcs(a) or b.ring.has_arcs(b)
+        if has_arcs(a) or has_arcs(b)
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from armproof.verification.algebra.calculus import leaves_open
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.numeric_matrices import (
@@ -49,7 +50,7 @@ def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
     true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
     for difference in (true[r][c] - printed[r][c] for r, c in outcome.wrong):
         roots = any(kind == "sqrt" for powers, _ in difference.ring.terms(difference.numerator) for kind, _ in powers)
-        if roots or not difference.denominator.is_one() or difference.ring.leaves_open(difference):
+        if roots or not difference.denominator.is_one() or leaves_open(difference):
             continue
         if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):
             return False

@@ -6,9 +6,10 @@ from dataclasses import replace
 from math import prod
 from typing import Any
 
+from armproof.verification.algebra.angles import cos_sin, has_arcs
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.values import Identity
 from armproof.verification.equations.alignment import (
     HOMOGENEOUS,
@@ -165,10 +166,9 @@ def _noted(pair: Pair) -> tuple[Finding, ...]:
 def _distance(a: Any, b: Any) -> Any:
     """A scalar that vanishes where two agree: the difference, or 1 − cos of it for angles."""
     difference = a - b
-    ring = difference.ring
-    if ring.has_arcs(a) or ring.has_arcs(b):
+    if has_arcs(a) or has_arcs(b):
         try:
-            return 1 - ring.cos_sin(difference)[0]
+            return 1 - cos_sin(difference)[0]
         except TooComplex:
             raise
         except EvaluationError:  # no angle: a product with an arc function, a sum of one and a length

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.latex import nodes as n
 

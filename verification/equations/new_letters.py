@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import UnboundName

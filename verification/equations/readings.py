@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import square_rows
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome

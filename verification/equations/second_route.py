@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from armproof.verification.algebra.angles import has_arcs
+from armproof.verification.algebra.calculus import leaves_open
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError
@@ -32,7 +34,9 @@ class SecondRoute:
     def confirm(self, outcome: Outcome, branches: bool) -> Outcome:
         """Evaluate a proved equation on the double plant as well: the second route must agree."""
         ring = self.exact.ring
-        if not (self.enabled or ring.signs_chosen or ring.arcs):  # signs and branches are decided by the samples alone
+        if not (
+            self.enabled or ring.signs_chosen or _holds_arcs(outcome)
+        ):  # signs and branches are decided by the samples alone
             return outcome
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
@@ -59,7 +63,7 @@ class SecondRoute:
         assert pair is not None and outcome.true is not None and outcome.printed is not None
         signs = ring.signs_chosen and any(self._has_roots(m.node) for m in (outcome.true, outcome.printed))
         if not (branches or signs) and not all(
-            ring.leaves_open(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in outcome.wrong
+            leaves_open(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in outcome.wrong
         ):
             return outcome
         errors = self.sampled_errors(outcome, branches)
@@ -147,3 +151,10 @@ class SecondRoute:
         assert outcome.true is not None and outcome.printed is not None
         sampled = with_other_lengths(self.sampled()) if other_lengths else self.sampled()
         return errors_between(self.names, sampled, outcome.true.node, outcome.printed.node, outcome.pair, branches)
+
+
+def _holds_arcs(outcome: Outcome) -> bool:
+    pair = outcome.pair
+    return pair is None or any(
+        has_arcs(cell) for side in (pair.true, pair.printed) for row in side.rows for cell in row
+    )

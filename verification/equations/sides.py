@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
@@ -50,8 +49,6 @@ class Members:
         try:
             value = Evaluator(self.names, self.exact).evaluate(node)
             return Member(node, value, None, self._rank(node))
-        except AngleFraction:
-            raise
         except OutsideAlgebra as problem:
             return Member(node, None, problem, self._rank(node))
         except TooComplex:

@@ -8,11 +8,13 @@ from fractions import Fraction
 from armproof.models.arm import Arm
 from armproof.models.exact.polynomial import Rows
 from armproof.models.exact.trace import trace_of
+from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.calculus import derivative, substitute
 from armproof.verification.algebra.matrix import Matrix, exact_rank
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.algebra.roots import arc, atan2, sqrt
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.of_arm import ArmAlgebra
 
@@ -40,25 +42,28 @@ class ExactAlgebra(ArmAlgebra):
     def cos_sin(self, angle: Scalar) -> tuple[Scalar, Scalar]:
         """Return (cos, sin) of a sum of angles; raises OutsideAlgebra for what is none, such as cos(ω t)."""
         try:
-            return self.ring.cos_sin(angle)
+            return cos_sin(angle)
         except TooComplex:
             raise
         except EvaluationError as problem:
             raise OutsideAlgebra(str(problem)) from None
 
     def sqrt(self, value: Scalar) -> Scalar:
-        return self.ring.sqrt(value)
+        return sqrt(value)
+
+    def atan2(self, y: Scalar, x: Scalar) -> Scalar:
+        """Return the angle of the point (x, y)."""
+        return atan2(y, x)
 
     def arc(self, function: str, arguments: list[Scalar]) -> Scalar:
         """Return an arc function as an angle whose cosine and sine are known."""
-        ring = self.ring
         if function == "atan2":
-            return ring.atan2(*arguments)
+            return self.atan2(*arguments)
         (u,) = arguments
         if function == "atan":
-            return ring.atan2(u, ring.one)
-        other = ring.sqrt(ring.one - u * u)
-        return ring.arc(u, other) if function == "acos" else ring.arc(other, u)
+            return self.atan2(u, self.ring.one)
+        other = self.sqrt(self.ring.one - u * u)
+        return arc(u, other) if function == "acos" else arc(other, u)
 
     def absolute(self, value: Scalar) -> Scalar:
         number = value.as_fraction()
@@ -67,7 +72,7 @@ class ExactAlgebra(ArmAlgebra):
         return self.ring.rational(abs(number))
 
     def derivative(self, value: Scalar, variable: Scalar) -> Scalar:
-        return self.ring.derivative(value, variable)
+        return derivative(value, variable)
 
     def rank(self, matrix: Matrix) -> Scalar:
         return self.ring.rational(exact_rank(matrix))
@@ -75,8 +80,8 @@ class ExactAlgebra(ArmAlgebra):
     def substitute(self, value: Value, values: Mapping[str, Scalar]) -> Value:
         """Return a value with joint variables and lengths replaced."""
         if isinstance(value, Matrix):
-            return value.map(lambda cell: self.ring.substitute(cell, values))
-        return self.ring.substitute(value, values)
+            return value.map(lambda cell: substitute(cell, values))
+        return substitute(value, values)
 
     def pose(self, frame: str, reference: str) -> Matrix:
         assert self.arm is not None

@@ -14,10 +14,10 @@ from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.of_arm import ArmAlgebra

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from fractions import Fraction
 from functools import lru_cache
 
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import exact_number
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.diagnosis.causes.probes import probes
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -27,9 +26,9 @@ _PLAIN = {Fraction(number) for number in ("0", "1/2", "1", "2")}  # numbers that
 class Bench:
     """An arm with its exact algebra; the ring grows with the formulas met."""
 
-    def __init__(self, arm: Arm, denominators: Mapping[str, int] | None = None) -> None:
+    def __init__(self, arm: Arm) -> None:
         self.arm = arm
-        self.ring = Ring(denominators)
+        self.ring = Ring()
         self.exact = ExactAlgebra(self.ring, arm)
         self.names = read_names(arm, {})
         self.checker = ChainChecker(self.names, self.exact, lambda: SampledAlgebra(self.exact, probes(arm).q))
@@ -61,7 +60,7 @@ class Bench:
 
     def at_the_lengths(self, value: Scalar) -> Scalar:
         """Return a scalar with the arm's own numbers for its lengths and constant angles."""
-        return self.ring.substitute(value, self.numbers)
+        return substitute(value, self.numbers)
 
 
 def _exact(exact: ExactAlgebra, value: float) -> Scalar:
@@ -72,12 +71,10 @@ def _exact(exact: ExactAlgebra, value: float) -> Scalar:
     return exact.rational(exact_number(value))
 
 
-def bench_of(arm: Arm, denominators: Mapping[str, int]) -> Bench:
-    """Return the bench of an arm: the one of the check before, unless its ring has grown large."""
-    if denominators:
-        return Bench(arm, denominators)
+def bench_of(arm: Arm) -> Bench:
+    """Return the bench of an arm: the one of the check before, unless its ring has grown large or met a fraction of an angle."""
     kept = _kept_bench(arm)
-    if kept.ring.size > MOST_GENERATORS:
+    if kept.ring.size > MOST_GENERATORS or kept.ring.parts:
         _kept_bench.cache_clear()
         kept = _kept_bench(arm)
     return kept

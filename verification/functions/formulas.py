@@ -13,7 +13,7 @@ import numpy as np
 from armproof.models.exact.numbers import TOLERANCE, exact_number
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.functions.tracing.number import TracedNumber
 

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import exactly_equal
 from armproof.verification.errors import EvaluationError
 from armproof.verification.functions.bench import Bench, bench_of
@@ -47,15 +46,10 @@ def prove(arm: Arm, parts: list[Part], traced: list[np.ndarray], symbolic: bool)
     Args:
         symbolic: whether the function takes its lengths as symbols; then no number in it is taken for a length.
     """
-    denominators: dict[str, int] = {}
-    for _ in range(8):
-        try:
-            return _prove(bench_of(arm, denominators), parts, traced, symbolic)
-        except AngleFraction as fraction:
-            denominators[fraction.symbol] = fraction.denominator
-        except (EvaluationError, RecursionError) as problem:
-            return str(problem)
-    return "fractions of angles with too many denominators"
+    try:
+        return _prove(bench_of(arm), parts, traced, symbolic)
+    except (EvaluationError, RecursionError) as problem:
+        return str(problem)
 
 
 def _prove(bench: Bench, parts: list[Part], traced: list[np.ndarray], symbolic: bool) -> Proof | str:

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.counterexample import Probe
 from armproof.verification.diagnosis.learnt_notation import LearntNotation
@@ -50,7 +49,7 @@ def _entries(
                 value, right = proof.entry(part.number, r, c), true[r][c]
                 if mend or max(len(value.numerator), len(right.numerator)) <= SHORT:
                     printed, correct, change = writer.describe(value, right, mend and len(part.wrong) <= MENDED)
-            except (EvaluationError, AngleFraction):  # the formula is beyond the algebra; the table shows its values
+            except EvaluationError:  # the formula is beyond the algebra; the table shows its values
                 pass
         yield WrongEntry(part.number, row, column, printed, correct, change)
 

@@ -14,7 +14,7 @@ from armproof.models.bulk.inputs import ColumnInputs
 from armproof.models.bulk.operations import OPERATIONS
 from armproof.models.bulk.program import Program
 from armproof.models.numeric.configurations import sample
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.inverse.branch_graph import BranchGraph
 from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.formulas import Formula

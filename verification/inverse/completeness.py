@@ -7,37 +7,39 @@ each step gives back the joint of q. So the solutions are the branches and no ot
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from itertools import product
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.inverse.configuration_ring import ConfigurationRing, OpenSign
+from armproof.verification.algebra.ring import Ring
+from armproof.verification.inverse.configuration_roots import ConfigurationRoots, OpenSign
 from armproof.verification.inverse.derivation import Derivation, Signs
 from armproof.verification.inverse.forward import forward_values
 from armproof.verification.inverse.resolution import Resolution
 from armproof.verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra
 
 
-def find_lost_step(derivation: Derivation, denominators: Mapping[str, int], budget: Budget) -> str | None:
+def find_lost_step(derivation: Derivation, budget: Budget) -> str | None:
     """Return the first joint that no branch gives back for some configurations, or None where completeness is proved.
 
     Raises:
         TooComplex: the polynomials grow beyond the bounds.
         EvaluationError: a step that has no exact value.
     """
-    return _Search(derivation, denominators, budget).lost(0, {}, {})
+    return _Search(derivation, budget).lost(0, {}, {})
 
 
 class _Search:
-    def __init__(self, derivation: Derivation, denominators: Mapping[str, int], budget: Budget) -> None:
+    def __init__(self, derivation: Derivation, budget: Budget) -> None:
         arm = derivation.names.arm
         assert arm is not None
         self.derivation = derivation
         self.arm: Arm = arm
-        self.ring = ConfigurationRing(denominators, arm.lengths, budget)
-        given = forward_values(derivation, free_algebra(self.ring, arm))
-        self.algebra = SymbolicAlgebra(self.ring, arm, derivation.target, given)
+        self.ring = Ring(budget)
+        self.roots = ConfigurationRoots(self.ring, arm.lengths)
+        given = forward_values(derivation, free_algebra(self.ring, arm, self.roots))
+        self.algebra = SymbolicAlgebra(self.ring, arm, derivation.target, given, roots=self.roots)
 
     def lost(self, index: int, chosen: Signs, factors: Signs) -> str | None:
         """Return the joint lost at a step or after it, given the branch so far and the signs of some factors."""
@@ -73,10 +75,10 @@ class _Search:
     def _try(self, index: int, chosen: Signs, factors: Signs) -> tuple[bool, list[str]]:
         """Return whether a step gives back its joint, and the signs that it has met."""
         ring, step = self.ring, self.derivation.steps[index]
-        ring.signs = factors
+        self.roots.signs = factors
         self.algebra.solved = {k.joint: ring.symbol(k.joint) for k in self.derivation.steps[:index]}
         resolution = Resolution(self.derivation, self.algebra, chosen)
         difference = resolution.scalar(step.formula) - ring.symbol(step.joint)
         if self.arm.joint(step.joint).kind == "revolute" and not difference.is_zero():
-            difference = ring.cos_sin(difference)[0] - 1
+            difference = cos_sin(difference)[0] - 1
         return difference.is_zero(), resolution.branching

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document, read_document
 from armproof.verification.errors import DocumentError, EvaluationError
 from armproof.verification.findings import Kind, say

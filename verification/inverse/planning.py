@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
 from armproof.verification.findings import Kind
 from armproof.verification.inverse.derivation import Derivation, SolvingAlgebra, Step
@@ -57,7 +56,7 @@ def _next_step(resolution: Resolution, joints: list[str]) -> tuple[Step, Any] | 
         known, choice = len(resolution.branching), dict(resolution.choice)
         try:
             return Step(formula.key, formula), resolution.scalar(formula)
-        except (TooComplex, AngleFraction):
+        except TooComplex:
             raise
         except EvaluationError:
             del resolution.branching[known:]

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial, reduce
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from armproof.models.exact.trace import trace_of
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.budget import Budget
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import write_all
@@ -20,7 +20,7 @@ from armproof.verification.inverse.completeness import find_lost_step
 from armproof.verification.inverse.conditions import Conditions, read_conditions
 from armproof.verification.inverse.derivation import Derivation, Signs
 from armproof.verification.inverse.refutation import refute, refute_for_other_lengths
-from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.inverse.substitution import returns_target
 from armproof.verification.inverse.target_values import TargetValues, any_target, target_of_a_configuration
 from armproof.verification.inverse.trial import try_branches
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from armproof.verification.inverse.kinematics import InverseKinematics
 
 SECONDS = 10.0  # for each of the two parts of a proof
-MOST_FRACTIONS = 6
-T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -98,7 +96,7 @@ def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, 
     for values, eager, general in _attempts(derivation, compiled):
         attempt = partial(_substitute, derivation, values, every_sign, eager, budget.share(SECONDS / 2))
         try:
-            missed = _with_fractions(attempt)
+            missed = attempt()
         except EvaluationError as error:
             problem = say(Kind.NOT_PROVED_EXACTLY, problem=finding_of(error))
             continue
@@ -136,31 +134,19 @@ def _substitute(
     signs: Signs,
     eager: tuple[str, ...],
     budget: Budget,
-    denominators: Mapping[str, int],
 ) -> list[int]:
     arm = derivation.names.arm
     assert arm is not None
-    ring = SubstitutionRing(denominators, arm.lengths, budget)
-    return returns_target(derivation, values, signs, ring, eager)
+    roots = SubstitutionRoots(Ring(budget), arm.lengths)
+    return returns_target(derivation, values, signs, roots, eager)
 
 
 def _prove_completeness(derivation: Derivation) -> tuple[bool, Finding | None]:
     try:
-        lost = _with_fractions(lambda known: find_lost_step(derivation, known, Budget(SECONDS)))
+        lost = find_lost_step(derivation, Budget(SECONDS))
     except EvaluationError as error:
         return False, say(Kind.MAYBE_INCOMPLETE, problem=finding_of(error))
     return lost is None, None if lost is None else say(Kind.MAYBE_INCOMPLETE, problem=lost)
-
-
-def _with_fractions(attempt: Callable[[Mapping[str, int]], T]) -> T:
-    """Try again with θ/2 as a generator of the ring where half of an angle is met."""
-    denominators: dict[str, int] = {}
-    for _ in range(MOST_FRACTIONS):
-        try:
-            return attempt(denominators)
-        except AngleFraction as fraction:
-            denominators[fraction.symbol] = fraction.denominator
-    raise EvaluationError("fractions of angles with too many denominators")
 
 
 # -- what is known -----------------------------------------------------------------------------------------------------

@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.values import as_scalar
@@ -90,7 +89,7 @@ class Resolution:
         for meaning in meanings:
             try:
                 return self._of(meaning), meaning
-            except (TooComplex, AngleFraction):
+            except TooComplex:
                 raise
             except EvaluationError as error:
                 problem = error if problem is None or isinstance(problem, UnsolvedJoint) else problem

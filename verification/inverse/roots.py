@@ -2,69 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 from flint import fmpq_mpoly
 
-from armproof.models.exact.polynomial import Generator
-from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.calculus import Ring
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.algebra.roots import arc, sqrt_of_rational
 from armproof.verification.errors import NoValue
 from armproof.verification.singularities.half_angles import HalfAngles
 
 
-class SubstitutionRing(Ring):
-    """A ring in which √(k²) is |k|: a generator whose square is k², so that what is proved holds for both signs of k.
+class SubstitutionRoots:
+    """Square roots by which √(k²) is |k|: a generator whose square is k², so that what is proved holds for both signs of k.
 
     k itself is taken where it cannot be negative: a length, a root, the radicand of a root that has a value.
 
     Args:
+        ring: the ring in which the roots are taken.
         positive: the symbols that are not negative, the lengths.
     """
 
-    def __init__(self, denominators: Mapping[str, int], positive: Iterable[str], budget: Budget | None = None) -> None:
-        super().__init__(denominators, budget)
+    def __init__(self, ring: Ring, positive: Iterable[str]) -> None:
+        self.ring = ring
         self.positive = frozenset(positive)
-        self._constants: dict[Fraction, tuple[Scalar, Scalar]] = {}
-
-    def sign(self, name: str) -> Scalar:
-        """Return a sign, +1 or −1: a generator whose square is 1, so that what is proved holds for both."""
-        generator = ("sign", name)
-        if generator not in self._slot:
-            slot = self._add(generator)
-            root = self._variable(slot)
-            self._relations[slot] = root * root - 1
-        return self.generator(generator)
-
-    def _constant_angle(self, turns: Fraction) -> tuple[Scalar, Scalar]:
-        if turns not in self._constants:
-            self._constants[turns] = super()._constant_angle(turns)
-        return self._constants[turns]
-
-    def _cos_sin_term(self, powers: dict[Generator, int], coefficient: Fraction) -> tuple[Scalar, Scalar]:
-        """Return (cos, sin) of a term; of ±α they are cos α and ± sin α."""
-        signs = [generator for generator in powers if generator[0] == "sign"]
-        rest = {generator: power for generator, power in powers.items() if generator not in signs}
-        if not rest:
-            return super()._cos_sin_term(powers, coefficient)
-        cosine, sine = super()._cos_sin_term(rest, coefficient)
-        for generator in signs:
-            sine = sine * self.generator(generator)
-        return cosine, sine
 
     def sqrt(self, value: Scalar) -> Scalar:
         """Return the square root that is not negative; raises NoValue for that of a negative number."""
         value = value.normal()
         if value.is_zero():
-            return self.zero
+            return self.ring.zero
         if not value.denominator.is_one():
-            below = self.scalar(value.denominator)
+            below = self.ring.scalar(value.denominator)
             sign = self._definite_sign(value.denominator)
             below = below * sign if sign else self._known_root(value.denominator * value.denominator)  # √(n d)/|d|
-            return self.sqrt(self.scalar(self.multiply(value.numerator, value.denominator))) / below
+            return self.sqrt(self.ring.scalar(self.ring.multiply(value.numerator, value.denominator))) / below
         content, factors = value.numerator.factor()
         outside, inside = self._split(content, factors)
         return outside if inside.is_one() else outside * self._known_root(inside)
@@ -74,27 +47,27 @@ class SubstitutionRing(Ring):
         radius = self.sqrt(x * x + y * y)
         if radius.is_zero():
             raise NoValue("atan2(0, 0) has no value")
-        return self.arc(x / radius, y / radius)
+        return arc(x / radius, y / radius)
 
     def _split(self, content: Any, factors: list[tuple[fmpq_mpoly, int]]) -> tuple[Scalar, fmpq_mpoly]:
         """Return what certainly is not negative and comes out of the root, and what stays under it."""
         if int(content.p) < 0 and not factors:
             raise NoValue("the square root of a negative number")
-        inside = self._context.constant(1 if int(content.p) > 0 else -1)
-        outside = self._root_of_rational(Fraction(abs(int(content.p)), int(content.q)))
+        inside = self.ring.polynomials.constant(1 if int(content.p) > 0 else -1)
+        outside = sqrt_of_rational(self.ring, Fraction(abs(int(content.p)), int(content.q)))
         for factor, power in factors:
             if power > 1 and (sign := self._definite_sign(factor)):
-                outside, power = outside * (self.scalar(factor) * sign) ** (power // 2), power % 2
-            outside, power = outside * self.scalar(factor) ** (power // 4 * 2), power % 4
+                outside, power = outside * (self.ring.scalar(factor) * sign) ** (power // 2), power % 2
+            outside, power = outside * self.ring.scalar(factor) ** (power // 4 * 2), power % 4
             if power:
-                inside = self.multiply(inside, self._power(factor, power))
+                inside = self.ring.multiply(inside, self._power(factor, power))
         return outside, inside
 
     def _power(self, factor: fmpq_mpoly, power: int) -> fmpq_mpoly:
         """Return a power in normal form."""
-        result = self._context.constant(1)
+        result = self.ring.polynomials.constant(1)
         for _ in range(power):
-            result = self.multiply(result, factor)
+            result = self.ring.multiply(result, factor)
         return result
 
     def _definite_sign(self, factor: fmpq_mpoly) -> int:
@@ -102,8 +75,8 @@ class SubstitutionRing(Ring):
 
         The radicand of a root cannot be negative where the root has a value, nor can its sum with squares.
         """
-        for radicand in self.radicands.values():
-            known = self.lift(radicand).numerator
+        for radical in self.ring.radicals.values():
+            known = self.ring.lift(radical.square).numerator
             for sign in (1, -1):
                 rest = sign * factor - known
                 if rest.is_zero() or self._sign_of_factors(rest) > 0:
@@ -112,8 +85,8 @@ class SubstitutionRing(Ring):
 
     def _sign_of_factors(self, polynomial: fmpq_mpoly) -> int:
         """Return the sign that a polynomial has by its factors in half-angle coordinates, 0 where it is not known."""
-        half = HalfAngles(self, [self.scalar(polynomial)])
-        content, factors = half.polynomial(self.scalar(polynomial)).factor()
+        half = HalfAngles(self.ring, [self.ring.scalar(polynomial)])
+        content, factors = half.polynomial(self.ring.scalar(polynomial)).factor()
         one_sign = all(power % 2 == 0 or self._has_one_sign(half, part) for part, power in factors)
         return (1 if int(content.p) > 0 else -1) if one_sign else 0
 
@@ -136,16 +109,7 @@ class SubstitutionRing(Ring):
 
     def _known_root(self, inside: fmpq_mpoly) -> Scalar:
         """Return the generator whose square is a polynomial, adding it where it is new."""
-        inside = self.reduce(inside)
-        for slot, radicand in self.radicands.items():
-            if self.lift(radicand).numerator == inside:
-                return self.scalar(self._variable(slot))
-        slot = self._add(("radical", str(len(self.radicands))))
-        inside = self._lifted(inside)
-        self.radicands[slot] = self.scalar(inside)
-        root = self._variable(slot)
-        self._relations[slot] = root * root - inside
-        return self.scalar(root)
+        return self.ring.radical(self.ring.reduce(inside), self.sqrt)
 
 
 def _is_sum_of_squares(polynomial: Any, positive: set[int]) -> bool:

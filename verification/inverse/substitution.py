@@ -10,17 +10,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.calculus import substitute
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.inverse.derivation import Derivation, Signs
 from armproof.verification.inverse.forward import forward_values
 from armproof.verification.inverse.resolution import solve_branch
-from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.inverse.symbolic_algebra import SymbolicAlgebra, free_algebra, is_angle
 from armproof.verification.inverse.target_values import TargetValues
 
 
 def returns_target(
-    derivation: Derivation, values: TargetValues, signs: Signs, ring: SubstitutionRing, eager: Iterable[str] = ()
+    derivation: Derivation, values: TargetValues, signs: Signs, roots: SubstitutionRoots, eager: Iterable[str] = ()
 ) -> list[int]:
     """Return the slots of the target that the solution misses on a branch; none if FK(IK(x)) = x is proved.
 
@@ -33,10 +35,10 @@ def returns_target(
     """
     arm = derivation.names.arm
     assert arm is not None
-    given = values(ring, derivation)
-    algebra = SymbolicAlgebra(ring, arm, derivation.target, given, names_stay=True, eager=eager)
+    given = values(roots, derivation)
+    algebra = SymbolicAlgebra(roots.ring, arm, derivation.target, given, roots=roots, names_stay=True, eager=eager)
     solve_branch(derivation, algebra, signs)
-    forward = forward_values(derivation, free_algebra(ring, arm))
+    forward = forward_values(derivation, free_algebra(roots.ring, arm, roots))
     missed = []
     for index, (reached, wanted) in enumerate(zip(forward, given, strict=True)):
         if not _vanishes(reached, wanted, algebra.trail, arm):
@@ -45,12 +47,11 @@ def returns_target(
 
 
 def _vanishes(reached: Scalar, wanted: Scalar, trail: Sequence[tuple[str, Scalar]], arm: Arm) -> bool:
-    ring = reached.ring
     difference = reached - wanted
     for symbol, value in reversed(trail):
         if difference.is_zero():
             return True
-        difference = ring.substitute(difference, {symbol: value})
+        difference = substitute(difference, {symbol: value})
     if not difference.is_zero() and is_angle(reached, arm):
-        return bool((ring.cos_sin(difference)[0] - 1).is_zero())
+        return bool((cos_sin(difference)[0] - 1).is_zero())
     return difference.is_zero()

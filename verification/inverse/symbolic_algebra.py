@@ -6,14 +6,14 @@ from collections.abc import Iterable, Sequence
 
 from armproof.models.arm import Arm
 from armproof.models.exact.polynomial import Rows
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.inverse.derivation import UnsolvedJoint
 from armproof.verification.inverse.given_target import GivenTarget
-from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.inverse.target import Target
 
 LONG = 6  # terms: a name with so many is a symbol until it has to be substituted
@@ -26,6 +26,7 @@ class SymbolicAlgebra(GivenTarget, ExactAlgebra):
     that have a symbol of their own.
 
     Args:
+        roots: how square roots are taken, where it matters.
         names_stay: whether long values of names are symbols as well.
         eager: joints that are no symbols: their values stand wherever they occur.
     """
@@ -37,12 +38,14 @@ class SymbolicAlgebra(GivenTarget, ExactAlgebra):
         target: Target,
         values: Sequence[Scalar],
         *,
+        roots: SubstitutionRoots | None = None,
         names_stay: bool = False,
         eager: Iterable[str] = (),
     ) -> None:
         ExactAlgebra.__init__(self, ring, arm)
         self.give(target, values)
         self.solved: dict[str, Scalar] = {}
+        self.roots = roots
         self.names_stay = names_stay
         self.eager = frozenset(eager)
         self.trail: list[tuple[str, Scalar]] = []  # joints and long names with their values, in order
@@ -70,9 +73,16 @@ class SymbolicAlgebra(GivenTarget, ExactAlgebra):
         return self.ring.symbol(f"name {key}")
 
     def sign(self, name: str) -> Scalar:
-        """Return one of the independent signs as a symbol, in a ring that has such."""
-        assert isinstance(self.ring, SubstitutionRing)
-        return self.ring.sign(name)
+        """Return one of the independent signs, +1 or −1: what is proved holds for both."""
+        return self.ring.generator(("sign", name))
+
+    def sqrt(self, value: Scalar) -> Scalar:
+        """Return the square root, by the rule for this proof."""
+        return super().sqrt(value) if self.roots is None else self.roots.sqrt(value)
+
+    def atan2(self, y: Scalar, x: Scalar) -> Scalar:
+        """Return the angle of the point (x, y), by the rule for this proof."""
+        return super().atan2(y, x) if self.roots is None else self.roots.atan2(y, x)
 
     def free_pose(self, frame: str, reference: str) -> Matrix:
         """Return a pose of the arm's trace; raises UnsolvedJoint where it depends on a joint without a value."""
@@ -86,12 +96,12 @@ class SymbolicAlgebra(GivenTarget, ExactAlgebra):
                         self.symbol(name)
         values = {joint: value for joint, value in self.solved.items() if joint in self.eager}
         matrix = super()._from_entries(rows)
-        return matrix.map(lambda cell: self.ring.substitute(cell, values)) if values else matrix
+        return matrix.map(lambda cell: substitute(cell, values)) if values else matrix
 
 
-def free_algebra(ring: Ring, arm: Arm) -> SymbolicAlgebra:
+def free_algebra(ring: Ring, arm: Arm, roots: SubstitutionRoots | None = None) -> SymbolicAlgebra:
     """Return the algebra in which no target is given and every joint is a symbol: that of the forward kinematics."""
-    algebra = SymbolicAlgebra(ring, arm, Target((), (0,), ()), ())
+    algebra = SymbolicAlgebra(ring, arm, Target((), (0,), ()), (), roots=roots)
     algebra.solved = {joint.symbol: ring.symbol(joint.symbol) for joint in arm.joints}
     return algebra
 

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import elementary
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.forward import forward_values
+from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.inverse.symbolic_algebra import free_algebra
 from armproof.verification.inverse.target import Pair, Slot
 
-TargetValues = Callable[[Ring, Derivation], list[Scalar]]
+TargetValues = Callable[[SubstitutionRoots, Derivation], list[Scalar]]
 
 
 def any_target(turned_by: str | None = None) -> TargetValues:
@@ -24,18 +25,18 @@ def any_target(turned_by: str | None = None) -> TargetValues:
             first k joints are solved, the steps see Q alone.
     """
 
-    def values(ring: Ring, derivation: Derivation) -> list[Scalar]:
-        rotations = {pair: _any_rotation(ring, derivation, pair, turned_by) for pair in derivation.target.rotations}
-        return [_free(ring, index, slot, rotations) for index, slot in enumerate(derivation.target.slots)]
+    def values(roots: SubstitutionRoots, derivation: Derivation) -> list[Scalar]:
+        rotations = {pair: _any_rotation(roots, derivation, pair, turned_by) for pair in derivation.target.rotations}
+        return [_free(roots.ring, index, slot, rotations) for index, slot in enumerate(derivation.target.slots)]
 
     return values
 
 
-def _any_rotation(ring: Ring, derivation: Derivation, pair: Pair, turned_by: str | None) -> Matrix:
+def _any_rotation(roots: SubstitutionRoots, derivation: Derivation, pair: Pair, turned_by: str | None) -> Matrix:
     arm = derivation.names.arm
     assert arm is not None
-    algebra = free_algebra(ring, arm)
-    angles = [ring.symbol(f"angle {k} of frame {pair[0]}") for k in (1, 2, 3)]
+    algebra = free_algebra(roots.ring, arm, roots)
+    angles = [roots.ring.symbol(f"angle {k} of frame {pair[0]}") for k in (1, 2, 3)]
     R = elementary(algebra, "Rot", "z", angles[0])
     R = R @ elementary(algebra, "Rot", "y", angles[1]) @ elementary(algebra, "Rot", "z", angles[2])
     R = R.block(range(3), range(3))
@@ -52,9 +53,9 @@ def _free(ring: Ring, index: int, slot: Slot, rotations: dict[Pair, Matrix]) -> 
     return ring.symbol(f"target {index}")
 
 
-def target_of_a_configuration(ring: Ring, derivation: Derivation) -> list[Scalar]:
+def target_of_a_configuration(roots: SubstitutionRoots, derivation: Derivation) -> list[Scalar]:
     """Return the target of any configuration, its joint variables being other symbols than those that are solved for."""
     arm = derivation.names.arm
     assert arm is not None
-    others = {joint.symbol: ring.symbol(f"{joint.symbol} given") for joint in arm.joints}
-    return [ring.substitute(value, others) for value in forward_values(derivation, free_algebra(ring, arm))]
+    others = {joint.symbol: roots.ring.symbol(f"{joint.symbol} given") for joint in arm.joints}
+    return [substitute(value, others) for value in forward_values(derivation, free_algebra(roots.ring, arm, roots))]

@@ -10,15 +10,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.check import DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
-from armproof.verification.errors import DocumentError
-from armproof.verification.findings import Kind, say
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import DocumentResult, Record
-
-MOST_DENOMINATORS = 8
 
 
 @dataclass(frozen=True)
@@ -46,24 +41,17 @@ class IncrementalChecker:
 
         Raises DocumentError where the document as a whole cannot be checked; the next update then begins anew.
         """
-        denominators: dict[str, int] = {}
-        fresh = self._checker is None or (document.front, document.lines) != self._front
+        checker = self._checker
+        # a fraction of an angle changes in which generators values are written: what follows may be written otherwise
+        fresh = checker is None or bool(checker.ring.parts) or (document.front, document.lines) != self._front
         self.result = None
-        for _ in range(MOST_DENOMINATORS):
-            try:
-                if fresh:
-                    self._begin(document, denominators)
-                yield from self._continue(document)
-                return
-            except AngleFraction as fraction:  # θ/2 was met: begin again with it as the ring's generator
-                denominators[fraction.symbol] = fraction.denominator
-                fresh = True
-        self._checker = None
-        raise DocumentError(say(Kind.TOO_MANY_FRACTIONS), path=document.path)
+        if fresh:
+            self._begin(document)
+        yield from self._continue(document)
 
-    def _begin(self, document: Document, denominators: dict[str, int]) -> None:
+    def _begin(self, document: Document) -> None:
         self._checker, self._checked = None, []
-        checker = DocumentChecker(document, load_arm_of(document), denominators)
+        checker = DocumentChecker(document, load_arm_of(document))
         self._checker, self._front = checker, (document.front, document.lines)
         self._before = checker.names.state.copy()
 

@@ -12,7 +12,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.singularities.decomposition import Decomposer, Lengths

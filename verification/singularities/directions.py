@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import partial
 
+from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.matrix import Matrix, column
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.singularities.half_angles import Polynomial
 from armproof.verification.singularities.jacobians import ChosenJacobian, lost_from_simple
 from armproof.verification.singularities.linear import Rows, as_scalars, eliminate
@@ -78,5 +79,5 @@ class Configuration:
     def __call__(self, matrix: Matrix) -> Matrix:
         """Return the matrix on the family."""
         for angle, value in self._values.items():
-            matrix = matrix.map(partial(self._ring.substitute, values={angle: value}))
+            matrix = matrix.map(partial(substitute, values={angle: value}))
         return matrix

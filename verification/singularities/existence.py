@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from armproof.models.arm import Joint
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.calculus import derivative
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.algebra.roots import sqrt
 from armproof.verification.algebra.written import write_scalar
 from armproof.verification.latex.writer import symbol_as_latex
 from armproof.verification.singularities.factors import Factor
@@ -66,7 +68,7 @@ def _linear(factor: Factor, joint: Joint) -> _Linear | None:
             half.slot(("symbol", joint.symbol))
         ] > 1:
             return None
-        slope = ring.derivative(value, ring.symbol(joint.symbol))
+        slope = derivative(value, ring.symbol(joint.symbol))
         return _Linear(joint, slope, ring.zero, value - slope * ring.symbol(joint.symbol))
     if joint.symbol not in angles or half.degree(factor.polynomial, joint.symbol) != 2:
         return None
@@ -130,7 +132,7 @@ def _greatest(value: Scalar) -> tuple[Scalar, Scalar | None] | None:
     angles = _angles(value)
     ring = value.ring
     if not angles:
-        return value, ring.sqrt(value) if len(value.numerator) == 1 else None
+        return value, sqrt(value) if len(value.numerator) == 1 else None
     if len(angles) > 1:
         return None
     parts = {"": ring.zero, "cos": ring.zero, "sin": ring.zero}
@@ -145,7 +147,7 @@ def _greatest(value: Scalar) -> tuple[Scalar, Scalar | None] | None:
         key = trig[0][0] if trig else ""
         parts[key] = parts[key] + term
     squared = parts["cos"] * parts["cos"] + parts["sin"] * parts["sin"]
-    root = ring.sqrt(squared)
+    root = sqrt(squared)
     return parts[""] + root, _sum_of_two(parts[""], squared)
 
 
@@ -158,4 +160,4 @@ def _sum_of_two(constant: Scalar, squared: Scalar) -> Scalar | None:
         if power % 2 == 0 and len(factor) == 1:
             u = u * ring.scalar(factor) ** (power // 2)
     v_squared = squared / (u * u) * ring.rational(1) / ring.rational(4)
-    return u + ring.sqrt(v_squared) if (u * u + v_squared - constant).is_zero() else None
+    return u + sqrt(v_squared) if (u * u + v_squared - constant).is_zero() else None

@@ -11,7 +11,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.singularities.directions import Directions, directions
 from armproof.verification.singularities.factors import Factor
 from armproof.verification.singularities.jacobians import ChosenJacobian

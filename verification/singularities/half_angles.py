@@ -17,8 +17,8 @@ from typing import Any
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from armproof.models.exact.polynomial import Generator
-from armproof.verification.algebra.calculus import Ring
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.errors import TooComplex
 
 Polynomial = Any  # flint.fmpq_mpoly of the context of one HalfAngles
 
@@ -27,7 +27,7 @@ class HalfAngles:
     """ℚ[t, u of each angle; lengths, prismatic variables, roots], made for the generators that some scalars hold."""
 
     def __init__(self, ring: Ring, values: Iterable[Scalar], extra: Iterable[Generator] = ()) -> None:
-        self.ring = ring
+        self.ring, self.parts = ring, dict(ring.parts)
         found: dict[Generator, None] = dict.fromkeys(extra)
         for value in values:
             for part in (value.numerator, value.denominator):
@@ -87,6 +87,8 @@ class HalfAngles:
 
         `degrees` are the scalar's own unless given (so that several scalars get the same factor).
         """
+        if self.parts != self.ring.parts:
+            raise TooComplex("a fraction of an angle among the conditions")
         terms = list(self.ring.terms(value.numerator))
         degrees = self.degrees([value]) if degrees is None else degrees
         powers_of = _Powers(self)

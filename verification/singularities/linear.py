@@ -10,7 +10,7 @@ from math import gcd, lcm
 from flint import fmpq
 
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 from armproof.verification.singularities.variety import Variety

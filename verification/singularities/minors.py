@@ -6,7 +6,7 @@ import itertools
 from math import comb
 
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.singularities.elimination import BeyondReach
 
 MOST_MINORS = 400

@@ -7,7 +7,9 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from armproof.models.exact.polynomial import Generator
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.calculus import derivative
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_scalar
 from armproof.verification.latex.writer import Notation, symbol_as_latex
 from armproof.verification.singularities.factors import AngleSum, Factor
@@ -51,7 +53,7 @@ def _single_symbol(factor: Factor) -> str | None:
     if name is None:
         return None
     symbol = half.ring.symbol(name)
-    slope = half.ring.derivative(value, symbol)
+    slope = derivative(value, symbol)
     return f"{symbol_as_latex(name)} = {write_scalar(symbol - value / slope, compact_notation())}"
 
 
@@ -99,7 +101,7 @@ def trigonometric_factors(
 
 def _of_angle(half: HalfAngles, signs: tuple[tuple[str, int], ...], powers: dict[int, int]) -> list[tuple[Scalar, int]]:
     angle = _angle(half, AngleSum(signs, 0))
-    cosine, sine = half.ring.cos_sin(angle)
+    cosine, sine = cos_sin(angle)
     found: list[tuple[Scalar, int]] = []
     for first, second, value, ends in ((0, 2, sine, (1 - cosine, 1 + cosine)), (1, -1, cosine, (1 - sine, 1 + sine))):
         pairs = min(powers.get(first, 0), powers.get(second, 0))

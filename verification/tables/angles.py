@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.findings import Finding, Kind, say
 
 Angle = tuple[Scalar, Scalar]  # the cosine and the sine
@@ -59,13 +59,13 @@ def angle_as_scalar(ring: Ring, angle: Angle, bases: Iterable[Scalar]) -> Scalar
     for step in (Fraction(1, 2), Fraction(1, 12)):
         turns = [step * k for k in sorted(range(int(-1 / step) + 1, int(1 / step) + 1), key=abs)]
         for base in signed:
-            cosine, sine = ring.cos_sin(base)
+            cosine, sine = cos_sin(base)
             # what is left of the angle must be a constant: cos(angle − base), sin(angle − base)
             left = (angle[0] * cosine + angle[1] * sine, angle[1] * cosine - angle[0] * sine)
             if step == Fraction(1, 2) and left[0].as_fraction() is None:
                 continue
             for turn in turns:
-                made = ring.cos_sin(pi * ring.rational(turn))
+                made = cos_sin(pi * ring.rational(turn))
                 if (left[0] - made[0]).is_zero() and (left[1] - made[1]).is_zero():
                     return base + pi * ring.rational(turn)
     return None

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from armproof.verification.algebra.protocol import Algebra
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, finding_of, say

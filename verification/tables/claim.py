@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from armproof.models.arm import Arm
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding
 from armproof.verification.naming.names import Names

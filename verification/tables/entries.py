@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.reader import key_as_latex

@@ -14,7 +14,7 @@ import numpy as np
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.tables.angles import within_a_turn
 from armproof.verification.tables.claim import RowVerdict

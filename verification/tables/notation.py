@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.naming.names import Names

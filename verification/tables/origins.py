@@ -9,8 +9,8 @@ from fractions import Fraction
 from armproof.models.exact.numbers import exact_number
 from armproof.models.exact.polynomial import generators
 from armproof.models.loading.origins import JointOrigin, joint_origins
-from armproof.verification.algebra.calculus import Ring
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Table
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
@@ -159,7 +159,7 @@ class _OriginTable:
         entries = row.origin.rpy[RPY.index(role)]
         cosine, sine = self._right_angle(row, role)
         for value in self._values(row, role):
-            printed = self.ring.cos_sin(value)
+            printed = cos_sin(value)
             if (printed[0] - cosine).is_zero() and (printed[1] - sine).is_zero():
                 continue
             constants = [constant_angle(self.ring, name) for kind, name in generators(entries) if kind == "cos"]
@@ -180,7 +180,7 @@ class _OriginTable:
             return False
         try:
             values = [self._values(row, role) for role in RPY]
-            printed = [self.ring.cos_sin(value) for value, *_ in values]
+            printed = [cos_sin(value) for value, *_ in values]
         except EvaluationError:
             return False
         right = [self._right_angle(row, role) for role in RPY]

@@ -10,7 +10,7 @@ import numpy as np
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.sampled_errors import entry_errors
 from armproof.verification.equations.second_route import TOLERANCE

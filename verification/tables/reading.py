@@ -8,7 +8,7 @@ from typing import Any
 
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.tables.angles import angle_as_scalar, constant_angle, to_radians

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Algebra
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError
 from armproof.verification.tables.angles import Angle
 
@@ -37,7 +38,7 @@ class RightRow:
         if parameter not in ANGLES:
             return (value - right).is_zero()
         try:
-            cosine, sine = value.ring.cos_sin(value)
+            cosine, sine = cos_sin(value)
         except EvaluationError:
             return False
         return (cosine - right[0]).is_zero() and (sine - right[1]).is_zero()

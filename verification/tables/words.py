@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.tables.angles import in_radians, rational_part
@@ -31,7 +32,7 @@ def change_of_angle(printed: Scalar, right: Scalar) -> Finding | None:
 
 
 def _same_angle(one: Scalar, other: Scalar) -> bool:
-    cosine, sine = one.ring.cos_sin(one - other)
+    cosine, sine = cos_sin(one - other)
     return (cosine - 1).is_zero() and sine.is_zero()
 
 

@@ -8,10 +8,9 @@ from typing import Any
 
 from armproof.course.authoring.beginning.python_text import NotPython, names_in, write_python
 from armproof.models.arm import Arm
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.algebra.written import write_bounded, write_scalar
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -52,20 +51,14 @@ def as_matrix(cells: tuple[tuple[str, ...], ...]) -> str:
 
 def write_quantity(arm: Arm, spec: Mapping[str, Any]) -> ExactText | None:
     """Return a quantity of an arm written out; None where it is too long for anybody to type."""
-    denominators: dict[str, int] = {}
-    for _ in range(8):
-        try:
-            return _write(arm, spec, denominators)
-        except AngleFraction as fraction:
-            denominators[fraction.symbol] = fraction.denominator
-        except EvaluationError:
-            return None
-    return None
+    try:
+        return _write(arm, spec)
+    except EvaluationError:
+        return None
 
 
-def _write(arm: Arm, spec: Mapping[str, Any], denominators: Mapping[str, int]) -> ExactText | None:
-    ring = Ring(denominators, Budget(SECONDS))
-    value = ExactAlgebra(ring, arm).quantity(read_quantity("asked", spec, arm))
+def _write(arm: Arm, spec: Mapping[str, Any]) -> ExactText | None:
+    value = ExactAlgebra(Ring(Budget(SECONDS)), arm).quantity(read_quantity("asked", spec, arm))
     rows = value.rows if isinstance(value, Matrix) else ((value,),)
     short = Notation(style="index", cosine="C")
     cells = tuple(tuple(write_bounded(cell, short) for cell in row) for row in rows)

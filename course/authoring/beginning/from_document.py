@@ -10,7 +10,6 @@ from typing import Any
 from armproof.course.authoring.beginning.code import written
 from armproof.course.authoring.beginning.drafts import Draft, completed, draft_of_quantity
 from armproof.models.arm import Arm
-from armproof.verification.algebra.angles import AngleFraction
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
@@ -25,13 +24,7 @@ _MEANING = {"symbols", "transforms"}
 
 def drafts_of_document(document: Document, arm: Arm) -> list[Draft]:
     """Return tasks from the displays of a document, at most MOST; a display that makes none is left out."""
-    denominators: dict[str, int] = {}
-    for _ in range(8):
-        try:
-            return list(_drafts(document, arm, DocumentChecker(document, arm, denominators, confirm=False)))
-        except AngleFraction as fraction:
-            denominators[fraction.symbol] = fraction.denominator
-    return []
+    return list(_drafts(document, arm, DocumentChecker(document, arm, confirm=False)))
 
 
 def _drafts(document: Document, arm: Arm, checker: DocumentChecker) -> Iterator[Draft]:

@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.exact.trace import trace_of
-from armproof.verification.algebra.calculus import Ring
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.written import fold, write_scalar
 from armproof.verification.equations.alignment import exactly_equal
 from armproof.verification.evaluation.evaluator import Evaluator

@@ -13,17 +13,17 @@ from hypothesis import strategies as st
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.matrix import Matrix, column, exact_rank
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.values import identity
 from armproof.verification.errors import EvaluationError, ShapeError
 from armproof.verification.evaluation.exact import ExactAlgebra
 
 RING = Ring()
-C1, S1 = RING.cos_sin(RING.symbol("theta_1"))
-C2, S2 = RING.cos_sin(RING.symbol("theta_2"))
+C1, S1 = cos_sin(RING.symbol("theta_1"))
+C2, S2 = cos_sin(RING.symbol("theta_2"))
 A = RING.symbol("a")
 BLOCKS = [
     RING.zero,

@@ -11,9 +11,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from armproof.models.exact.numbers import angle_value
-from armproof.verification.algebra.angles import AngleFraction
-from armproof.verification.algebra.calculus import Ring
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.calculus import derivative, substitute
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.algebra.roots import atan2, sqrt
 from armproof.verification.errors import EvaluationError, TooComplex
 
 Tree = tuple[Any, ...]
@@ -49,7 +50,7 @@ def exact(ring: Ring, tree: Tree) -> Scalar:
     if kind in ("cos", "sin"):
         first, second, turn = below[0]
         angle = ring.symbol("theta_1") * first + ring.symbol("theta_2") * second + ring.generator(("pi", "")) * turn
-        return ring.cos_sin(angle)[kind == "sin"]
+        return cos_sin(angle)[kind == "sin"]
     left, right = (exact(ring, each) for each in below)
     return left + right if kind == "+" else left - right if kind == "-" else left * right
 
@@ -150,17 +151,17 @@ class Letters:
     def __init__(self) -> None:
         self.ring = ring = Ring()
         self.t1, self.t2, self.a = ring.symbol("theta_1"), ring.symbol("theta_2"), ring.symbol("a")
-        (self.c1, self.s1), (self.c2, self.s2) = ring.cos_sin(self.t1), ring.cos_sin(self.t2)
+        (self.c1, self.s1), (self.c2, self.s2) = cos_sin(self.t1), cos_sin(self.t2)
         self.one, self.pi = ring.one, ring.generator(("pi", ""))
 
     def cos(self, angle: Scalar) -> Scalar:
-        return self.ring.cos_sin(angle)[0]
+        return cos_sin(angle)[0]
 
     def sin(self, angle: Scalar) -> Scalar:
-        return self.ring.cos_sin(angle)[1]
+        return cos_sin(angle)[1]
 
     def sqrt(self, value: Scalar | int) -> Scalar:
-        return self.ring.sqrt(self.one * value)
+        return sqrt(self.one * value)
 
 
 # One identity in many disguises, and neighbours that look like it and are false.
@@ -246,18 +247,18 @@ def test_a_division_by_zero_in_any_disguise_is_refused(zero: Any) -> None:
 def test_derivatives_obey_leibniz_and_the_quotient_rule(x: Tree, y: Tree, name: str) -> None:
     ring = Ring()
     f, g, variable = exact(ring, x), exact(ring, y), ring.symbol(name)
-    df, dg = ring.derivative(f, variable), ring.derivative(g, variable)
-    assert (ring.derivative(f + g * 3, variable) - df - dg * 3).is_zero()
-    assert (ring.derivative(f * g, variable) - df * g - f * dg).is_zero()
+    df, dg = derivative(f, variable), derivative(g, variable)
+    assert (derivative(f + g * 3, variable) - df - dg * 3).is_zero()
+    assert (derivative(f * g, variable) - df * g - f * dg).is_zero()
     if not g.is_zero():
-        assert (ring.derivative(f / g, variable) * g**2 - df * g + f * dg).is_zero()
+        assert (derivative(f / g, variable) * g**2 - df * g + f * dg).is_zero()
 
 
 @given(trees)
 def test_derivatives_commute_and_are_those_of_finite_differences(tree: Tree) -> None:
     ring = Ring()
     f, first, second = exact(ring, tree), ring.symbol("theta_1"), ring.symbol("theta_2")
-    d = ring.derivative
+    d = derivative
     assert (d(d(f, first), second) - d(d(f, second), first)).is_zero()
     step = 1e-5
     ahead, behind = ({**POINTS, "theta_1": POINTS["theta_1"] + sign * step} for sign in (1, -1))
@@ -268,16 +269,16 @@ def test_derivatives_commute_and_are_those_of_finite_differences(tree: Tree) -> 
 def test_the_derivative_of_a_root_is_one_over_twice_it() -> None:
     x = Letters()
     radicand = x.a**2 + x.c1 + 2
-    root = x.ring.sqrt(radicand)
-    assert (x.ring.derivative(root, x.t1) * 2 * root + x.s1).is_zero()
-    assert (x.ring.derivative(root, x.a) * root - x.a).is_zero()
+    root = sqrt(radicand)
+    assert (derivative(root, x.t1) * 2 * root + x.s1).is_zero()
+    assert (derivative(root, x.a) * root - x.a).is_zero()
 
 
 def test_the_derivative_of_an_arc_function_is_that_of_its_angle() -> None:
     x = Letters()
-    angle = x.ring.atan2(x.s1 * 2, x.c1 * 2) + x.ring.atan2(x.a, x.one)
-    assert (x.ring.derivative(angle, x.t1) - 1).is_zero()
-    assert (x.ring.derivative(angle, x.a) * (x.a**2 + 1) - 1).is_zero()
+    angle = atan2(x.s1 * 2, x.c1 * 2) + atan2(x.a, x.one)
+    assert (derivative(angle, x.t1) - 1).is_zero()
+    assert (derivative(angle, x.a) * (x.a**2 + 1) - 1).is_zero()
 
 
 @pytest.mark.parametrize(
@@ -286,7 +287,7 @@ def test_the_derivative_of_an_arc_function_is_that_of_its_angle() -> None:
 def test_a_derivative_is_taken_by_a_variable_only(by: Any) -> None:
     x = Letters()
     with pytest.raises(EvaluationError, match="with respect to something that is not a variable"):
-        x.ring.derivative(x.c1, by(x))
+        derivative(x.c1, by(x))
 
 
 # -- square roots and arc functions ------------------------------------------------------------------------------------
@@ -297,18 +298,18 @@ def test_the_square_of_a_root_is_what_stands_under_it(tree: Tree) -> None:
     ring = Ring()
     value = exact(ring, tree)
     assume(value.as_fraction() is None)
-    root = ring.sqrt(value)
+    root = sqrt(value)
     assert (root * root - value).is_zero()
-    assert same(ring.sqrt(value), root)
-    assert (ring.sqrt(value * 4) - root * 2).is_zero()
+    assert same(sqrt(value), root)
+    assert (sqrt(value * 4) - root * 2).is_zero()
 
 
 @given(st.fractions(0, 50, max_denominator=40))
 def test_roots_of_rationals_are_roots_of_primes(value: Fraction) -> None:
     ring = Ring()
-    root = ring.sqrt(ring.rational(value))
+    root = sqrt(ring.rational(value))
     np.testing.assert_allclose(evaluated(root), np.sqrt(float(value)), rtol=1e-12, atol=0)
-    assert not ring.radicands and not ring.arcs and (root * root - ring.rational(value)).is_zero()
+    assert not ring.radicals and not ring.arcs and (root * root - ring.rational(value)).is_zero()
 
 
 @pytest.mark.parametrize(
@@ -342,25 +343,25 @@ def test_the_root_of_a_negative_number_is_refused() -> None:
 def test_sines_and_cosines_undo_arc_functions() -> None:
     x = Letters()
     radius = x.sqrt(x.a**2 + 4)
-    angle = x.ring.atan2(x.one * 2, x.a)
+    angle = atan2(x.one * 2, x.a)
     assert (x.cos(angle) * radius - x.a).is_zero() and (x.sin(angle) * radius - 2).is_zero()
     assert (x.cos(angle * 2) - x.cos(angle) ** 2 + x.sin(angle) ** 2).is_zero()
     assert (x.cos(x.t1 - angle) - x.c1 * x.cos(angle) - x.s1 * x.sin(angle)).is_zero()
-    assert same(x.ring.atan2(x.one * 2, x.a), angle)
+    assert same(atan2(x.one * 2, x.a), angle)
 
 
 @given(st.integers(-11, 12))
 def test_known_angles_are_multiples_of_pi(twelfths: int) -> None:
     ring = Ring()
     angle = ring.generator(("pi", "")) * ring.rational(Fraction(twelfths, 12))
-    cosine, sine = ring.cos_sin(angle)
-    assert (ring.atan2(sine * 3, cosine * 3) - angle).is_zero()
+    cosine, sine = cos_sin(angle)
+    assert (atan2(sine * 3, cosine * 3) - angle).is_zero()
 
 
 def test_the_angle_of_the_zero_vector_is_refused() -> None:
     ring = Ring()
     with pytest.raises(EvaluationError, match=r"atan2\(0, 0\) has no value"):
-        ring.atan2(ring.zero, ring.zero)
+        atan2(ring.zero, ring.zero)
 
 
 @pytest.mark.parametrize(
@@ -369,7 +370,7 @@ def test_the_angle_of_the_zero_vector_is_refused() -> None:
         (lambda x: x.t1 * x.t2, "not a sum of angles"),
         (lambda x: x.c1, "not a sum of angles"),
         (lambda x: x.t1 / x.a, "the cosine of a quotient"),
-        (lambda x: x.ring.atan2(x.a, x.one) / 2, "a fraction of an arc function"),
+        (lambda x: atan2(x.a, x.one) / 2, "a fraction of an arc function"),
         (lambda x: x.t1 * 25, "25 times an angle"),
     ],
 )
@@ -382,29 +383,55 @@ def test_what_is_no_sum_of_angles_has_no_cosine(angle: Any, message: str) -> Non
 # -- fractions of angles -----------------------------------------------------------------------------------------------
 
 
-def test_a_fraction_of_an_angle_asks_for_a_ring_of_its_own() -> None:
-    ring = Ring()
-    with pytest.raises(AngleFraction) as asked:
-        ring.cos_sin(ring.symbol("theta_1") / 2)
-    assert (asked.value.symbol, asked.value.denominator) == ("theta_1", 2)
-    ring = Ring({"theta_1": 2})
-    with pytest.raises(AngleFraction) as asked:
-        ring.cos_sin(ring.symbol("theta_1") / 3)
-    assert asked.value.denominator == 6
-
-
 @pytest.mark.parametrize("parts", [2, 3, 6])
 def test_fractions_of_angles_add_up(parts: int) -> None:
-    ring = Ring({"theta_1": parts})
+    ring = Ring()
     angle = ring.symbol("theta_1")
-    whole, part = ring.cos_sin(angle), ring.cos_sin(angle / parts)
+    early, part, whole = cos_sin(angle), cos_sin(angle / parts), cos_sin(angle)
     np.testing.assert_allclose(evaluated(whole[0]), np.cos(POINTS["theta_1"]), atol=1e-12)
     np.testing.assert_allclose(evaluated(part[1]), np.sin(POINTS["theta_1"] / parts), atol=1e-12)
     assert same(ring.generator(("cos", "theta_1")), whole[0])
-    assert (ring.derivative(part[1], angle) - part[0] / parts).is_zero()
-    assert (ring.derivative(whole[0], angle) + whole[1]).is_zero()
+    assert same(early[0], whole[0]) and same(early[1], whole[1])
+    assert (derivative(part[1], angle) - part[0] / parts).is_zero()
+    assert (derivative(whole[0], angle) + whole[1]).is_zero()
     if parts == 2:
         assert (part[1] / part[0] - whole[1] / (whole[0] + 1)).is_zero()
+        assert not (part[1] / part[0] - whole[1] / (whole[0] - 1)).is_zero()
+
+
+@given(trees, trees, st.sampled_from([(2,), (3,), (2, 3), (4, 3)]))
+def test_a_finer_angle_changes_no_value(first: Tree, second: Tree, fractions: tuple[int, ...]) -> None:
+    ring = Ring()
+    before = [exact(ring, tree) for tree in (first, second)]
+    product = before[0] * before[1]
+    for parts in fractions:
+        cos_sin(ring.symbol("theta_1") / parts)
+    after = [exact(ring, tree) for tree in (first, second)]
+    assert all((a - b).is_zero() for a, b in zip(before, after, strict=True))
+    assert (product - after[0] * after[1]).is_zero() and (product + 1 - after[0] * after[1]).is_one()
+    if fractions == (2,):  # of finer ones the sum of large terms loses digits
+        np.testing.assert_allclose(evaluated(before[0]), numeric(first), rtol=1e-6, atol=1e-6)
+
+
+def test_roots_and_arc_functions_follow_a_finer_angle() -> None:
+    x = Letters()
+    half, plain, nested = x.sqrt((1 + x.c1) / 2), x.sqrt(x.a + x.c1), x.sqrt(x.sqrt(x.a + x.c1) + x.a + 3)
+    other, angle = x.sqrt(x.a + x.c2), atan2(x.s1, x.c1 + 3)
+    cosine = x.cos(x.t1 / 2)
+    assert (half - cosine).is_zero()  # found only now to be the root of a square
+    assert (plain**2 - x.a - x.cos(x.t1)).is_zero() and same(x.sqrt(x.a + x.cos(x.t1)), plain)
+    assert (nested**2 - plain - x.a - 3).is_zero() and (derivative(plain, x.t1) * 2 * plain + x.sin(x.t1)).is_zero()
+    assert same(x.sqrt(x.a + x.c2), other) and (x.cos(angle) * x.sin(x.t1) - x.sin(angle) * (x.cos(x.t1) + 3)).is_zero()
+    assert not (plain - other).is_zero() and not (nested - plain).is_zero()
+
+
+def test_too_fine_an_angle_is_refused_and_leaves_the_ring_as_it_was() -> None:
+    x = Letters()
+    x.cos(x.t1 / 5)
+    with pytest.raises(TooComplex, match="fractions of angles with too many denominators"):
+        x.cos(x.t1 / 7)
+    assert x.ring.parts == {"theta_1": 5}
+    assert (x.cos(x.t1) - x.c1).is_zero() and (x.cos(x.t2 / 7) ** 2 + x.sin(x.t2 / 7) ** 2 - 1).is_zero()
 
 
 # -- substitution ------------------------------------------------------------------------------------------------------
@@ -415,7 +442,7 @@ def test_substitution_is_evaluation_at_other_points(tree: Tree, angle: tuple[int
     ring = Ring()
     times, turn = angle
     shifted = ring.symbol("theta_2") * times + ring.generator(("pi", "")) * turn
-    value = ring.substitute(exact(ring, tree), {"theta_1": shifted, "a": ring.rational(length)})
+    value = substitute(exact(ring, tree), {"theta_1": shifted, "a": ring.rational(length)})
     moved = {
         **POINTS,
         "theta_1": times * POINTS["theta_2"] + np.pi * float(turn),
@@ -427,16 +454,16 @@ def test_substitution_is_evaluation_at_other_points(tree: Tree, angle: tuple[int
 def test_substitution_reaches_under_roots_and_into_arc_functions() -> None:
     x = Letters()
     at = {"a": x.one * 3, "theta_1": x.pi / 2}
-    assert (x.ring.substitute(x.sqrt(x.a + x.s1), at) - 2).is_zero()
-    assert (x.ring.substitute(x.cos(x.ring.atan2(x.s1 * 4, x.a)), at) - Fraction(3, 5)).is_zero()
+    assert (substitute(x.sqrt(x.a + x.s1), at) - 2).is_zero()
+    assert (substitute(x.cos(atan2(x.s1 * 4, x.a)), at) - Fraction(3, 5)).is_zero()
 
 
 def test_substitution_reaches_fractions_of_angles() -> None:
-    ring = Ring({"theta_1": 2})
+    ring = Ring()
     angle, pi = ring.symbol("theta_1"), ring.generator(("pi", ""))
-    whole, half = ring.cos_sin(angle), ring.cos_sin(angle / 2)
-    assert (ring.substitute(half[0], {"theta_1": pi * Fraction(2, 3)}) - Fraction(1, 2)).is_zero()
-    assert (ring.substitute(whole[0], {"theta_1": pi * Fraction(2, 3)}) + Fraction(1, 2)).is_zero()
+    whole, half = cos_sin(angle), cos_sin(angle / 2)
+    assert (substitute(half[0], {"theta_1": pi * Fraction(2, 3)}) - Fraction(1, 2)).is_zero()
+    assert (substitute(whole[0], {"theta_1": pi * Fraction(2, 3)}) + Fraction(1, 2)).is_zero()
 
 
 # -- bounds ------------------------------------------------------------------------------------------------------------
@@ -444,10 +471,10 @@ def test_substitution_reaches_fractions_of_angles() -> None:
 
 def test_scalars_survive_the_growth_of_their_ring() -> None:
     ring = Ring()
-    early = ring.symbol("x_0") + ring.cos_sin(ring.symbol("theta_1"))[0]
+    early = ring.symbol("x_0") + cos_sin(ring.symbol("theta_1"))[0]
     total = sum((ring.symbol(f"x_{k}") for k in range(1, 200)), ring.zero)
     assert ((total + early) * early - early * total - early**2).is_zero()
-    assert (ring.cos_sin(ring.symbol("theta_1"))[1] ** 2 + (early - ring.symbol("x_0")) ** 2 - 1).is_zero()
+    assert (cos_sin(ring.symbol("theta_1"))[1] ** 2 + (early - ring.symbol("x_0")) ** 2 - 1).is_zero()
 
 
 def test_more_than_512_symbols_are_refused() -> None:

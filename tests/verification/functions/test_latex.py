@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from armproof.verification.algebra.calculus import Ring
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra

@@ -6,8 +6,10 @@ from typing import Any
 import pytest
 
 from armproof.course.inverse import inverse_of
-from armproof.verification.inverse.configuration_ring import ConfigurationRing, OpenSign
-from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.ring import Ring
+from armproof.verification.inverse.configuration_roots import ConfigurationRoots, OpenSign
+from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.inverse.substitution import returns_target
 from armproof.verification.inverse.target_values import target_of_a_configuration
 from armproof.verification.verdict import Record, Verdict
@@ -57,8 +59,8 @@ def test_every_inverse_of_the_course_is_proved_on_all_branches(name: str) -> Non
 @pytest.mark.parametrize("name", ["planar_2r", "polar_rp", "spherical_wrist", "scara_column"])
 def test_it_is_proved_from_the_target_of_a_configuration_as_well(name: str) -> None:
     derivation = inverse_of(name).derivation
-    ring = SubstitutionRing({}, inverse_of(name).arm.lengths)
-    assert returns_target(derivation, target_of_a_configuration, dict.fromkeys(derivation.signs, 0), ring) == []
+    roots = SubstitutionRoots(Ring(), inverse_of(name).arm.lengths)
+    assert returns_target(derivation, target_of_a_configuration, dict.fromkeys(derivation.signs, 0), roots) == []
 
 
 # -- notations of the same solution -------------------------------------------------------------------------------------
@@ -232,29 +234,32 @@ def test_a_name_that_is_defined_by_itself_is_no_step(solve: Solve) -> None:
 
 
 def test_the_root_of_a_square_keeps_both_signs_in_a_substitution() -> None:
-    ring = SubstitutionRing({}, ["l"])
+    ring = Ring()
+    sqrt = SubstitutionRoots(ring, ["l"]).sqrt
     length, other = ring.symbol("l"), ring.symbol("d")
-    assert (ring.sqrt(length * length) - length).is_zero()
-    root = ring.sqrt(other * other)
+    assert (sqrt(length * length) - length).is_zero()
+    root = sqrt(other * other)
     assert not (root - other).is_zero() and not (root + other).is_zero() and (root * root - other * other).is_zero()
 
 
 def test_a_root_is_found_behind_its_normal_form() -> None:
-    ring = ConfigurationRing({}, ["a", "b"])
-    (c1, s1), (_, s2) = ring.cos_sin(ring.symbol("theta_1")), ring.cos_sin(ring.symbol("theta_2"))
+    ring = Ring()
+    rule = ConfigurationRoots(ring, ["a", "b"])
+    (c1, s1), (_, s2) = cos_sin(ring.symbol("theta_1")), cos_sin(ring.symbol("theta_2"))
     k = ring.symbol("a") * c1 - ring.symbol("b") * (s1 + s2)
     with pytest.raises(OpenSign) as found:
-        ring.sqrt(k * k)
+        rule.sqrt(k * k)
     roots = []
     for sign in (1, -1):
-        ring.signs = {found.value.factor: sign}
-        roots.append(ring.sqrt(k * k))
+        rule.signs = {found.value.factor: sign}
+        roots.append(rule.sqrt(k * k))
     assert (roots[0] + roots[1]).is_zero() and (roots[0] * roots[0] - k * k).is_zero()
 
 
 def test_a_root_without_a_sign_is_taken() -> None:
-    ring = ConfigurationRing({}, ["a", "b"])
-    c, _ = ring.cos_sin(ring.symbol("theta_1"))
+    ring = Ring()
+    rule = ConfigurationRoots(ring, ["a", "b"])
+    c, _ = cos_sin(ring.symbol("theta_1"))
     a, b = ring.symbol("a"), ring.symbol("b")
     k = a * a + b * b + 2 * a * b * c  # the square of a distance
-    assert (ring.sqrt(k * k) - k).is_zero()
+    assert (rule.sqrt(k * k) - k).is_zero()

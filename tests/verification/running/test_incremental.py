@@ -154,7 +154,7 @@ def test_a_handout_changed_at_random_has_the_verdicts_of_a_check_from_scratch(pa
 
 def test_a_state_that_differs_is_noticed() -> None:
     document = page(*PARTS)
-    checker = DocumentChecker(document, load_arm_of(document), {})
+    checker = DocumentChecker(document, load_arm_of(document))
     state = checker.names.state
     before = state.copy()
     assert before == state

@@ -12,7 +12,7 @@ from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.scalar import Scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.elimination import BeyondReach, Relation, pseudo_remainder
 from armproof.verification.singularities.existence import existence
@@ -208,7 +208,7 @@ def test_a_wrench_follows_the_jacobian_to_other_axes(bench: Any) -> None:
 
 def test_gradients_are_derivatives() -> None:
     arm = load_arm("rx90")
-    from armproof.verification.algebra.calculus import Ring
+    from armproof.verification.algebra.ring import Ring
     from armproof.verification.evaluation.exact import ExactAlgebra
 
     chosen = choose_jacobian(ExactAlgebra(Ring(), arm), None, None, None, None)

@@ -56,7 +56,7 @@ TILTED = """<robot name="tilted">
 @lru_cache(maxsize=8)
 def checker(arm: str | None) -> DocumentChecker:
     front = {} if arm is None else {"arm": arm}
-    return DocumentChecker(Document(Path("page.md"), front, (), ()), None if arm is None else load_arm(arm), {})
+    return DocumentChecker(Document(Path("page.md"), front, (), ()), None if arm is None else load_arm(arm))
 
 
 def find(arm: str | None, table: Table) -> Record | None:

@@ -59,7 +59,7 @@ def right_table(arm: str) -> Table:
 def checker(arm: str | None) -> DocumentChecker:
     front = {} if arm is None else {"arm": arm}
     return DocumentChecker(
-        Document(Path("page.md"), front, (), ()), None if arm is None else load_arm(arm), {}, confirm=False
+        Document(Path("page.md"), front, (), ()), None if arm is None else load_arm(arm), confirm=False
     )
 
 

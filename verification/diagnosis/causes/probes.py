@@ -10,9 +10,9 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.algebra.calculus import Ring
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 

@@ -7,9 +7,9 @@ from fractions import Fraction
 from math import prod
 from typing import Any
 
-from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.scalar import Scalar
-from armproof.verification.inverse.roots import SubstitutionRing
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.algebra.roots import sqrt_of_rational
+from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.singularities.half_angles import HalfAngles
 
 
@@ -21,15 +21,15 @@ class OpenSign(Exception):
         self.factor = factor
 
 
-class ConfigurationRing(SubstitutionRing):
-    """The ring over one configuration, in which the root of a square is taken, with given signs of what is under it.
+class ConfigurationRoots(SubstitutionRoots):
+    """Square roots over one configuration: that of a square is taken, with given signs of what is under it.
 
     Squares are found in half-angle coordinates, where factors are unique: √((a_3 C_2 − d_3 S_23)²) is found although its
     normal form does not show it. A factor that has both signs has one of `signs`, or OpenSign is raised.
     """
 
-    def __init__(self, denominators: Mapping[str, int], positive: Iterable[str], budget: Budget | None = None) -> None:
-        super().__init__(denominators, positive, budget)
+    def __init__(self, ring: Ring, positive: Iterable[str]) -> None:
+        super().__init__(ring, positive)
         self.signs: Mapping[str, int] = {}
 
     def sqrt(self, value: Scalar) -> Scalar:
@@ -42,7 +42,7 @@ class ConfigurationRing(SubstitutionRing):
 
     def _root(self, value: Scalar) -> Scalar | None:
         """Return the root of a perfect square in the field of half-angle tangents, or None where it is none."""
-        half = HalfAngles(self, [value])
+        half = HalfAngles(self.ring, [value])
         content, factors = half.polynomial(value).factor()
         if int(content.p) < 0 or any(power % 2 for _, power in factors):
             return None
@@ -55,7 +55,7 @@ class ConfigurationRing(SubstitutionRing):
         if found is None:
             return None
         sign = prod(self._sign(half, group) for group in _grouped(half, open_factors))
-        return found * self._root_of_rational(Fraction(int(content.p), int(content.q))) * sign
+        return found * sqrt_of_rational(self.ring, Fraction(int(content.p), int(content.q))) * sign
 
     def _sign(self, half: HalfAngles, factor: Any) -> int:
         names = [f"{letter}({angle})" for angle in half.angles for letter in "tu"] + [g[1] for g in half.others]
