@@ -51,7 +51,7 @@ lesson = typer.Typer(
 def list_lessons(folder: o.Folder = None) -> None:
     """List the lessons: number, name, title, tasks, arms."""
     from armproof.course.authoring.listing import described
-    from armproof.course.authoring.table import rows
+    from armproof.course.authoring.writing import rows
     from armproof.verification.report.lines import write_lines
 
     try:
@@ -77,7 +77,7 @@ def build(
     Only what changed is written, and over no notebook that somebody has worked in. Exit code 0: all is up to date; 1: with --check, something is not; 2: a source is malformed.
     """
     from armproof.course.authoring.checking.building import orphans, refuse_worked_in, stale, write_stale
-    from armproof.course.authoring.table import relative
+    from armproof.course.authoring.writing import relative
 
     try:
         place = _place(folder)
@@ -128,7 +128,7 @@ def new(
     It passes `armproof lesson check` as it is written. Exit code 0: it is written; 2: it cannot be.
     """
     from armproof.course.authoring.beginning.new import new_lesson
-    from armproof.course.authoring.table import relative
+    from armproof.course.authoring.writing import relative
 
     try:
         place = _place_for_writing(folder)

@@ -1,17 +1,19 @@
-"""Write the reports of lessons: a table row by row, then what is wrong; or JSON."""
+"""What `armproof lesson list` and `armproof lesson check` print: tables row by row, then what is wrong; or JSON."""
 
 from __future__ import annotations
 
 import json
 import sys
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from armproof.course.authoring.checking.report import Report
-from armproof.course.authoring.table import head, relative, row
 from armproof.verification.cli.progress import Progress
-from armproof.verification.report.lines import write_lines
+from armproof.verification.report.lines import Line, write_lines
+
+HEAD = ("lesson", "tasks", "answers", "equations", "solved", "student", "check", "")
+_ORDER = ("proved", "confirmed", "defined", "refuted", "unchecked", "unreadable")
 
 
 def write_text(reports: Iterable[Report], sources: Sequence[Path]) -> list[Report]:
@@ -42,3 +44,47 @@ def write_json(reports: Iterable[Report], sources: Sequence[Path]) -> list[Repor
     text = json.dumps({"lessons": [report.as_json() for report in found]}, indent=1, ensure_ascii=False)
     sys.stdout.write(text + "\n")
     return found
+
+
+def rows(cells: Sequence[Sequence[str]]) -> Iterator[Line]:
+    """Yield the lines of a table, its columns as wide as their widest cell."""
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    for row in cells:
+        yield ((("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))).rstrip(), ""),)
+
+
+def head(sources: Sequence[Path]) -> Line:
+    """Return the head of the table of reports, which is written row by row."""
+    return ((_line(HEAD, sources), "bold"),)
+
+
+def row(report: Report, sources: Sequence[Path]) -> Line:
+    """Return the row of a report."""
+    verdict = "cannot be checked" if report.cannot_run else "passes" if report.passes else "does not pass"
+    if report.is_slow:
+        verdict += ", slow"
+    cells = (
+        report.source.stem,
+        str(report.tasks),
+        f"{report.right} + {report.wrong}",
+        ", ".join(f"{report.verdicts[name]} {name}" for name in _ORDER if name in report.verdicts) or "none",
+        _seconds(report.seconds),
+        _seconds(report.student_seconds),
+        "" if report.median_check is None else f"{1000 * report.median_check:.0f} ms",
+        verdict,
+    )
+    return ((_line(cells, sources), "green" if report.passes else "red"),)
+
+
+def _line(cells: Sequence[str], sources: Sequence[Path]) -> str:
+    widths = (max((len(source.stem) for source in sources), default=6), 5, 9, 34, 6, 7, 6, 0)
+    return "  ".join(cell.ljust(width) for cell, width in zip(cells, widths, strict=True)).rstrip()
+
+
+def _seconds(value: float | None) -> str:
+    return "" if value is None else f"{value:.1f} s"
+
+
+def relative(text: str) -> str:
+    """Return a message with paths below the working folder as they are from there."""
+    return text.replace(f"{Path.cwd()}/", "")

@@ -9,8 +9,7 @@ from markupsafe import Markup
 
 from armproof.course.feedback import Lesson
 from armproof.course.site.arms import picture_of, view_name
-from armproof.course.site.page import Neighbour
-from armproof.course.site.templating import SITE
+from armproof.course.site.page import SITE, Neighbour
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.verification.latex.mathml.writer import Read

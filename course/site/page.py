@@ -12,13 +12,13 @@ from armproof.course.site.body import BodyWriter
 from armproof.course.site.cells import Cell
 from armproof.course.site.errors import SiteError
 from armproof.course.site.reading import LessonReader
-from armproof.course.site.templating import SITE
 from armproof.verification.document import Document
 from armproof.verification.report.html.prose import plain_title, title
-from armproof.verification.report.html.templating import versions
+from armproof.verification.report.html.templating import Shell, versions
 from armproof.verification.verdict import DocumentResult
 
 INDEX = "index.html"
+SITE = Shell("armproof.course.site", ("shell.css", "site.css"), "site.js", allowed="img-src data:; frame-src 'self'; ")
 
 
 @dataclass(frozen=True)
