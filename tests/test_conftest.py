@@ -21,7 +21,7 @@ from tests.conftest import SWEPT, TESTS, waits_for_the_sweep
         ),
         ("tests/verification/document/test_formats.py::test_a_handout_in_another_format_has", "as_tex-rx90-001", True),
         ("tests/verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course", "", True),
-        ("tests/models/test_bulk.py::test_anything", "kr210", False),
+        ("tests/models/bulk/test_bulk.py::test_anything", "kr210", False),
     ],
 )
 def test_what_waits_for_the_sweep(nodeid: str, named: str, waits: bool) -> None:

@@ -151,8 +151,22 @@ def _guess_joint(number: int, row: Mapping[str, LinearForm]) -> str:
 
 def _make_row(number: int, row: Mapping[str, LinearForm], joints: Sequence[str]) -> DHRow:
     joint = joints[number - 1]
+    _check_one_row_a_joint(number, row, joints)
+    column = _joint_column(number, row, joint)
+    coefficient = row[column].coefficient(joint)
+    if abs(coefficient) != 1:
+        raise ModelError(
+            f"DH table, row {number}: '{joint}' has the factor {coefficient}; a joint variable enters as {joint} or -{joint}"
+        )
+    _check_factors(number, row)
+    return DHRow(**row, joint=joint, kind="revolute" if column == "theta" else "prismatic", sign=int(coefficient))
+
+
+def _check_one_row_a_joint(number: int, row: Mapping[str, LinearForm], joints: Sequence[str]) -> None:
+    """Refuse a row that holds the joint variable of another one, or has that of an earlier one for its own."""
+    joint = joints[number - 1]
     for symbol in dict.fromkeys(joints):
-        columns = [column for column in COLUMNS if row[column].coefficient(symbol)]
+        columns = _columns_with(row, symbol)
         if symbol != joint and columns:
             raise ModelError(
                 f"DH table, row {number}: {columns[0]} holds '{symbol}', the joint variable of row "
@@ -162,17 +176,21 @@ def _make_row(number: int, row: Mapping[str, LinearForm], joints: Sequence[str])
         raise ModelError(
             f"DH table, row {number}: '{joint}' is the joint variable of row {joints.index(joint) + 1} already"
         )
-    columns = [column for column in COLUMNS if row[column].coefficient(joint)]
+
+
+def _joint_column(number: int, row: Mapping[str, LinearForm], joint: str) -> str:
+    """Return the column, theta or d, that holds the joint variable of a row."""
+    columns = _columns_with(row, joint)
     if columns not in (["theta"], ["d"]):
         found = f"in {' and '.join(columns)}" if columns else "nowhere"
         raise ModelError(
             f"DH table, row {number}: its joint variable '{joint}' stands {found}; it stands in theta or in d"
         )
-    coefficient = row[columns[0]].coefficient(joint)
-    if abs(coefficient) != 1:
-        raise ModelError(
-            f"DH table, row {number}: '{joint}' has the factor {coefficient}; a joint variable enters as {joint} or -{joint}"
-        )
+    return columns[0]
+
+
+def _check_factors(number: int, row: Mapping[str, LinearForm]) -> None:
+    """Refuse an angle that is not a sum of a few whole multiples of its symbols."""
     for column in _ANGLES:
         for symbol, factor in row[column].symbols:
             if factor.denominator != 1 or abs(factor) > _MOST_TIMES:
@@ -180,4 +198,7 @@ def _make_row(number: int, row: Mapping[str, LinearForm], joints: Sequence[str])
                     f"DH table, row {number}, {column}: '{symbol}' has the factor {factor}; "
                     f"an angle takes each symbol a whole number of times, at most {_MOST_TIMES}; an entry reads {FORMS}"
                 )
-    return DHRow(**row, joint=joint, kind="revolute" if columns == ["theta"] else "prismatic", sign=int(coefficient))
+
+
+def _columns_with(row: Mapping[str, LinearForm], symbol: str) -> list[str]:
+    return [column for column in COLUMNS if row[column].coefficient(symbol)]

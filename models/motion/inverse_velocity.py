@@ -143,31 +143,6 @@ def damped_inverse(J: np.ndarray, damping: float | np.ndarray) -> np.ndarray:
     return _compose(U, singular_values / (singular_values**2 + factors[..., np.newaxis] ** 2), Vt)
 
 
-def manipulability_damping(J: np.ndarray, largest: float, threshold: float) -> np.ndarray:
-    """Return damping factors that grow from 0, where the manipulability w is the threshold, to the largest, where w is 0.
-
-    λ² = λ_max² (1 − w / w_0)² for w < w_0, otherwise 0, with w = √det(J Jᵀ), or √det(Jᵀ J) if m > n.
-
-    Source: Y. Nakamura and H. Hanafusa, 1986.
-
-    Args:
-        J: (m, n) or (N, m, n).
-        largest: λ_max > 0.
-        threshold: w_0 > 0.
-
-    Returns:
-        λ, one number or (N,).
-
-    Raises:
-        ModelError: J is no matrix of finite numbers, or λ_max or w_0 is not positive.
-    """
-    for name, value in (("largest damping factor", largest), ("manipulability threshold", threshold)):
-        if not (np.isfinite(value) and value > 0):
-            raise ModelError(f"the {name} is positive and finite, not {value}")
-    w = np.prod(np.linalg.svd(_matrices(J), compute_uv=False), axis=-1)
-    return np.asarray(largest * np.maximum(1 - w / threshold, 0))
-
-
 def joint_rates(J: np.ndarray, twist: np.ndarray, *, damping: float | None = None) -> JointRates:
     """Return the joint rates q̇ = J⁺ v for a twist, or with damping q̇ = Jᵀ (J Jᵀ + λ² I)⁻¹ v.
 

@@ -48,11 +48,6 @@ class TrackingLog:
     rotation_error: np.ndarray
     saturated: np.ndarray
 
-    @property
-    def largest_joint_error(self) -> np.ndarray:
-        """The largest |q − q_desired| of each joint, (n,) (rad, m)."""
-        return np.asarray(np.abs(self.q - self.q_desired).max(axis=0))
-
 
 def track(
     arm: Arm,

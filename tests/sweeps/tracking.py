@@ -22,6 +22,7 @@ from armproof.models.motion.limits import read_rate_limits
 from armproof.models.motion.samples import sample_motion
 from armproof.models.motion.time_optimal import time_optimal
 from armproof.models.motion.tracking import TrackingLog, track
+from tests.models.motion.test_tracking import joint_error
 
 TARGET = 1e-3  # rad and m
 SHARE = 0.8  # of the efforts: the rest is for the controller
@@ -63,7 +64,7 @@ def report(name: str, what: str, arm: Arm, trajectory: Any, **options: Any) -> T
     log = track(arm, trajectory, **options)
     duration, seconds = log.times[-1] - log.times[0], time.perf_counter() - started
     print(
-        f"{name:16} {what:10} {duration:5.2f} s  joint {log.largest_joint_error.max():.1e} (rad, m)  "
+        f"{name:16} {what:10} {duration:5.2f} s  joint {joint_error(log):.1e} (rad, m)  "
         f"tool {log.position_error.max():.1e} m {log.rotation_error.max():.1e} rad  "
         f"drives at their limit {log.saturated.mean():4.0%}  ({seconds:.1f} s)",
         flush=True,
@@ -73,7 +74,7 @@ def report(name: str, what: str, arm: Arm, trajectory: Any, **options: Any) -> T
 
 def error(log: TrackingLog) -> float:
     """Return the largest error of a joint (rad, m) or of the tool (m, rad)."""
-    return float(max(log.largest_joint_error.max(), log.position_error.max(), log.rotation_error.max()))
+    return float(max(joint_error(log), log.position_error.max(), log.rotation_error.max()))
 
 
 def _points(arm: Arm) -> np.ndarray:

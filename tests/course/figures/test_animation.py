@@ -18,7 +18,7 @@ from armproof.course.figures.output.production import Order, produce
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
 from tests.course.figures.test_sketch import TOLERANCE, drawn
-from tests.models.test_rendering import TABLE
+from tests.models.showing.test_rendering import TABLE
 
 
 def test_a_picture_has_the_arm_where_the_plant_has_it() -> None:

@@ -11,7 +11,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
 from armproof.models.numeric.plant import NumericKinematics
 from tests.course.figures.test_sketch import drawn
-from tests.models.test_rendering import TABLE, renders
+from tests.models.showing.test_rendering import TABLE, renders
 
 PIXEL = 1e-6
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 from armproof.verification.functions.tracing.number import (
+    METHODS,
     ONE,
     ZERO,
     TracedNumber,
@@ -37,7 +37,7 @@ def degrees(angle: Any) -> TracedNumber:
     return multiply(as_traced(angle), constant(180 / math.pi))
 
 
-METHODS: dict[str, Callable[..., TracedNumber]] = {
+METHODS |= {
     **{name: lambda *x, _name=name: function(_name, *x) for name in ("cos", "sin", "tan", "sqrt")},
     "arccos": lambda x: function("acos", x),
     "arcsin": lambda x: function("asin", x),

@@ -28,6 +28,8 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     "abs": abs,
 }
 
+METHODS: dict[str, Callable[..., TracedNumber]] = {}  # by the names that NumPy has for them; functions.py fills it
+
 
 class Untraceable(ArmproofError):
     """A function asks of a symbol what only a number has: its value, its sign, its digits."""
@@ -168,8 +170,6 @@ class TracedNumber:
 
     def __getattr__(self, name: str) -> Any:
         """Return the method that a NumPy function of that name looks for: x.cos(), y.arctan2(x), x.radians()."""
-        from armproof.verification.functions.tracing.functions import METHODS
-
         found = METHODS.get(name)
         if found is None:
             raise AttributeError(f"a traced number has no '{name}'")

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from armproof.verification.functions.tracing import arrays
-from armproof.verification.functions.tracing.functions import METHODS, hypot
-from armproof.verification.functions.tracing.number import TracedNumber, as_traced, power
+from armproof.verification.functions.tracing.functions import hypot
+from armproof.verification.functions.tracing.number import METHODS, TracedNumber, as_traced, power
 
 _CREATE = (
     "array asarray asanyarray ascontiguousarray asfarray zeros ones empty full eye identity zeros_like ones_like empty_like"

@@ -11,7 +11,6 @@ from armproof.models.motion.inverse_velocity import (
     damped_inverse,
     joint_rates,
     left_inverse,
-    manipulability_damping,
     pseudo_inverse,
     right_inverse,
     svd_pseudo_inverse,
@@ -150,13 +149,6 @@ def test_rates_move_the_tool_with_the_twist(arm: Arm):
     np.testing.assert_allclose(J @ found, J @ rates, atol=1e-9)
     if rank == len(arm.joints):
         np.testing.assert_allclose(found, rates, atol=1e-6)
-
-
-def test_damping_sets_in_below_the_threshold():
-    J = np.stack([np.diag([1.0, w]) for w in (0.5, 0.2, 0.1, 0.0)])
-    np.testing.assert_allclose(manipulability_damping(J, 0.3, 0.2), [0.0, 0.0, 0.15, 0.3], atol=1e-15)
-    with pytest.raises(ModelError, match="manipulability threshold is positive and finite, not 0"):
-        manipulability_damping(J, 0.3, 0)
 
 
 @pytest.mark.parametrize(

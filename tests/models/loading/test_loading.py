@@ -14,8 +14,7 @@ from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.drake_arm import frame_of
 from armproof.models.numeric.plant import NumericKinematics
-
-from .conftest import SLANTED, joint, link
+from tests.models.conftest import SLANTED, joint, link
 
 Write = Callable[..., Path]
 TWO = link("a", "b") + joint("j", "a", "b", xyz="0.1 0.2 0.33")

@@ -15,8 +15,8 @@ from armproof.models.motion.straight_line import straight_line
 from armproof.models.motion.time_optimal import TimeOptimalMotion
 from armproof.models.motion.time_optimal import time_optimal as solve
 from armproof.models.numeric.plant import NumericKinematics
-from tests.models.test_motion_joint_space import configurations
-from tests.models.test_motion_straight_line import target
+from tests.models.motion.test_joint_space import configurations
+from tests.models.motion.test_straight_line import target
 
 INF = np.inf
 

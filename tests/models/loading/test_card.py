@@ -9,8 +9,7 @@ from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ModelError
 from armproof.models.exact.polynomial import generators
 from armproof.models.exact.trace import trace_of
-
-from .conftest import joint, link
+from tests.models.conftest import joint, link
 
 URDF = (
     link("base", "l1", "l2", "tool")

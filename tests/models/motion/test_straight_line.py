@@ -14,7 +14,7 @@ from armproof.models.motion.pose_error import pose_error
 from armproof.models.motion.samples import sample_motion
 from armproof.models.motion.straight_line import pose_line, straight_line
 from armproof.models.numeric.plant import NumericKinematics
-from tests.models.test_motion_joint_space import configurations
+from tests.models.motion.test_joint_space import configurations
 
 
 def independent_rows(J: np.ndarray) -> tuple[int, ...]:
