@@ -19,6 +19,11 @@ def test_whatever_stands_in_a_display_is_borne(part: int):
     assert not failures, "\n".join(f"{f.handout}: {f.what}: {f.latex}" for f in failures)
 
 
+@pytest.mark.parametrize("hard", [hard for hard in sweep.HARD if not hard[2]], ids=lambda hard: hard[0])
+def test_a_hard_display_is_borne(hard: tuple[str, str, bool]):
+    assert not sweep.failures_of_hard(*hard)
+
+
 def test_a_thousand_are_drawn_of_all_handouts_and_most_are_damaged():
     pages = sweep.pages(COUNT, sweep.SEED)
     assert len(pages) * sweep.ON_A_PAGE >= COUNT and len({name for name, _ in pages}) >= 20
