@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from armproof.verification.diagnosis.slips import Edit, single_edits
+from armproof.verification.diagnosis.slips import Letters, single_edits
 from armproof.verification.errors import ReadError
+from armproof.verification.findings.finding import write
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation, Writer
 from tests.mutation.place import Place
@@ -21,6 +22,15 @@ CONSTANT_CELLS = 3
 SWAPS = 5
 NAMES = 3
 EDITS = 400
+
+
+@dataclass(frozen=True)
+class Slip:
+    """A changed tree, the kind of change, and the change in words."""
+
+    node: n.Node
+    kind: str
+    words: str
 
 
 @dataclass(frozen=True)
@@ -46,7 +56,7 @@ def mutants_of(place: Place, seed: int = 0) -> Iterator[Mutant]:
     formulas = [site for site in sites if not _is_constant(site.node)]
     constants = [site for site in sites if _is_constant(site.node)]
     for site in chance.sample(formulas, min(CELLS, len(formulas))):
-        for edit in _one_of_each_kind(single_edits(site.node, letters), chance):
+        for edit in _one_of_each_kind(_slips(site.node, letters), chance):
             if not conditions or edit.kind in ("function", "index"):  # a sign or a factor changes no condition
                 yield _mutant(latex, site, edit)
     if conditions:
@@ -102,8 +112,8 @@ def _is_constant(node: n.Node) -> bool:
     )
 
 
-def _one_of_each_kind(edits: Iterator[Edit], chance: random.Random) -> Iterator[Edit]:
-    by_kind: dict[str, list[Edit]] = defaultdict(list)
+def _one_of_each_kind(edits: Iterator[Slip], chance: random.Random) -> Iterator[Slip]:
+    by_kind: dict[str, list[Slip]] = defaultdict(list)
     for count, edit in enumerate(edits):
         if count >= EDITS:
             break
@@ -112,18 +122,23 @@ def _one_of_each_kind(edits: Iterator[Edit], chance: random.Random) -> Iterator[
         yield chance.choice(by_kind[kind])
 
 
-def _slips_of_constants(node: n.Node, lengths: tuple[n.Name, ...]) -> Iterator[Edit]:
+def _slips(node: n.Node, letters: Letters) -> Iterator[Slip]:
+    for edit in single_edits(node, letters):
+        yield Slip(edit.node, edit.kind, write(edit.finding))
+
+
+def _slips_of_constants(node: n.Node, lengths: tuple[n.Name, ...]) -> Iterator[Slip]:
     """Nought and one for each other, a sign, a length or a number where a constant belongs."""
     for value in (Fraction(0), Fraction(1), Fraction(2)):
         if not (isinstance(node, n.Number) and node.value == value):
-            yield Edit(n.Number(value, str(value)), "number", f"{value}")
+            yield Slip(n.Number(value, str(value)), "number", f"{value}")
     if not (isinstance(node, n.Number) and node.value == 0):
-        yield Edit(n.Sum((("-", node),)), "sign", "the sign")
+        yield Slip(n.Sum((("-", node),)), "sign", "the sign")
     for length in lengths:
-        yield Edit(length, "length", f"{length.key} for a constant")
+        yield Slip(length, "length", f"{length.key} for a constant")
 
 
-def _mutant(latex: str, site: Site, edit: Edit) -> Mutant:
+def _mutant(latex: str, site: Site, edit: Slip) -> Mutant:
     text = _Foreign(latex, site.node).write(edit.node)
     start, end = site.node.span
     return Mutant(_spliced(latex, start, end, text), edit.kind, edit.words, site, edit.node, text)
