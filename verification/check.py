@@ -23,7 +23,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
 from armproof.verification.tables import check_array_table, check_table
-from armproof.verification.verdict import DocumentResult, Record, Verdict, worst
+from armproof.verification.verdict import DocumentResult, Judged, Record, Verdict, worst
 
 if TYPE_CHECKING:
     from armproof.verification.correction.corrector import Corrector
@@ -217,7 +217,7 @@ class DocumentChecker:
                 record = replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
             if self.correct:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
-        return record
+        return replace(record, outcomes=tuple(_judged(outcome, record) for outcome in outcomes))
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
         if record.verdict is not Verdict.REFUTED or not self.correct:
@@ -244,6 +244,14 @@ class DocumentChecker:
                     new if old.verdict is Verdict.UNCHECKED else old for old, new in zip(outcomes, again, strict=True)
                 ]
         return outcomes, extra
+
+
+def _judged(outcome: Outcome, record: Record) -> Judged:
+    """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
+    findings = tuple(finding.at(outcome.equation) for finding in outcome.findings)
+    if outcome.verdict is Verdict.REFUTED:
+        findings = tuple(finding for finding in record.findings if finding.equation == outcome.equation)
+    return Judged(outcome.equation, outcome.verdict, findings, outcome.samples, outcome.max_error)
 
 
 def _unreadable(display: Display, error: ReadError) -> Finding:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from pathlib import Path
 from typing import Any
 
-from armproof.verification.findings import Finding, Kind
+from armproof.verification.errors import DocumentError, located
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import write_all
 
 
@@ -99,6 +101,17 @@ class Discrepancy:
 
 
 @dataclass(frozen=True)
+class Judged:
+    """What became of one equation of a display, and why."""
+
+    equation: int
+    verdict: Verdict
+    findings: tuple[Finding, ...] = ()
+    samples: int = 0
+    max_error: float | None = None
+
+
+@dataclass(frozen=True)
 class Record:
     """The verdict of one display, or of one DH table.
 
@@ -111,6 +124,7 @@ class Record:
     verdict: Verdict
     erratum: bool = False
     findings: tuple[Finding, ...] = ()  # why
+    outcomes: tuple[Judged, ...] = ()  # one an equation, in their order; none for a table
     entries: tuple[WrongEntry, ...] = ()
     counterexample: Mapping[str, float] = field(default_factory=dict)
     samples: int = 0
@@ -192,6 +206,32 @@ class DocumentResult:
             **({"inverse": self.inverse.as_json()} if self.inverse is not None else {}),
             **({"warnings": list(self.warnings)} if self.warnings else {}),
         }
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A document that could not be checked: why, and in which line, where one is at fault."""
+
+    path: str
+    finding: Finding
+    line: int | None = None
+
+    @classmethod
+    def of(cls, path: Path, error: Exception) -> Failure:
+        """Return what an error says of a document."""
+        if isinstance(error, DocumentError) and error.path is not None and str(error.path) == str(path):
+            return cls(str(path), finding_of(error), error.line)
+        return cls(str(path), say(Kind.PROBLEM, reason=str(error)))
+
+    @property
+    def reason(self) -> str:
+        """Why, in words."""
+        return str(self.finding)
+
+    @property
+    def message(self) -> str:
+        """Why, behind file and line."""
+        return located(self.path, self.line, self.reason)
 
 
 def summary(results: list[DocumentResult]) -> dict[str, int]:

@@ -14,8 +14,7 @@ from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED
 from armproof.verification.cli.documents import check_paths
 from armproof.verification.cli.loading import give_up
 from armproof.verification.cli.messages import complain
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.verdict import DocumentResult, Failure
 
 
 class Format(StrEnum):

@@ -24,8 +24,8 @@ from armproof.verification.report.json_ import json_report
 from armproof.verification.report.lines import to_ascii
 from armproof.verification.report.text import text_report
 from armproof.verification.running import batch, processes
-from armproof.verification.running.batch import Failure, check_each
-from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
+from armproof.verification.running.batch import check_each
+from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict, WrongEntry
 
 ARMPROOF = Path(sys.executable).with_name("armproof")
 FRONT = "---\narm: planar_2r\nquantities:\n  J_v: {jacobian: 2, rows: [1, 2]}\n---\n\n# The Jacobian\n\n"

@@ -116,3 +116,12 @@ def test_a_document_is_written_as_the_design_says(check: Callable[..., DocumentR
     assert [equation["erratum"] for equation in written["equations"]] == [False, True]
     assert check("c_1 = s_1").as_json()["passed"] is False
     assert check("c_1 = c_1", arm=None).as_json()["arm"] == ""
+
+
+def test_each_equation_keeps_its_own_verdict_and_findings(judge: Callable[..., Record]) -> None:
+    record = judge(r"p_2 = \begin{bmatrix} a_1 c_1 + a_2 c_{12} \\ a_1 s_1 + a_2 s_{12} \\ 0 \end{bmatrix}, \quad p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 c_1 \\ 0 \end{bmatrix}")  # fmt: skip
+    right, wrong = record.outcomes
+    assert (right.verdict, wrong.verdict) == (Verdict.PROVED, Verdict.REFUTED)
+    assert not right.findings and wrong.findings == record.findings
+    assert wrong.findings[0].kind is Kind.COSINE_FOR_SINE
+    assert (wrong.findings[0].equation, wrong.findings[0].row, wrong.findings[0].column) == (2, 2, 1)

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from armproof.models.errors import ArmproofError
 from armproof.verification.cli.progress import Progress
 from armproof.verification.findings import Kind, say
-from armproof.verification.running.batch import Failure, check_each
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.running.batch import check_each
+from armproof.verification.verdict import DocumentResult, Failure
 
 if TYPE_CHECKING:
     from armproof.verification.running.batch import After

@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from armproof.verification.cli.documents import check_paths
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.verdict import DocumentResult, Failure
 
 if TYPE_CHECKING:
     from armproof.verification.running.batch import After

@@ -19,8 +19,7 @@ from armproof.verification.cli.pages import check_and_report
 from armproof.verification.report.lines import write_lines
 from armproof.verification.report.text import text_report
 from armproof.verification.report.totals import Totals
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.verdict import DocumentResult, Failure
 
 
 class Format(StrEnum):

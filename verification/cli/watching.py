@@ -12,9 +12,8 @@ from armproof.verification.cli.messages import complain
 from armproof.verification.report.lines import Line, write_lines
 from armproof.verification.report.text import BAD, FAINT, GOOD, STRONG, describe_document, describe_record, text_report
 from armproof.verification.report.totals import passes
-from armproof.verification.running.batch import Failure
 from armproof.verification.running.watch import Event, Gone, Settled, Told, Watch
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.verdict import DocumentResult, Failure
 
 
 def watch_documents(

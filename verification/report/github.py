@@ -8,8 +8,7 @@ from pathlib import Path
 
 from armproof.verification.report.text import describe_entry, describe_place, ordered_records
 from armproof.verification.report.totals import Totals
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict
 
 
 def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> Iterator[str]:

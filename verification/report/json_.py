@@ -8,8 +8,7 @@ from collections.abc import Iterable, Iterator
 from math import isfinite
 from typing import Any
 
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult, summary
+from armproof.verification.verdict import DocumentResult, Failure, summary
 
 
 def json_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> str:

@@ -7,8 +7,7 @@ from dataclasses import replace
 
 from armproof.verification.report.lines import Line
 from armproof.verification.report.totals import Tally, Totals, passes
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
+from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict, WrongEntry
 
 LONGEST = 600  # characters of a message or of an entry
 GOOD, BAD, WARN, FAINT, STRONG = "green", "bold red", "yellow", "dim", "bold"

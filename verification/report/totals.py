@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict
 
 _ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
 

@@ -5,47 +5,19 @@ from __future__ import annotations
 import os
 import traceback
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.errors import DocumentError, located
-from armproof.verification.findings import Finding, Kind, finding_of, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.running.processes import share_out, usual_workers
+from armproof.verification.verdict import DocumentResult, Failure
 
 if TYPE_CHECKING:
     from armproof.verification.document import Document
-    from armproof.verification.verdict import DocumentResult
 
     After = Callable[[Document, DocumentResult], None]
-
-
-@dataclass(frozen=True)
-class Failure:
-    """A document that could not be checked: why, and in which line, where one is at fault."""
-
-    path: str
-    finding: Finding
-    line: int | None = None
-
-    @classmethod
-    def of(cls, path: Path, error: Exception) -> Failure:
-        """Return what an error says of a document."""
-        if isinstance(error, DocumentError) and error.path is not None and str(error.path) == str(path):
-            return cls(str(path), finding_of(error), error.line)
-        return cls(str(path), say(Kind.PROBLEM, reason=str(error)))
-
-    @property
-    def reason(self) -> str:
-        """Why, in words."""
-        return str(self.finding)
-
-    @property
-    def message(self) -> str:
-        """Why, behind file and line."""
-        return located(self.path, self.line, self.reason)
 
 
 def check_each(

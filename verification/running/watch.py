@@ -14,9 +14,8 @@ from pathlib import Path
 from armproof.models.errors import ArmproofError
 from armproof.verification.document import read_document
 from armproof.verification.findings import Kind, say
-from armproof.verification.running.batch import Failure
 from armproof.verification.running.incremental import IncrementalChecker
-from armproof.verification.verdict import DocumentResult, Record
+from armproof.verification.verdict import DocumentResult, Failure, Record
 
 INTERVAL = 0.02  # seconds between two looks
 LONG_INTERVAL = 0.1  # where there are more documents than

@@ -12,8 +12,7 @@ from armproof.verification.cli.documents import check_paths
 from armproof.verification.findings import Kind, say
 from armproof.verification.report.html.site import INDEX, VERDICTS, page_names, render_index
 from armproof.verification.report.html.templating import versions
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.verdict import DocumentResult, Failure
 
 LARGEST = 400_000  # bytes
 VOID = frozenset("area br col hr img input link meta".split())

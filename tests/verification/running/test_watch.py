@@ -13,9 +13,8 @@ from pathlib import Path
 import pytest
 
 from armproof.verification.cli import app
-from armproof.verification.running.batch import Failure
 from armproof.verification.running.watch import Event, Gone, Settled, Told, Watch
-from armproof.verification.verdict import DocumentResult, Verdict
+from armproof.verification.verdict import DocumentResult, Failure, Verdict
 
 ARMPROOF = Path(sys.executable).with_name("armproof")
 FRONT = "---\narm: planar_2r\n---\n"

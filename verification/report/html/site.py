@@ -16,8 +16,7 @@ from armproof.verification.report.html.templating import REPORT, versions
 from armproof.verification.report.json_ import json_report
 from armproof.verification.report.text import describe_total
 from armproof.verification.report.totals import passes
-from armproof.verification.running.batch import Failure
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.verdict import DocumentResult, Failure
 
 INDEX, VERDICTS = "index.html", "verdicts.json"
 _LONGEST = 80  # characters of a page's name
