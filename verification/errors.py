@@ -54,7 +54,7 @@ class EvaluationError(ArmproofError):
 class UnboundName(EvaluationError):
     """A formula holds a name that nothing in the document or on the arm gives a meaning."""
 
-    def __init__(self, name: str, reason: str = "") -> None:
+    def __init__(self, name: str, reason: str | Finding = "") -> None:
         because = say(Kind.NOT_BOUND_BECAUSE, name=name, reason=reason)
         super().__init__(because if reason else say(Kind.NOT_BOUND, name=name))
         self.name = name

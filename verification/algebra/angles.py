@@ -29,7 +29,7 @@ def cos_sin(angle: Scalar) -> Pair:
     """
     angle = angle.normal()
     if not angle.denominator.is_constant():
-        raise EvaluationError("the cosine of a quotient")
+        raise EvaluationError(say(Kind.COSINE_OF_QUOTIENT))
     ring = angle.ring
     pair = ring.one, ring.zero
     for powers, coefficient in list(ring.terms(angle.numerator)):
@@ -52,16 +52,16 @@ def _cos_sin_of(ring: Ring, powers: dict[Generator, int], coefficient: Fraction)
         cosine, sine = cos_sin_of_radians(coefficient)
         return ring.from_entry(cosine), ring.from_entry(sine)
     if len(powers) != 1 or set(powers.values()) != {1}:
-        raise EvaluationError("the cosine of something that is not a sum of angles")
+        raise EvaluationError(say(Kind.COSINE_OF_NO_ANGLE))
     ((kind, name),) = powers
     if kind == "pi":
         return constant_angle(ring, coefficient)
     if kind == "arc":
         if coefficient.denominator != 1:
-            raise EvaluationError("a fraction of an arc function")
+            raise EvaluationError(say(Kind.FRACTION_OF_ARC))
         return _multiple(ring.arcs[name], int(coefficient))
     if kind != "symbol":
-        raise EvaluationError("the cosine of something that is not a sum of angles")
+        raise EvaluationError(say(Kind.COSINE_OF_NO_ANGLE))
     parts = math.lcm(ring.parts.get(name, 1), coefficient.denominator)
     if parts != ring.parts.get(name, 1):
         _refine(ring, name, parts)
@@ -97,7 +97,7 @@ def _sum(a: Pair, b: Pair) -> Pair:
 
 def _multiple(pair: Pair, times: int) -> Pair:
     if abs(times) > MAX_MULTIPLE:
-        raise TooComplex(f"{times} times an angle")
+        raise TooComplex(say(Kind.TIMES_AN_ANGLE, times=times))
     total = pair[0].ring.one, pair[0].ring.zero
     for _ in range(abs(times)):
         total = _sum(total, pair)

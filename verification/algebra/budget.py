@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from armproof.verification.errors import TooComplex
+from armproof.verification.findings import Kind, say
 
 
 class Budget:
@@ -28,7 +29,7 @@ class Budget:
     def check(self) -> None:
         """Raise TooComplex when the time is over."""
         if time.thread_time() > self._end:
-            raise TooComplex("more time than a display may take")
+            raise TooComplex(say(Kind.OUT_OF_TIME))
 
     def share(self, seconds: float) -> Budget:
         """Return a budget of so many seconds that ends no later than this one."""

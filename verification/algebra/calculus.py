@@ -12,6 +12,7 @@ from armproof.verification.algebra.angles import cos_sin, finest
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.roots import arc
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind, say
 
 
 def derivative(value: Scalar, variable: Scalar) -> Scalar:
@@ -22,10 +23,10 @@ def derivative(value: Scalar, variable: Scalar) -> Scalar:
     ring = value.ring
     found = list(ring.terms(variable.numerator)) if variable.denominator.is_one() else []
     if len(found) != 1 or found[0][1] != 1 or len(found[0][0]) != 1:
-        raise EvaluationError("a derivative with respect to something that is not a variable")
+        raise EvaluationError(say(Kind.DERIVATIVE_BY_NO_VARIABLE))
     (kind, name), power = next(iter(found[0][0].items()))
     if kind != "symbol" or power != 1:
-        raise EvaluationError("a derivative with respect to something that is not a variable")
+        raise EvaluationError(say(Kind.DERIVATIVE_BY_NO_VARIABLE))
     numerator = _poly_derivative(ring, value.numerator, name)
     denominator = _poly_derivative(ring, value.denominator, name)
     top, bottom = ring.scalar(value.numerator), ring.scalar(value.denominator)

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from armproof.verification.errors import EvaluationError, ShapeError
+from armproof.verification.findings import Kind, say
 
 Cell = Any  # a Scalar of the exact ring, or a NumPy array over the samples
 
@@ -44,7 +45,7 @@ class Matrix:
 
     def __add__(self, other: Matrix) -> Matrix:
         if self.shape != other.shape:
-            raise ShapeError(f"a sum of a {self.size} and a {other.size} matrix")
+            raise ShapeError(say(Kind.SUM_OF_SIZES, one=self.size, other=other.size))
         return Matrix(
             tuple(tuple(a + b for a, b in zip(r, s, strict=True)) for r, s in zip(self.rows, other.rows, strict=True))
         )
@@ -56,8 +57,8 @@ class Matrix:
         if self.shape[1] != other.shape[0]:
             homogeneous = (self.shape, other.shape) == ((4, 4), (3, 1))
             kind = EvaluationError if homogeneous else ShapeError
-            hint = "; write the vector in homogeneous coordinates" if homogeneous else ""
-            raise kind(f"a product of a {self.size} and a {other.size} matrix{hint}")
+            said = Kind.PRODUCT_OF_POSE if homogeneous else Kind.PRODUCT_OF_SIZES
+            raise kind(say(said, one=self.size, other=other.size))
         columns = other.transpose.rows
         return Matrix(tuple(tuple(_dot(row, column) for column in columns) for row in self.rows))
 
@@ -69,8 +70,9 @@ class Matrix:
     def vector(self, length: int | None = None) -> tuple[Cell, ...]:
         """Return the entries of a row or a column."""
         if 1 not in self.shape or (length is not None and max(self.shape) != length):
-            wanted = f"a {length}-vector" if length else "a vector"
-            raise EvaluationError(f"{wanted} is expected, a {self.size} matrix is given")
+            if length:
+                raise EvaluationError(say(Kind.NO_VECTOR_OF_LENGTH, length=length, size=self.size))
+            raise EvaluationError(say(Kind.NO_VECTOR, size=self.size))
         return tuple(cell for row in self.rows for cell in row)
 
     def minors(self, size: int, rows: tuple[int, ...]) -> dict[tuple[int, ...], Cell]:
@@ -94,9 +96,9 @@ class Matrix:
         """Return the determinant, by expansion over column subsets (exact in any ring, no division)."""
         size, width = self.shape
         if size != width:
-            raise ShapeError(f"a {self.size} matrix has no determinant")
+            raise ShapeError(say(Kind.NO_DETERMINANT, size=self.size))
         if size > 8:
-            raise EvaluationError(f"the determinant of a {self.size} matrix is more than is computed")
+            raise EvaluationError(say(Kind.LARGE_DETERMINANT, size=self.size))
         return self.minors(size, tuple(range(size)))[tuple(range(size))]
 
     def adjugate(self) -> Matrix:
@@ -107,9 +109,9 @@ class Matrix:
         """Return the comatrix: the matrix of cofactors."""
         size, width = self.shape
         if size != width:
-            raise ShapeError(f"a {self.size} matrix has no inverse and no cofactors")
+            raise ShapeError(say(Kind.NO_COFACTORS, size=self.size))
         if size > 7:
-            raise EvaluationError(f"the cofactors of a {self.size} matrix are more than is computed")
+            raise EvaluationError(say(Kind.LARGE_COFACTORS, size=self.size))
         if size == 1:
             return Matrix(((self.rows[0][0] * 0 + 1,),))
         everything = range(size)

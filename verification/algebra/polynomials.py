@@ -16,6 +16,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from armproof.models.exact.polynomial import Generator
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.errors import TooComplex
+from armproof.verification.findings import Kind, say
 
 MAX_TERM_PRODUCTS = 400_000
 MAX_TERMS = 60_000
@@ -59,7 +60,7 @@ class Polynomials:
         slot = len(self._generator_at)
         if slot == self._slots:
             if slot >= MAX_GENERATORS:
-                raise TooComplex(f"more than {MAX_GENERATORS} symbols in one document")
+                raise TooComplex(say(Kind.TOO_MANY_SYMBOLS, most=MAX_GENERATORS))
             self._slots *= 2
             self._renew()
         self._slot[generator] = slot
@@ -127,11 +128,11 @@ class Polynomials:
     def multiply(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
         """Return the product in normal form, within the bounds on size and time."""
         if len(a) * len(b) > MAX_TERM_PRODUCTS:
-            raise TooComplex(f"a product of {len(a):,} by {len(b):,} terms")
+            raise TooComplex(say(Kind.LARGE_PRODUCT, one=len(a), other=len(b)))
         self.budget.check()
         product = self.reduce(a * b)
         if len(product) > MAX_TERMS:
-            raise TooComplex(f"an expression of {len(product):,} terms")
+            raise TooComplex(say(Kind.LARGE_EXPRESSION, terms=len(product)))
         return product
 
     # -- what a polynomial is made of --------------------------------------------------------------------------------

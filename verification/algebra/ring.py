@@ -16,6 +16,7 @@ from armproof.models.exact.polynomial import Entry, Generator
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.polynomials import Polynomials
 from armproof.verification.errors import NoValue
+from armproof.verification.findings import Kind, say
 
 
 class Scalar:
@@ -65,7 +66,7 @@ class Scalar:
     def __truediv__(self, other: object) -> Scalar:
         a, b = self._coerce(other)
         if b.is_zero():
-            raise NoValue("a division by zero")
+            raise NoValue(say(Kind.DIVISION_BY_ZERO))
         return a * Scalar(b.ring, b.denominator, b.numerator).normal()
 
     __radd__ = __add__

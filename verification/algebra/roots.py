@@ -12,6 +12,7 @@ from armproof.verification.algebra.angles import constant_angle
 from armproof.verification.algebra.definite_sign import is_negative
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.errors import EvaluationError, NoValue, TooComplex
+from armproof.verification.findings import Kind, say
 
 
 def sqrt(value: Scalar) -> Scalar:
@@ -29,7 +30,7 @@ def sqrt(value: Scalar) -> Scalar:
         return sqrt(radicand) / ring.scalar(value.denominator)
     content, factors = value.numerator.factor()
     if int(content.p) < 0 and not factors:
-        raise NoValue("the square root of a negative number")
+        raise NoValue(say(Kind.ROOT_OF_NEGATIVE))
     inside = ring.polynomials.constant(1 if int(content.p) > 0 else -1)
     outside = sqrt_of_rational(ring, Fraction(abs(int(content.p)), int(content.q)))
     for factor, power in factors:
@@ -74,7 +75,7 @@ def arc(cosine: Scalar, sine: Scalar) -> Scalar:
 def atan2(y: Scalar, x: Scalar) -> Scalar:
     """Return atan2(y, x): the angle with cosine x/√(x²+y²) and sine y/√(x²+y²), a common factor taken as positive."""
     if y.is_zero() and x.is_zero():
-        raise EvaluationError("atan2(0, 0) has no value")
+        raise EvaluationError(say(Kind.ATAN2_OF_ZEROS))
     common = _common_factor(y, x)
     y, x = y / common, x / common
     radius = sqrt(x * x + y * y)

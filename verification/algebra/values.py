@@ -9,6 +9,7 @@ from typing import Any
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind, say
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ def identity(algebra: Algebra, size: int, scale: Any = None) -> Matrix:
 
 def no_size() -> Any:
     """Refuse an identity matrix of unknown size where the size matters."""
-    raise EvaluationError("an identity matrix whose size cannot be told")
+    raise EvaluationError(say(Kind.IDENTITY_OF_NO_SIZE))
 
 
 def stacked(value: Value) -> Value:
@@ -34,7 +35,7 @@ def stacked(value: Value) -> Value:
     if not isinstance(value, list):
         return value
     if any(isinstance(cell, Matrix | Identity | list) for cell in value):
-        raise EvaluationError("a list of matrices stands where one value is expected")
+        raise EvaluationError(say(Kind.MATRICES_FOR_VALUE))
     return column(value)
 
 

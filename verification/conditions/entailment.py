@@ -103,7 +103,7 @@ class Entailment:
                 if not lies and not self._lies_in_union(variety):
                     return self._point(variety, system, conclusion)
         if not met:
-            raise Undecided("a condition that no configuration meets")
+            raise Undecided(say(Kind.CONDITION_NEVER_MET))
         return None
 
     def _follows_by_substitution(self, given: System) -> bool:
@@ -136,7 +136,7 @@ class Entailment:
         try:
             return self.decomposer.decompose(equations, within)
         except BeyondReach as problem:
-            raise Undecided(f"beyond exact reach: {problem}") from None
+            raise Undecided(say(Kind.BEYOND_REACH, problem=finding_of(problem))) from None
 
     def _polynomials(self, system: System) -> _System:
         polynomial = self.half.polynomial
@@ -165,7 +165,7 @@ class Entailment:
         for scale in SCALES:
             found = found or self._sampled(variety, premise, conclusion, scale)
         if not found:
-            raise Undecided("not shown, and no configuration was found that refutes it")
+            raise Undecided(say(Kind.NOT_SHOWN))
         return found
 
     @cached_property

@@ -15,7 +15,7 @@ from armproof.verification.equations.alignment import align
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
-from armproof.verification.findings import Kind
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare, has_branches
 from armproof.verification.singularities.elimination import BeyondReach
@@ -67,7 +67,7 @@ def read_condition(checker: ChainChecker, alternatives: Sequence[Sequence[n.Chai
                 system = system.and_(part)
             found.append(system)
     if not found:
-        raise Undecided("no equation stands where a condition is expected")
+        raise Undecided(say(Kind.NO_CONDITION))
     return tuple(found)
 
 
@@ -83,14 +83,14 @@ def _of_chain(checker: ChainChecker, chain: n.Chain) -> list[System]:
 
 def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> Iterator[System]:
     if len(chain.members) == 1:
-        raise Undecided("a condition is an equation")
+        raise Undecided(say(Kind.CONDITION_IS_EQUATION))
     if chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence):
         for item in chain.members[1].items:
             yield _fixed(checker, chain.members[0], item, evaluator)
         return
     *first, last = chain.members
     if len(first) != 1:
-        raise Undecided("a chain stands where one condition is expected")
+        raise Undecided(say(Kind.CHAIN_FOR_CONDITION))
     (relation,) = chain.relations
     if (rank := _rank_condition(checker, first[0], relation, last, evaluator)) is not None:
         yield rank
@@ -101,7 +101,7 @@ def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> I
             tuple(_equations(checker, first[0], last, evaluator)), (), _value(checker, first[0], last, evaluator)
         )
     else:
-        raise Undecided(f"'{relation}' is not an equation")
+        raise Undecided(say(Kind.RELATION_IS_NONE, relation=relation))
 
 
 def _fixed(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> System:
@@ -133,7 +133,7 @@ def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Ev
         return [_angle_or_difference(checker, left, right, evaluator)]
     b = as_scalar(evaluator.evaluate(right))
     if not isinstance(b, Matrix):
-        raise Undecided("a matrix stands where a scalar condition is expected")
+        raise Undecided(say(Kind.MATRIX_FOR_CONDITION))
     pair = next(align(a, b, checker.exact))
     rows = zip(pair.true.rows, pair.printed.rows, strict=True)
     return [x - y for row, other in rows for x, y in zip(row, other, strict=True)]
@@ -160,11 +160,11 @@ def _rank_condition(
         return None
     value = evaluator.evaluate(left.arguments[0])
     if not isinstance(value, Matrix) or right.value.denominator != 1 or relation not in ("=", "<", "≤", "≠"):
-        raise Undecided("the rank of something that is no matrix")
+        raise Undecided(say(Kind.RANK_OF_NO_MATRIX))
     size = int(right.value)
     if relation == "≠":  # a rank below the full one
         if size != min(value.shape):
-            raise Undecided("a rank that is not one number")
+            raise Undecided(say(Kind.RANK_IS_NO_NUMBER))
         relation = "<"
     above = _minors(value, size if relation == "<" else size + 1)
     return System(tuple(above), (tuple(_minors(value, size)),) if relation == "=" and size else ())
@@ -179,7 +179,7 @@ def _minors(matrix: Matrix, size: int) -> list[Scalar]:
     try:
         found = maximal_minors(matrix, size)
     except BeyondReach as problem:
-        raise Undecided(str(problem)) from None
+        raise Undecided(finding_of(problem)) from None
     return found or [matrix.rows[0][0].ring.zero]
 
 
@@ -190,7 +190,7 @@ def _angle_or_difference(checker: ChainChecker, left: n.Node, right: n.Node, eva
         return periodic
     a, b = (as_scalar(evaluator.evaluate(node)) for node in (left, right))
     if not (isinstance(a, Scalar) and isinstance(b, Scalar)):
-        raise Undecided("a matrix stands where a scalar condition is expected")
+        raise Undecided(say(Kind.MATRIX_FOR_CONDITION))
     if _is_angle(checker, a - b) or has_arcs(a):
         return 1 - checker.exact.cos_sin(a - b)[0]
     return a - b
@@ -221,13 +221,13 @@ def _of_every_integer(checker: ChainChecker, left: n.Node, right: n.Node, evalua
     start, one, two = (evaluator.scalar(_with_number(right, free, k)) for k in (0, 1, 2))
     step = ((one - start) / checker.exact.pi()).as_fraction()
     if not step or not (two - one - one + start).is_zero():
-        raise Undecided("an integer multiple of something that is no fraction of π")
+        raise Undecided(say(Kind.MULTIPLE_OF_NO_FRACTION))
     turned = evaluator.scalar(left) - start
     if (1 / step).denominator == 1:
         return checker.exact.cos_sin(turned / checker.exact.rational(step))[1]
     if (2 / step).denominator == 1:
         return 1 - checker.exact.cos_sin(turned * checker.exact.rational(2 / step))[0]
-    raise Undecided("an integer multiple of an angle that is no part of a turn")
+    raise Undecided(say(Kind.MULTIPLE_OF_NO_PART))
 
 
 def _with_number(node: n.Node, names: Sequence[n.Node], value: int) -> n.Node:

@@ -13,6 +13,7 @@ from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.trees import call_key
@@ -102,7 +103,7 @@ class Members:
             if block is None:
                 return value
             if not isinstance(value, Matrix):
-                raise EvaluationError("an entry of a scalar")
+                raise EvaluationError(say(Kind.ENTRY_OF_SCALAR))
             return block.of(value)
 
         return evaluate

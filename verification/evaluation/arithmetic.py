@@ -11,6 +11,7 @@ from armproof.verification.algebra.values import Identity, as_scalar, identity, 
 from armproof.verification.errors import EvaluationError, ShapeError
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.evaluation.matrices import inverse
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 
 
@@ -38,7 +39,7 @@ def _add(evaluator: Evaluating, a: Value, b: Value) -> Value:
         matrix, other = (a, b) if isinstance(a, Matrix) else (b, a)
         if is_zero(other):
             return matrix
-        raise ShapeError(f"a sum of a scalar and a {matrix.size} matrix")
+        raise ShapeError(say(Kind.SUM_WITH_SCALAR, size=matrix.size))
     return a + b
 
 
@@ -93,7 +94,7 @@ def quotient_value(evaluator: Evaluating, node: n.Quotient) -> Value:
 
 def ambiguous(evaluator: Evaluating, node: n.Ambiguous) -> Value:
     """Refuse a/2b, which has two readings."""
-    raise EvaluationError(f"'{node.text}' has two readings: write \\frac{{…}}{{…}}, or parentheses")
+    raise EvaluationError(say(Kind.TWO_READINGS, text=node.text))
 
 
 def power_value(evaluator: Evaluating, node: n.Power) -> Value:
@@ -106,7 +107,7 @@ def power_value(evaluator: Evaluating, node: n.Power) -> Value:
     if exponent is None:
         if _is_half(node.exponent) and not isinstance(base, Matrix | Identity):
             return evaluator.algebra.sqrt(base)
-        raise EvaluationError("a power whose exponent is not an integer")
+        raise EvaluationError(say(Kind.BROKEN_EXPONENT))
     if isinstance(base, Matrix):
         if exponent < 0:
             base, exponent = inverse(evaluator, base), -exponent

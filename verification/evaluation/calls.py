@@ -12,6 +12,7 @@ from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.evaluation.arithmetic import multiply
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.evaluation.matrices import printed_rows
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import call_key
 
@@ -44,7 +45,7 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         if not isinstance(value, Matrix):
             if function in ("det", "tr"):
                 return value
-            raise EvaluationError(f"{function} of a scalar")
+            raise EvaluationError(say(Kind.FUNCTION_OF_SCALAR, function=function))
         if function == "rank":
             return evaluator.algebra.rank(value)
         return _MATRIX_CALLS[function](value)
@@ -55,7 +56,8 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
 def _scalar_function(evaluator: Evaluating, function: str, arguments: list[Any]) -> Any:
     wanted = 2 if function == "atan2" else 1
     if len(arguments) != wanted:
-        raise EvaluationError(f"{function} takes {wanted} argument{'s' * (wanted > 1)}, {len(arguments)} are given")
+        kind = Kind.TAKES_TWO_ARGUMENTS if wanted == 2 else Kind.TAKES_ONE_ARGUMENT
+        raise EvaluationError(say(kind, function=function, given=len(arguments)))
     if function in ("cos", "sin", "tan", "cot", "sec", "csc"):
         c, s = evaluator.algebra.cos_sin(arguments[0])
         one = evaluator.algebra.rational(Fraction(1))
@@ -67,7 +69,7 @@ def _scalar_function(evaluator: Evaluating, function: str, arguments: list[Any])
         return evaluator.algebra.absolute(arguments[0])
     if function in ("acos", "asin", "atan", "atan2"):
         return evaluator.algebra.arc(function, arguments)
-    raise OutsideAlgebra(f"the function {function}")
+    raise OutsideAlgebra(say(Kind.THE_FUNCTION, function=function))
 
 
 def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
@@ -86,7 +88,7 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
             return evaluator.at_values({joint.symbol: evaluator.scalar(argument) for joint, argument in values}, name)
         if len(arguments) == 1:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
-        raise EvaluationError(f"{name.key} is given {len(arguments)} values; the arm has {len(joints)} joints")
+        raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(joints)))
     ignorable = all(
         isinstance(a, n.Name) and (a.key in ("q", "t", "theta") or names.known_symbol(a.key)) for a in arguments
     )
@@ -107,7 +109,7 @@ def _elementary(evaluator: Evaluating, node: n.Call) -> Matrix:
     if node.function == "Trans" and axis and len(amounts) == 2 and len(node.arguments) == 3:
         return _translation(evaluator, node.arguments)
     if not axis or len(amounts) != 1:
-        raise EvaluationError(f"{node.function} takes an axis (x, y or z) and an amount")
+        raise EvaluationError(say(Kind.AXIS_AND_AMOUNT, function=node.function))
     kind = "Rot" if node.function == "Rot3" else node.function
     whole = elementary(evaluator.algebra, kind, axis, evaluator.scalar(amounts[0]))
     return whole.block(range(3), range(3)) if node.function == "Rot3" else whole

@@ -10,6 +10,7 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.values import sized
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 
 
@@ -62,7 +63,7 @@ def _is_variable(evaluator: Evaluating, symbol: str) -> bool:
 
 def _in_time(evaluator: Evaluating, value: Value, orders: int = 1) -> Value:
     if evaluator.names.arm is None:
-        raise EvaluationError("a time derivative in a document with no arm")
+        raise EvaluationError(say(Kind.RATE_WITHOUT_ARM))
     if isinstance(value, Matrix):
         return value.map(lambda cell: _in_time(evaluator, cell, orders))
     algebra = evaluator.algebra

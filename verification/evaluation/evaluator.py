@@ -20,6 +20,7 @@ from armproof.verification.evaluation.names_and_numbers import (
     name_value,
     number_value,
 )
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 
@@ -45,10 +46,10 @@ class Evaluator:
         try:
             self.algebra.budget.check()
             if self.depth > MAX_DEPTH:
-                raise EvaluationError("nested too deeply")
+                raise EvaluationError(say(Kind.NESTED))
             method = _METHODS.get(type(node))
             if method is None:
-                raise EvaluationError("a differential stands outside a derivative")
+                raise EvaluationError(say(Kind.LONE_DIFFERENTIAL))
             return method(self, node)
         finally:
             self.depth -= 1
@@ -57,7 +58,7 @@ class Evaluator:
         """Return the value of a node that must be a scalar."""
         value = as_scalar(self.evaluate(node))
         if isinstance(value, Matrix | Identity | list):
-            raise EvaluationError("a scalar is expected where a matrix stands")
+            raise EvaluationError(say(Kind.MATRIX_FOR_SCALAR))
         return value
 
     def _group(self, node: n.Group) -> Value:
@@ -72,11 +73,11 @@ class Evaluator:
     def _labelled(self, node: n.Labelled) -> Value:
         value = self.evaluate(node.inner)
         if node.size is not None and isinstance(value, Matrix) and value.shape != node.size:
-            raise ShapeError(f"the matrix is {value.size}, the label says {node.size[0]}×{node.size[1]}")
+            raise ShapeError(say(Kind.SIZE_OF_LABEL, size=value.size, label=f"{node.size[0]}×{node.size[1]}"))
         return value
 
     def _cases(self, _node: n.Cases) -> Value:
-        raise UnboundName("cases", "a value that depends on words")
+        raise UnboundName("cases", say(Kind.CASES_IN_WORDS))
 
     def _at(self, node: n.At) -> Value:
         values: dict[str, Any] = {}
@@ -85,7 +86,7 @@ class Evaluator:
             if symbol is None and isinstance(left, n.Name) and self.names.is_free(left):
                 symbol = left.key
             if symbol is None:
-                raise EvaluationError("the configuration must give joint variables or lengths values")
+                raise EvaluationError(say(Kind.NO_CONFIGURATION))
             values[symbol] = self.scalar(right)
         return self.at_values(values, node.inner)
 

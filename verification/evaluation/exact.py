@@ -17,6 +17,7 @@ from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.roots import arc, atan2, sqrt
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.of_arm import ArmAlgebra
+from armproof.verification.findings import Kind, finding_of, say
 
 
 class ExactAlgebra(ArmAlgebra):
@@ -46,7 +47,7 @@ class ExactAlgebra(ArmAlgebra):
         except TooComplex:
             raise
         except EvaluationError as problem:
-            raise OutsideAlgebra(str(problem)) from None
+            raise OutsideAlgebra(finding_of(problem)) from None
 
     def sqrt(self, value: Scalar) -> Scalar:
         return sqrt(value)
@@ -68,7 +69,7 @@ class ExactAlgebra(ArmAlgebra):
     def absolute(self, value: Scalar) -> Scalar:
         number = value.as_fraction()
         if number is None:
-            raise OutsideAlgebra("an absolute value")
+            raise OutsideAlgebra(say(Kind.ABSOLUTE_VALUE))
         return self.ring.rational(abs(number))
 
     def derivative(self, value: Scalar, variable: Scalar) -> Scalar:

@@ -10,6 +10,7 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.values import Identity, as_scalar, identity, is_zero
 from armproof.verification.errors import EvaluationError, ShapeError
 from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 
 
@@ -20,7 +21,7 @@ def matrix_value(evaluator: Evaluating, node: n.Matrix) -> Value:
     if not any(isinstance(cell, Matrix | Identity) for row in rows for cell in row):
         widths = {len(row) for row in rows}
         if len(widths) > 1:
-            raise ShapeError(f"the rows of a matrix have {', '.join(map(str, sorted(widths)))} cells")
+            raise ShapeError(say(Kind.RAGGED_ROWS, widths=sorted(widths)))
         whole = Matrix(tuple(tuple(row) for row in rows))
     else:
         whole = _assemble(evaluator, rows)
@@ -47,11 +48,11 @@ def _assemble(evaluator: Evaluating, rows: list[list[Any]]) -> Matrix:
             _fit(evaluator, cell, heights[r], (width_of.get(k) or 1) if aligned else 1) for k, cell in enumerate(row)
         ]
         if any(block.shape[0] != heights[r] for block in blocks):
-            raise ShapeError(f"blocks of {', '.join(b.size for b in blocks)} stand in one row")
+            raise ShapeError(say(Kind.RAGGED_BLOCKS, sizes=[b.size for b in blocks]))
         assembled.extend(tuple(cell for block in blocks for cell in block.rows[line]) for line in range(heights[r]))
     widths = {len(row) for row in assembled}
     if len(widths) > 1:
-        raise ShapeError(f"the rows of a block matrix have {', '.join(map(str, sorted(widths)))} columns")
+        raise ShapeError(say(Kind.RAGGED_BLOCK_ROWS, widths=sorted(widths)))
     return Matrix(tuple(assembled))
 
 
@@ -62,7 +63,7 @@ def _fit(evaluator: Evaluating, cell: Any, height: int, width: int) -> Matrix:
         return identity(evaluator.algebra, height, cell.scale)
     if (height, width) == (1, 1) or is_zero(cell):
         return Matrix(tuple((cell,) * width for _ in range(height)))
-    raise ShapeError(f"a scalar stands where a {height}×{width} block is expected")
+    raise ShapeError(say(Kind.SCALAR_FOR_BLOCK, size=f"{height}×{width}"))
 
 
 def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
@@ -82,7 +83,7 @@ def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
             return value
         if node.operator == "-1":
             return evaluator.algebra.rational(Fraction(1)) / value
-        raise EvaluationError(f"'{node.operator}' on a scalar")
+        raise EvaluationError(say(Kind.OPERATOR_ON_SCALAR, operator=node.operator))
     if node.operator == "T":
         return value.transpose
     if node.operator == "-1":
@@ -95,11 +96,11 @@ def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
 def inverse(evaluator: Evaluating, matrix: Matrix) -> Matrix:
     """Return the inverse of a square matrix; raises ShapeError where it has none."""
     if matrix.shape[0] != matrix.shape[1]:
-        raise ShapeError(f"a {matrix.size} matrix has no inverse")
+        raise ShapeError(say(Kind.NO_INVERSE_OF_SIZE, size=matrix.size))
     one = evaluator.algebra.rational(Fraction(1))
     determinant = matrix.determinant()
     if is_zero(determinant):
-        raise ShapeError(f"the {matrix.size} matrix has no inverse: its determinant is 0 for every configuration")
+        raise ShapeError(say(Kind.SINGULAR, size=matrix.size))
     evaluator.algebra.divide_by(determinant)
     factor = one / determinant
     return matrix.adjugate().map(lambda cell: cell * factor)

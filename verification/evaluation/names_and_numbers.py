@@ -13,6 +13,7 @@ from armproof.verification.algebra.values import Identity, identity
 from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
 from armproof.verification.evaluation.differentiation import time_derivative
 from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import numbered_frames, transform_pair
 
@@ -26,7 +27,7 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     """Return what a name stands for; raises UnboundName where it stands for nothing."""
     algebra, names = evaluator.algebra, evaluator.names
     if node.base == "words":
-        raise UnboundName(node.text, "words stand for a value")
+        raise UnboundName(node.text, say(Kind.WORDS_FOR_VALUE))
     if (quantity := names.quantities.get(node.key)) is not None:
         return algebra.quantity(quantity)
     if node.dots:
@@ -66,7 +67,7 @@ def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
     for sign, index in node.terms:
         symbol = evaluator.names.joint_angle(index)
         if symbol is None:
-            raise ShapeError(f"the arm has no joint angle {index}")
+            raise ShapeError(say(Kind.NO_SUCH_ANGLE, index=index))
         angle = evaluator.algebra.symbol(symbol)
         total = total + angle if sign > 0 else total - angle
     return total
@@ -93,14 +94,14 @@ def _reject_unknown_frame(evaluator: Evaluating, node: n.Name) -> None:
     if len(indices) == 2 and all(index in arm.frames or index.isdigit() for index in indices):
         missing = next((index for index in indices if index not in arm.frames), None)
         if missing is not None:
-            raise EvaluationError(f"no frame '{missing}' on arm '{arm.name}'; its frames are {', '.join(arm.frames)}")
+            raise EvaluationError(say(Kind.NO_SUCH_FRAME, frame=missing, arm=arm.name, frames=list(arm.frames)))
 
 
 def ellipsis(evaluator: Evaluating, _node: n.Dots) -> Value:
     """Refuse an ellipsis."""
-    raise UnboundName("…", "an ellipsis leaves terms to the reader")
+    raise UnboundName("…", say(Kind.TERMS_LEFT_OUT))
 
 
 def layout(evaluator: Evaluating, _node: n.Layout) -> Value:
     """Refuse several equations in one place."""
-    raise EvaluationError("several equations stand where one value is expected")
+    raise EvaluationError(say(Kind.SEVERAL_EQUATIONS))

@@ -11,6 +11,7 @@ from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Algebra, Value, link_matrix
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind, say
 
 
 class ArmAlgebra(Algebra):
@@ -88,6 +89,6 @@ def _select(quantity: Quantity, whole: Matrix) -> Value:
     rows = quantity.rows or tuple(range(1, size + 1))
     columns = quantity.columns or tuple(range(1, width + 1))
     if max(rows) > size or max(columns) > width:
-        raise EvaluationError(f"row {max(rows)} or column {max(columns)} of a {whole.size} matrix")
+        raise EvaluationError(say(Kind.BEYOND_MATRIX, last_row=max(rows), last_column=max(columns), size=whole.size))
     chosen = whole.block([r - 1 for r in rows], [c - 1 for c in columns])
     return chosen.rows[0][0] if quantity.scalar else chosen

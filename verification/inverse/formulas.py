@@ -11,6 +11,7 @@ from armproof.verification.document import Display, Document
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.tokens import normalise_unicode
@@ -65,7 +66,7 @@ class Formula:
         blocks = partition(self.rows, value.shape) if isinstance(value, Matrix) else None
         found = next((b for b in blocks or () if (b.row, b.column) == self.place), None)
         if found is None:
-            raise EvaluationError(f"the matrix in which '{self.key}' stands has another size")
+            raise EvaluationError(say(Kind.MATRIX_OF_OTHER_SIZE, name=self.key))
         return found.of(value)
 
 

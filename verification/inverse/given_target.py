@@ -12,6 +12,7 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.of_arm import ArmAlgebra
+from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.target import Target
 
 
@@ -51,7 +52,7 @@ class GivenTarget(ArmAlgebra):
             cells = [None]
         if any(cell is None for cell in cells):
             self._cache.pop(quantity, None)
-            raise NotGiven(f"it uses a part of the pose of frame {quantity.frame} that is not in the target")
+            raise NotGiven(say(Kind.NOT_IN_TARGET, frame=quantity.frame))
         return value
 
     def pose(self, frame: str, reference: str) -> Matrix:

@@ -6,6 +6,7 @@ from typing import Any
 
 from armproof.models.bulk.graph import ONE, ZERO, Term
 from armproof.verification.algebra.protocol import OutsideAlgebra
+from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.branch_graph import BranchGraph
 
 HIGHEST_POWER = 64
@@ -43,7 +44,7 @@ class NumericScalar:
     def __truediv__(self, other: Any) -> NumericScalar:
         divisor = self._term(other)
         if not divisor.factor:
-            raise OutsideAlgebra("a division by zero")
+            raise OutsideAlgebra(say(Kind.DIVISION_BY_ZERO))
         return self._with(self.graph.divide(self.term, divisor))
 
     __radd__ = __add__

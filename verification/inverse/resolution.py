@@ -11,6 +11,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.values import as_scalar
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.derivation import Derivation, Meaning, Signs, SolvingAlgebra, UnsolvedJoint
 from armproof.verification.inverse.formulas import Formula, joint_function_key
 from armproof.verification.latex import nodes as n
@@ -64,7 +65,7 @@ class Resolution:
         if key in self._values:
             return self._values[key]
         if key in self._active:
-            raise EvaluationError(f"'{key}' is defined by itself")
+            raise EvaluationError(say(Kind.DEFINED_BY_ITSELF, name=key))
         self._active.add(key)
         try:
             value, meaning = self._first(self._meanings(key))
@@ -111,7 +112,7 @@ class Resolution:
         """Return the value of a formula that is a scalar."""
         value = as_scalar(self._of(formula))
         if hasattr(value, "rows") or isinstance(value, list):
-            raise EvaluationError("a joint is a scalar")
+            raise EvaluationError(say(Kind.JOINT_IS_SCALAR))
         return value
 
     def part(self, formula: Formula, node: n.Node) -> Any:

@@ -11,6 +11,7 @@ from flint import fmpq_mpoly
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.roots import arc, sqrt_of_rational
 from armproof.verification.errors import NoValue
+from armproof.verification.findings import Kind, say
 from armproof.verification.singularities.half_angles import HalfAngles
 
 
@@ -46,13 +47,13 @@ class SubstitutionRoots:
         """Return atan2(y, x): cosine x/√(x² + y²), sine y/√(x² + y²); a common factor may be negative and stays."""
         radius = self.sqrt(x * x + y * y)
         if radius.is_zero():
-            raise NoValue("atan2(0, 0) has no value")
+            raise NoValue(say(Kind.ATAN2_OF_ZEROS))
         return arc(x / radius, y / radius)
 
     def _split(self, content: Any, factors: list[tuple[fmpq_mpoly, int]]) -> tuple[Scalar, fmpq_mpoly]:
         """Return what certainly is not negative and comes out of the root, and what stays under it."""
         if int(content.p) < 0 and not factors:
-            raise NoValue("the square root of a negative number")
+            raise NoValue(say(Kind.ROOT_OF_NEGATIVE))
         inside = self.ring.polynomials.constant(1 if int(content.p) > 0 else -1)
         outside = sqrt_of_rational(self.ring, Fraction(abs(int(content.p)), int(content.q)))
         for factor, power in factors:

@@ -9,6 +9,7 @@ from fractions import Fraction
 from lark import Token, Transformer
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.derivatives import partial_derivative, total_derivative
 from armproof.verification.latex.items import Differential, Item, argument_end, node_item, scripts_before
@@ -51,7 +52,7 @@ class TreeBuilder(Transformer):
         begin, rows, end = children
         matching = {begin.value, "array" if begin.value.endswith("matrix") else begin.value}
         if end.value not in matching:
-            raise ReadError(f"'\\begin{{{begin}}}' is closed by '\\end{{{end}}}'", end.start_pos)
+            raise ReadError(say(Kind.WRONG_END, begin=str(begin), end=str(end)), end.start_pos)
         span = (begin.start_pos, end.end_pos)
         return node_item(environment_node(begin.value, rows, span, self.text))
 
@@ -120,7 +121,7 @@ class TreeBuilder(Transformer):
     def item(self, children: list) -> Item:
         item = children[0]
         if not isinstance(item, Item):
-            raise ReadError("an operand is missing", children[0].start_pos)
+            raise ReadError(say(Kind.OPERAND_MISSING), children[0].start_pos)
         for script in children[1:]:
             item.scripts.append((script.type, script.value, span_of_token(script)))
             item.end = script.end_pos
@@ -143,7 +144,7 @@ class TreeBuilder(Transformer):
     def number(self, children: list) -> Item:
         token = children[0]
         if len(token.value) > 40:
-            raise ReadError("a number of more than 40 digits", token.start_pos)
+            raise ReadError(say(Kind.LONG_NUMBER), token.start_pos)
         node = n.Number(Fraction(token.value.replace("{,}", ".")), token.value, span=span_of_token(token))
         return Item("number", node, token.start_pos, token.end_pos)
 
@@ -229,7 +230,7 @@ class TreeBuilder(Transformer):
             return cell[0]
         span = (token.start_pos, children[-1].end_pos)
         if not cell:
-            raise ReadError("an argument is empty", token.start_pos)
+            raise ReadError(say(Kind.ARGUMENT_EMPTY), token.start_pos)
         return n.Layout(tuple(build_statements([[cell]])), span=span)
 
     def fraction(self, children: list) -> Item:
@@ -244,7 +245,7 @@ class TreeBuilder(Transformer):
         token, argument = children[0], children[-1]
         span = (token.start_pos, argument_end(self.text, argument.span[1]))
         if len(children) > 2 and children[2].value != "2":
-            raise ReadError("only square roots are read", token.start_pos)
+            raise ReadError(say(Kind.NO_SQUARE_ROOT), token.start_pos)
         return node_item(n.Call("sqrt", (argument,), "\\sqrt", "braces", span=span))
 
     def accent(self, children: list) -> Item:

@@ -7,6 +7,7 @@ from collections.abc import Sequence as Seq
 from dataclasses import replace
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, one_of
 from armproof.verification.latex.indexed import NameReader
@@ -175,11 +176,11 @@ class CallReader(NameReader):
             elif kind == "SUB" and function in ("cos", "sin"):
                 argument = self._trig_index(text, span)
                 if argument is None:
-                    raise ReadError(f"'{self.text[item.start : item.end]}' has no angle", item.start)
+                    raise ReadError(say(Kind.NO_ANGLE, text=self.text[item.start : item.end]), item.start)
                 style = "index" if isinstance(argument, n.JointAngles) else "script"
                 return self._scripted_call(item, function, (argument,), script, style), index + 1
         if index + 1 >= len(items):
-            raise ReadError(f"'{self.text[item.start : item.end]}' has no argument", item.start)
+            raise ReadError(say(Kind.NO_ARGUMENT, text=self.text[item.start : item.end]), item.start)
         following = items[index + 1]
         head = self.text[item.start : item.end]
         if following.kind == "list" and not following.pre:

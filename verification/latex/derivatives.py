@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import DerivativeOperator, Differential
 
@@ -10,7 +11,7 @@ from armproof.verification.latex.items import DerivativeOperator, Differential
 def partial_derivative(above: Differential, below: Differential, span: tuple[int, int]) -> n.Node:
     """Return ∂f/∂x, or ∂/∂x still waiting for its operand."""
     if below.operand is None:
-        raise ReadError("a derivative with respect to nothing", below.span[0])
+        raise ReadError(say(Kind.DERIVATIVE_BY_NOTHING), below.span[0])
     variable, order = below.operand, above.order
     if order > 1:
         if not (
@@ -18,7 +19,7 @@ def partial_derivative(above: Differential, below: Differential, span: tuple[int
             and isinstance(variable.exponent, n.Number)
             and variable.exponent.value == order
         ):
-            raise ReadError("a higher derivative is with respect to one variable, such as \\partial t^2", below.span[0])
+            raise ReadError(say(Kind.HIGHER_DERIVATIVE), below.span[0])
         variable = variable.base
     if above.operand is None:
         return DerivativeOperator(variable, order, span=span)

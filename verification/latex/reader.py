@@ -11,6 +11,7 @@ from lark import Lark, Tree
 from lark.exceptions import UnexpectedInput, UnexpectedToken, VisitError
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.builder import TreeBuilder
 from armproof.verification.latex.greek import GREEK, one_of
@@ -36,7 +37,7 @@ class Reader:
     def read(self, latex: str) -> list[n.Statement]:
         """Return the statements of a display; raises ReadError with the place and the token."""
         if len(latex) > MAX_LENGTH:
-            raise ReadError(f"the display is too long: {len(latex):,} characters, at most {MAX_LENGTH:,}")
+            raise ReadError(say(Kind.TOO_LONG, length=len(latex), most=MAX_LENGTH))
         return self._parse(latex)
 
     def read_expression(self, latex: str, offset: int = 0) -> n.Node:
@@ -46,7 +47,7 @@ class Reader:
         """
         statements = self._parse(" " * max(offset, 0) + latex)
         if len(statements) != 1 or not isinstance(statements[0], n.Chain) or len(statements[0].members) != 1:
-            raise ReadError(f"'{latex.strip()}' is not one expression", offset)
+            raise ReadError(say(Kind.NOT_ONE_EXPRESSION, text=latex.strip()), offset)
         return statements[0].members[0]
 
     def _parse(self, latex: str) -> list[n.Statement]:
@@ -62,22 +63,25 @@ class Reader:
             if isinstance(error.orig_exc, ReadError):
                 raise error.orig_exc from None
             if isinstance(error.orig_exc, RecursionError):
-                raise ReadError("nested too deeply") from None
+                raise ReadError(say(Kind.NESTED)) from None
             raise
         except RecursionError:
-            raise ReadError("nested too deeply") from None
+            raise ReadError(say(Kind.NESTED)) from None
 
 
 def _unexpected(error: UnexpectedToken, text: str) -> ReadError:
     token = error.token
     expected = sorted({_READABLE[name] for name in error.accepts or error.expected if name in _READABLE})
-    choices = f"; expected {', '.join(expected)}" if expected else ""
     if token.type == "$END":
-        return ReadError(f"the display ends too early{choices}", len(text))
+        early = say(Kind.ENDS_TOO_EARLY_BUT, expected=expected) if expected else say(Kind.ENDS_TOO_EARLY)
+        return ReadError(early, len(text))
     found = text[token.start_pos : token.end_pos].strip() or token.value
     if len(found) > 40:
         found = found[:37] + "…"
-    return ReadError(f"unexpected '{found}'{choices}", token.start_pos or 0)
+    unexpected = (
+        say(Kind.UNEXPECTED_BUT, text=found, expected=expected) if expected else say(Kind.UNEXPECTED, text=found)
+    )
+    return ReadError(unexpected, token.start_pos or 0)
 
 
 @lru_cache(maxsize=1)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence as Seq
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.calls import CallReader
 from armproof.verification.latex.items import (
@@ -57,7 +58,7 @@ class RunReader(CallReader):
         assert item.node is not None
         if isinstance(item.node, DerivativeOperator):
             if index + 1 == len(items):
-                raise ReadError("a derivative of nothing", item.start)
+                raise ReadError(say(Kind.DERIVATIVE_OF_NOTHING), item.start)
             operand, after = self.next_factor(items, index + 1)
             return n.Derivative(operand, item.node.variable, item.node.order, span=(item.start, operand.span[1])), after
         return self.scripted(item.node, item.scripts, item.start), index + 1

@@ -8,6 +8,7 @@ from collections.abc import Sequence as Seq
 from dataclasses import replace
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import OPERATORS, Script
 from armproof.verification.latex.tokens import canonical_script
@@ -30,11 +31,11 @@ class ScriptReader:
         for kind, text, span in scripts:
             if kind == "AT":
                 if not (values := self.configuration(text, span)):
-                    raise ReadError(f"'{text}' does not say at which values", span[0])
+                    raise ReadError(say(Kind.NO_VALUES_SAID, text=text), span[0])
                 node = n.At(node, values, span=(start, span[1]))
                 continue
             if kind == "PRIME":
-                raise ReadError("a prime on an expression", span[0])
+                raise ReadError(say(Kind.PRIME_ON_EXPRESSION), span[0])
             canonical = canonical_script(text)
             if kind == "SUB":
                 size = re.fullmatch(r"\(?(\d)x(\d)\)?", canonical)
@@ -45,7 +46,7 @@ class ScriptReader:
                     continue
                 if isinstance(node, n.Matrix | n.Group | n.Sequence | n.Call | n.Number) or canonical.startswith("("):
                     continue  # a size or frame note under a matrix, such as _{3×1} or _{(0)}
-                raise ReadError(f"subscript '{canonical}' on an expression", span[0])
+                raise ReadError(say(Kind.SUBSCRIPT_ON_EXPRESSION, script=canonical), span[0])
             if canonical in ("T", "top", "t") and (row := _spaced_row(node)) is not None:
                 node = row
             whole = (start, max(span[1], node.span[1]))  # \\sin^2(x): the power stands before the argument
@@ -71,7 +72,7 @@ class ScriptReader:
             return n.Postfix(node, OPERATORS[canonical], span=whole)
         exponent = self.parse(text, self.text.find(text, span[0]))
         if isinstance(exponent, n.Number) and exponent.value > MAX_EXPONENT:
-            raise ReadError(f"the exponent {exponent.text} is larger than {MAX_EXPONENT}", span[0])
+            raise ReadError(say(Kind.LARGE_EXPONENT, exponent=exponent.text, most=MAX_EXPONENT), span[0])
         return n.Power(node, exponent, span=whole)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from lark import Token
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import span_of_token
 from armproof.verification.latex.vocabulary import LAYOUTS
@@ -29,7 +30,7 @@ class _Statements:
             self.relations = self.relations[: len(self.members) - 1]
         for member in self.members[:-1]:
             if isinstance(member, n.Layout):
-                raise ReadError("several equations stand where one value is expected", member.span[0])
+                raise ReadError(say(Kind.SEVERAL_EQUATIONS), member.span[0])
         if len(self.members) == 1 and isinstance(self.members[0], n.Layout):
             self.done.extend(self.members[0].statements)
         else:
@@ -55,7 +56,7 @@ class _Statements:
         if not self.members:
             self.reopen()
         if len(self.relations) >= len(self.members):
-            raise ReadError(f"two relations in a row at '{token.value}'", span_of_token(token)[0])
+            raise ReadError(say(Kind.TWO_RELATIONS, text=str(token.value)), span_of_token(token)[0])
         self.relations.append(token.value)
 
     def connective(self, kind: str, token: Token) -> None:
@@ -113,7 +114,7 @@ def _continue_sum(found: _Statements, more: n.Sum) -> None:
     if not found.members:
         found.reopen()
     if not found.members or found.members[-1] is PREVIOUS:
-        raise ReadError("a line begins with a sign but continues nothing", more.span[0])
+        raise ReadError(say(Kind.LINE_CONTINUES_NOTHING), more.span[0])
     last = found.members[-1]
     terms = last.terms if isinstance(last, n.Sum) else (("+", last),)
     found.members[-1] = n.Sum((*terms, *more.terms), span=(last.span[0], more.span[1]))
@@ -141,7 +142,7 @@ def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], t
 
 def _checked(rows: list[list[Cell]], span: tuple[int, int]) -> list[list[Cell]]:
     if not rows:
-        raise ReadError("a matrix without cells", span[0])
+        raise ReadError(say(Kind.NO_CELLS), span[0])
     return rows
 
 
@@ -162,10 +163,10 @@ def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
         text = " ".join(str(part.value) for part in words)
         return n.Name("words", text=text, span=(span_of_token(words[0])[0], span_of_token(words[-1])[1]))
     if not parts:
-        raise ReadError("a cell of a matrix is empty: write 0 where a zero is meant", span[0])
+        raise ReadError(say(Kind.EMPTY_CELL), span[0])
     second = parts[1]
     where = span_of_token(second)[0] if isinstance(second, Token) else second.span[0]
-    raise ReadError("a cell of a matrix holds more than one expression", where)
+    raise ReadError(say(Kind.SEVERAL_IN_CELL), where)
 
 
 def _cases(rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
@@ -173,7 +174,7 @@ def _cases(rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
     for row in rows:
         value = next((part for part in row[0] if isinstance(part, n.Node)), None)
         if value is None:
-            raise ReadError("a case without a value", span[0])
+            raise ReadError(say(Kind.CASE_WITHOUT_VALUE), span[0])
         rest = [part for cell in row for part in cell if part is not value]
         ends = [span_of_token(p) if isinstance(p, Token) else p.span for p in rest]
         condition = text[min(e[0] for e in ends) : max(e[1] for e in ends)] if ends else ""

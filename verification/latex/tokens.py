@@ -14,6 +14,7 @@ from lark import Token
 from lark.lexer import Lexer
 
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex.greek import LONG, one_of
 from armproof.verification.latex.vocabulary import (
     BARE_WORDS,
@@ -97,7 +98,7 @@ class _Scanner:
         while position < len(text):
             found = match(text, position)
             if found is None:  # the last alternative takes any character
-                raise ReadError(f"cannot read '{text[position]}'", position)
+                raise ReadError(say(Kind.CANNOT_READ, text=text[position]), position)
             kind = found.lastgroup or ""
             # the inner groups of BEGIN and END would hide the outer name
             if found.group("BEGIN"):
@@ -113,7 +114,7 @@ class _Scanner:
             tokens, position = handler(found.group(kind), position, found.end())
             count += len(tokens)
             if count > MAX_TOKENS:
-                raise ReadError(f"the display is too long: more than {MAX_TOKENS:,} tokens", position)
+                raise ReadError(say(Kind.TOO_MANY_TOKENS, most=MAX_TOKENS), position)
             yield from tokens
 
     # Each handler returns the tokens and where to go on.
@@ -127,7 +128,7 @@ class _Scanner:
             return [], end
         if name not in MATRICES and name not in LAYOUTS:
             known = ", ".join(sorted(MATRICES | LAYOUTS))
-            raise ReadError(f"environment '{name}' is not read; those that are: {known}", start)
+            raise ReadError(say(Kind.UNKNOWN_ENVIRONMENT, name=name, known=known), start)
         end = self._skip_arguments(end, braces=name in ("array", "alignat", "alignedat"))
         self._deeper(start)
         return [self.token("BEGIN", name, start, end)], end
@@ -151,7 +152,7 @@ class _Scanner:
     def _deeper(self, position: int) -> None:
         self.depth += 1
         if self.depth > MAX_DEPTH:
-            raise ReadError(f"nested more than {MAX_DEPTH} deep", position)
+            raise ReadError(say(Kind.NESTED_DEEPER, most=MAX_DEPTH), position)
 
     def on_script(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         argument, end = self._script_argument(start, end)
@@ -165,14 +166,14 @@ class _Scanner:
         while position < len(text) and text[position].isspace():
             position += 1
         if position >= len(text):
-            raise ReadError(f"'{text[start]}' at the end of the display has no script", start)
+            raise ReadError(say(Kind.NO_SCRIPT_AT_END, text=text[start]), start)
         if text[position] == "{":
             close = self._matching_brace(position)
             return text[position + 1 : close], close + 1
         if text[position] == "\\":
             macro = re.compile(r"\\(?:[A-Za-z]+|.)", re.DOTALL).match(text, position)
             if macro is None:
-                raise ReadError(f"'{text[start]}' has no script", start)
+                raise ReadError(say(Kind.NO_SCRIPT, text=text[start]), start)
             end = macro.end()
             if re.fullmatch(r"\\(?:%s)" % STYLES, macro.group()) and text[end : end + 1] == "{":
                 end = self._matching_brace(end) + 1
@@ -189,12 +190,12 @@ class _Scanner:
             if character == "{" and self.text[index - 1 : index] != "\\":
                 depth += 1
                 if depth > MAX_DEPTH:
-                    raise ReadError(f"nested more than {MAX_DEPTH} deep", index)
+                    raise ReadError(say(Kind.NESTED_DEEPER, most=MAX_DEPTH), index)
             elif character == "}" and self.text[index - 1 : index] != "\\":
                 depth -= 1
                 if depth == 0:
                     return index
-        raise ReadError("'{' is never closed", position)
+        raise ReadError(say(Kind.BRACE_OPEN), position)
 
     def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
@@ -248,7 +249,7 @@ class _Scanner:
         if re.fullmatch(STYLES, name):
             return self._style(name, start, end)
         if name in ("left", "right"):
-            raise ReadError(f"\\{name} needs a delimiter such as ( [ | or .", start)
+            raise ReadError(say(Kind.NO_DELIMITER, name=name), start)
         if name in ("overset", "stackrel", "underset") and (marked := _MARKED_RELATION.match(self.text, end)):
             return [self.token("REL", "=", start, marked.end())], marked.end()
         if name == "checkmark":
@@ -277,7 +278,7 @@ class _Scanner:
             return [self.token("CONN", CONNECTIVES[name], start, end)], end
         if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
-        raise ReadError(f"'{value}' is not a command of kinematic LaTeX", start)
+        raise ReadError(say(Kind.UNKNOWN_COMMAND, command=value), start)
 
     def _style(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         """`\\mathbf{J}` is J; `\\text{Atan2}` a function; `\\mathrm{tool}` a name; `\\text{if } x` words."""
@@ -380,7 +381,7 @@ class _Scanner:
             return [], end
         kind = CHARACTERS.get(value)
         if kind is None:
-            raise ReadError(f"cannot read '{value}'", start)
+            raise ReadError(say(Kind.CANNOT_READ, text=value), start)
         if kind == "LBRACE":
             if scripts := _BRACED_SCRIPTS.match(self.text, start):  # {^{i-1}}T and {_6^0}T
                 self.transparent_braces.add(scripts.end() - 1)
