@@ -22,6 +22,7 @@ from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
+from armproof.verification.naming.uses import settle_definitions
 from armproof.verification.tables import check_array_table, check_table
 from armproof.verification.verdict import DocumentResult, Judged, Record, Verdict, worst
 
@@ -142,7 +143,7 @@ class DocumentChecker:
         return DocumentResult(
             str(self.document.path),
             self.arm.name if self.arm is not None else "",
-            equations,
+            settle_definitions(equations),
             tuple(table for table in tables if table is not None),
             self.arm.warnings if self.arm is not None else (),
             title=str(self.document.front.get("title", "")),
@@ -204,6 +205,7 @@ class DocumentChecker:
             record,
             verdict=verdict,
             findings=tuple(finding.at(outcome.equation) for outcome in leading for finding in outcome.findings),
+            outcomes=tuple(outcome.result(display.line) for outcome in outcomes),
             samples=max((outcome.samples for outcome in outcomes), default=0),
             max_error=max(errors, default=None),
             counterexample=extra,

@@ -12,12 +12,13 @@ from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.equations.given_values import Given
 from armproof.verification.equations.inequalities import check_relation
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.roles import with_role
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.naming.signs import named_sign
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import Role, Verdict
 
 
 class Statements:
@@ -49,18 +50,24 @@ class Statements:
                 continue
             implication = find_implication(statements, index)
             if implication is None:
-                outcomes.extend(self._chain(statement, equation, line, define))
+                found = self._chain(statement, equation, line, define)
+                outcomes.extend(with_role(outcome, statement, self.names) for outcome in found)
                 equation += len(statement.relations)
                 index += 1
                 continue
-            steps = [o for chain in implication.premises for o in self._chain(chain, equation, line, define)]
-            judged = self._implication(implication, steps, equation)
+            steps = [self._chain(chain, equation, line, define) for chain in implication.premises]
+            self.names.state.consulted.clear()
+            judged = self._implication(implication, [o for found in steps for o in found], equation)
             if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
-                outcomes.extend(steps)
+                outcomes.extend(
+                    with_role(o, chain, self.names)
+                    for chain, found in zip(implication.premises, steps, strict=True)
+                    for o in found
+                )
                 equation += sum(len(chain.relations) for chain in implication.premises)
                 index += len(implication.premises) + connectives_among(statements, index, len(implication.premises))
                 continue
-            outcomes.append(judged[0])
+            outcomes.append(replace(judged[0], role=Role.CONDITION, uses=frozenset(self.names.state.consulted)))
             extra.update(judged[1])
             equation += sum(len(chain.relations) for chain in implication.chains)
             index = implication.after
@@ -97,6 +104,15 @@ class Statements:
         return statement
 
     def _chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Return the outcomes of a chain, each with the definitions that it rests on."""
+        consulted = self.names.state.consulted
+        consulted.clear()
+        outcomes = self._read_chain(chain, equation, line, define)
+        for outcome in outcomes:
+            outcome.uses = frozenset(key for key in consulted if key[0] not in outcome.defines)
+        return outcomes
+
+    def _read_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
         if unclear:
             return self._either_reading(chain, unclear, equation, line, define)

@@ -24,6 +24,20 @@ class Verdict(StrEnum):
     REFUTED = "refuted"
 
 
+class Role(StrEnum):
+    """What an equation is, before anything is decided; only a claim, a condition and a law can be right or wrong."""
+
+    CLAIM = "claim"  # all of it is bound: by front matter, by convention or by an earlier definition
+    DEFINITION = "definition"  # gives a new name its meaning
+    DATA = "data"  # gives a length or a joint variable its value
+    CONDITION = "condition"  # with its arrow, or "if"
+    LAW = "law"  # holds for any link i
+    REMARK = "remark"  # nothing of the arm's or the document's kinematics in it
+
+
+DECIDED = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.REFUTED)
+
+
 # A display carries the worst verdict of its equations; one that only defines a name yields to one that was checked.
 _WEIGHT = {
     Verdict.DEFINED: 0,
@@ -38,6 +52,53 @@ _WEIGHT = {
 def worst(verdicts: list[Verdict]) -> Verdict:
     """Return the worst verdict; refuted is the worst, defined yields to everything."""
     return max(verdicts, key=_WEIGHT.__getitem__, default=Verdict.DEFINED)
+
+
+@dataclass(frozen=True)
+class EquationResult:
+    """What became of one equation of a display.
+
+    Attributes:
+        index: its number in the display, from 1.
+        role: what it is.
+        read_as: what its true side was taken for, in words: "origin of frame 2 in frame 0, x"; empty where it is a formula.
+        findings: why it has its verdict.
+        samples, max_error: of its evaluation on the double plant.
+        defines, uses: the names that it defines, and those of other equations that its sides rest on, each with the line of
+            the display that defines it.
+    """
+
+    index: int
+    role: Role
+    verdict: Verdict
+    read_as: str = ""
+    findings: tuple[Finding, ...] = ()
+    samples: int = 0
+    max_error: float | None = None
+    defines: frozenset[tuple[str, int]] = frozenset()
+    uses: frozenset[tuple[str, int]] = frozenset()
+
+    @property
+    def is_remark(self) -> bool:
+        """Whether it is about something else than the arm and the document's kinematics."""
+        return self.role is Role.REMARK and self.verdict is Verdict.UNCHECKED
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether it claims something, and that is decided."""
+        return self.verdict in DECIDED
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the equation as the report's JSON writes it."""
+        return {
+            "index": self.index,
+            "role": self.role.value,
+            "read_as": self.read_as,
+            "verdict": self.verdict.value,
+            "findings": [finding.as_json() for finding in self.findings],
+            "samples": self.samples,
+            "max_error": self.max_error,
+        }
 
 
 @dataclass(frozen=True)
@@ -133,6 +194,13 @@ class Record:
     section: str = ""
     discrepancy: Discrepancy | None = None  # the sides at the counterexample, for a drawing
     corrections: tuple[Correction, ...] | None = None
+    outcomes: tuple[EquationResult, ...] = ()  # of its equations, in their order
+
+    @property
+    def is_remark(self) -> bool:
+        """Whether all that is unchecked in it is about something else than the arm: it never fails `--strict`."""
+        unchecked = [each for each in self.outcomes if each.verdict is Verdict.UNCHECKED]
+        return self.verdict is Verdict.UNCHECKED and bool(unchecked) and all(each.is_remark for each in unchecked)
 
     @property
     def message(self) -> str:
@@ -160,6 +228,7 @@ class Record:
             "erratum": self.erratum,
             "message": self.message,
             "findings": [finding.as_json() for finding in self.findings],
+            "outcomes": [outcome.as_json() for outcome in self.outcomes],
             "entries": [entry.as_json() for entry in self.entries],
             "counterexample": dict(self.counterexample),
             "samples": self.samples,
@@ -186,13 +255,21 @@ class DocumentResult:
         return all(record.passes for record in self.records)
 
     @property
+    def claims(self) -> bool:
+        """Whether anything in it was decided."""
+        return any(record.verdict in DECIDED for record in self.records) or any(
+            outcome.is_decided for record in self.equations for outcome in record.outcomes
+        )
+
+    @property
     def records(self) -> tuple[Record, ...]:
         """All that has a verdict: displays, tables, the inverse as a whole."""
         return (*self.equations, *self.tables, *([self.inverse] if self.inverse is not None else []))
 
     def passed_strictly(self) -> bool:
-        """As `passed`, and nothing unchecked."""
-        return self.passed and not any(record.verdict is Verdict.UNCHECKED for record in self.records)
+        """As `passed`, with something decided and nothing unchecked but remarks."""
+        unchecked = any(record.verdict is Verdict.UNCHECKED and not record.is_remark for record in self.records)
+        return self.passed and not unchecked and self.claims
 
     def as_json(self) -> dict[str, Any]:
         """Return the document as the report's JSON writes it."""
@@ -235,10 +312,11 @@ class Failure:
 
 
 def summary(results: list[DocumentResult]) -> dict[str, int]:
-    """Count the verdicts of all displays."""
+    """Count the verdicts of all displays; `beyond` counts those of the unchecked ones that are remarks."""
     counts = {verdict.value: 0 for verdict in (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED,
-                                               Verdict.UNCHECKED, Verdict.UNREADABLE)}  # fmt: skip
+                                               Verdict.UNCHECKED, Verdict.UNREADABLE)} | {"beyond": 0}  # fmt: skip
     for result in results:
         for record in result.equations:
             counts[record.verdict.value] += 1
+            counts["beyond"] += record.is_remark
     return counts

@@ -131,9 +131,7 @@ lesson.order.check(commuting)
 # ## The inverse
 #
 # Never invert such a matrix as a 4×4 system. From
-#
-# $$M = \begin{bmatrix} \cos\theta & -\sin\theta & 0 & x \\ \sin\theta & \cos\theta & 0 & y \\ 0 & 0 & 1 & z \\ 0 & 0 & 0 & 1 \end{bmatrix}$$
-#
+# $M = \begin{bmatrix} \cos\theta & -\sin\theta & 0 & x \\ \sin\theta & \cos\theta & 0 & y \\ 0 & 0 & 1 & z \\ 0 & 0 & 0 & 1 \end{bmatrix}$
 # you get its inverse by transposing the rotation and by expressing the negated origin in the turned frame. On the arm, where the rotation
 # and the origin of frame 2 are known, that reads
 #

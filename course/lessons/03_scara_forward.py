@@ -210,7 +210,9 @@ lesson.listing.check(third)
 #
 # $$\mathrm{OC} = l_{12} \sin(q_1) \qquad \mathrm{OD} = y = l_{12} \sin(q_1) + l_{23} \sin(q_1 + q_2)$$
 #
-# $$z = -q_3 \qquad \theta = q_1 + q_2 + q_4$$
+# $$z = -q_3$$
+#
+# and $\theta = q_1 + q_2 + q_4$.
 #
 # > **Erratum** (slide "MGD robot SCARA – Vérification géométrique", as printed, against $z = -d_2$ on the slide before)
 # > $$z = q_3$$

@@ -151,9 +151,7 @@ lesson.third_product.check(U_3)
 # %% [markdown]
 # ## The pose
 #
-# The slides name the columns of the result $\vec s$, $\vec n$, $\vec a$ and $P$:
-#
-# $$U_0 = \begin{bmatrix} s_x & n_x & a_x & P_x \\ s_y & n_y & a_y & P_y \\ s_z & n_z & a_z & P_z \\ 0 & 0 & 0 & 1 \end{bmatrix}$$
+# The slides name the columns of the result $U_0$, above its last row: $\vec s$, $\vec n$, $\vec a$ and $P$.
 #
 # You need not multiply everything: one column asks for one column of each product.
 #

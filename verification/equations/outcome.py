@@ -8,7 +8,7 @@ from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import NoValue
 from armproof.verification.findings import Finding
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import EquationResult, Role, Verdict
 
 
 @dataclass
@@ -26,10 +26,27 @@ class Outcome:
     max_error: float | None = None
     sampled_only: bool = False
     defines: tuple[str, ...] = ()
+    role: Role = Role.CLAIM
+    read_as: str = ""
+    uses: frozenset[tuple[str, int]] = frozenset()
 
     def also(self, finding: Finding) -> None:
         """Add a finding to those of the equation."""
         self.findings = (*self.findings, finding)
+
+    def result(self, line: int) -> EquationResult:
+        """Return what the report keeps of it, for a display at a line."""
+        return EquationResult(
+            self.equation,
+            self.role,
+            self.verdict,
+            self.read_as,
+            tuple(finding.at(self.equation) for finding in self.findings),
+            self.samples,
+            self.max_error,
+            frozenset((key, line) for key in self.defines),
+            self.uses,
+        )
 
     @property
     def is_mismatch(self) -> bool:

@@ -78,7 +78,7 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
     if (quantity := names.quantities.get(key)) is not None:
         return evaluator.algebra.quantity(quantity)
     if key in names.state.definitions:
-        return names.state.definitions[key].evaluate(evaluator.algebra)
+        return names.defined_value(key, evaluator.algebra)
     name, *arguments = node.arguments
     assert isinstance(name, n.Name)
     joints = names.arm.joints if names.arm is not None else ()

@@ -48,7 +48,7 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
         evaluator.names.used.add(node.key)
         return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))
     if node.key in evaluator.names.state.definitions:
-        return evaluator.names.state.definitions[node.key].evaluate(evaluator.algebra)
+        return evaluator.names.defined_value(node.key, evaluator.algebra)
     if (exact := evaluator.algebra.exact) is not None:
         return evaluator.algebra.from_exact(evaluator.within(exact).evaluate(node))
     value = evaluator.evaluate(plain)

@@ -38,7 +38,7 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     if symbol is not None:
         return algebra.symbol(symbol)
     if node.key in names.state.definitions:
-        return names.state.definitions[node.key].evaluate(algebra)
+        return names.defined_value(node.key, algebra)
     if (quantity := names.quantity(node)) is not None:
         return algebra.quantity(quantity)
     if node.key == "pi":
@@ -75,7 +75,7 @@ def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
 
 def _to_added_frame(evaluator: Evaluating, node: n.Name, reference: str, frame: str, key: str) -> Matrix:
     """The transform to a frame that the document fixed on one of the arm's, such as a tool."""
-    fixed = evaluator.names.state.definitions[key].evaluate(evaluator.algebra)
+    fixed = evaluator.names.defined_value(key, evaluator.algebra)
     if not isinstance(fixed, Matrix) or fixed.shape != (4, 4):
         raise UnboundName(node.key)
     whole = evaluator.algebra.quantity(Quantity("pose", frame, reference)) @ fixed

@@ -61,6 +61,12 @@ class Kind(StrEnum):
     DEFINES = "defines", "gives `{name}` its meaning"
     DEFINES_ENTRIES = "defines_entries", "gives {names} their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
+    NEVER_USED = (
+        "never_used",
+        "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked",
+    )
+    BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
+    LEFT_OUT = "left_out", "read, but in no equation: {parts}"
     NUMBER_HERE = "number_here", "`{name}` is a number here, not the arm's vector"
     VECTOR_HERE = "vector_here", "`{name}` is a vector here, a component elsewhere"
     NO_SUCH_LENGTH = "no_such_length", "the arm has no `{name}`; with `{length}` the equation holds"

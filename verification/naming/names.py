@@ -159,6 +159,12 @@ class Names:
         """Whether a letter that could be free has not been used or defined: one side of an equation may define it."""
         return self.is_free(name) and name.key not in self.used and name.key not in self.state.definitions
 
+    def defined_value(self, key: str, algebra: Algebra) -> Value:
+        """Return the value of a name that a display has defined, and remember that it was asked for."""
+        definition = self.state.definitions[key]
+        self.state.consulted.add((key, definition.line))
+        return definition.evaluate(algebra)
+
     def define(self, key: str, evaluate: Callable[[Algebra], Value], line: int = 0, *, by_place: bool = False) -> None:
         """Give a name its meaning, unless it has one."""
         self.state.definitions.setdefault(key, Definition(evaluate, line, self.state.section, by_place))

@@ -50,6 +50,7 @@ class DocumentState:
         shown: the rows (from 1) in which a Jacobian was printed.
         signs: the named signs.
         errors: the refuted equations.
+        consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
         notation: how cosines, sums of angles, joints and lengths are written.
     """
 
@@ -65,6 +66,7 @@ class DocumentState:
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)
     signs: NamedSigns = field(default_factory=NamedSigns)
+    consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)
     notation: Notation = field(default_factory=Notation)
 
