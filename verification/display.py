@@ -18,7 +18,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.naming.signs import named_sign
-from armproof.verification.verdict import Role, Verdict
+from armproof.verification.verdict import DECIDED, Role, Verdict
 
 
 class Statements:
@@ -56,7 +56,7 @@ class Statements:
                 index += 1
                 continue
             steps = [self._chain(chain, equation, line, define) for chain in implication.premises]
-            self.names.state.consulted.clear()
+            self._begin()
             judged = self._implication(implication, [o for found in steps for o in found], equation)
             if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
                 outcomes.extend(
@@ -67,14 +67,22 @@ class Statements:
                 equation += sum(len(chain.relations) for chain in implication.premises)
                 index += len(implication.premises) + connectives_among(statements, index, len(implication.premises))
                 continue
-            outcomes.append(replace(judged[0], role=Role.CONDITION, uses=frozenset(self.names.state.consulted)))
+            outcomes.append(replace(judged[0], role=Role.CONDITION, uses=self._consulted()))
             extra.update(judged[1])
             equation += sum(len(chain.relations) for chain in implication.chains)
             index = implication.after
+        self._tell_what_is_left_out(statements, outcomes)
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return outcomes, extra
+
+    def _tell_what_is_left_out(self, statements: list[n.Statement], outcomes: list[Outcome]) -> None:
+        """An expression beside an equation is part of no claim, and what was meant by it is not known."""
+        if any(isinstance(statement, n.Chain) and statement.relations for statement in statements):
+            for outcome in outcomes:
+                if any(finding.kind is Kind.NO_EQUATION for finding in outcome.findings):
+                    outcome.role, outcome.findings = Role.CLAIM, (say(Kind.LEFT_OUT),)
 
     def _implication(
         self, implication: Implication, steps: list[Outcome], equation: int
@@ -105,12 +113,24 @@ class Statements:
 
     def _chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain, each with the definitions that it rests on."""
-        consulted = self.names.state.consulted
-        consulted.clear()
+        self._begin()
         outcomes = self._read_chain(chain, equation, line, define)
-        for outcome in outcomes:
-            outcome.uses = frozenset(key for key in consulted if key[0] not in outcome.defines)
+        if not chain.relations and not outcomes:
+            return [] if _is_label(chain) else [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]
+        defined = {(key, line) for outcome in outcomes for key in outcome.defines}
+        for outcome in outcomes:  # c_3 = … := D names what is decided beside it
+            met = {key for key in self._consulted() if key[0] not in outcome.defines}
+            outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
         return outcomes
+
+    def _begin(self) -> None:
+        self.names.state.consulted.clear()
+        self.names.state.signs.read.clear()
+
+    def _consulted(self) -> frozenset[tuple[str, int]]:
+        """Return the definitions and the named signs that were met since the last beginning."""
+        signs = self.names.state.signs
+        return frozenset(self.names.state.consulted) | {(key, signs.lines.get(key, 0)) for key in signs.read}
 
     def _read_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
@@ -141,8 +161,9 @@ class Statements:
     def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         sign = named_sign(chain)
         if sign is not None and self.names.defines_sign(sign):
-            self.names.state.signs.values.update({sign: 1} if define else {})
-            return [Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation)]
+            if define:
+                self.names.state.signs.name(sign, line)
+            return [Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))]
         if any(relation != "=" for relation in chain.relations):
             return [check_relation(self.checker, chain, equation)]
         if self.given.is_configuration(chain):
@@ -201,6 +222,12 @@ def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
         return [statement]
     claim = replace(statement, members=tuple(first), relations=statement.relations[:-1])
     return [claim, replace(statement, members=(first[0], last), relations=("=",))]
+
+
+def _is_label(chain: n.Chain) -> bool:
+    """Whether a number in brackets stands alone, as equations are numbered: (3)."""
+    (member,) = chain.members
+    return isinstance(member, n.Group) and isinstance(member.inner, n.Number)
 
 
 def _is_condition(outcome: Outcome) -> bool:

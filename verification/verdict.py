@@ -197,6 +197,11 @@ class Record:
     outcomes: tuple[EquationResult, ...] = ()  # of its equations, in their order
 
     @property
+    def is_decided(self) -> bool:
+        """Whether something that it claims is decided."""
+        return self.verdict in DECIDED or any(outcome.is_decided for outcome in self.outcomes)
+
+    @property
     def is_remark(self) -> bool:
         """Whether all that is unchecked in it is about something else than the arm: it never fails `--strict`."""
         unchecked = [each for each in self.outcomes if each.verdict is Verdict.UNCHECKED]
@@ -257,9 +262,7 @@ class DocumentResult:
     @property
     def claims(self) -> bool:
         """Whether anything in it was decided."""
-        return any(record.verdict in DECIDED for record in self.records) or any(
-            outcome.is_decided for record in self.equations for outcome in record.outcomes
-        )
+        return any(record.is_decided for record in self.records)
 
     @property
     def records(self) -> tuple[Record, ...]:

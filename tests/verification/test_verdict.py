@@ -53,7 +53,7 @@ def test_the_summary_counts_every_display_once() -> None:
         DocumentResult("b.md", "", (record(Verdict.PROVED),)),
     ]
     counts = summary(results)
-    assert list(counts) == ["proved", "confirmed", "defined", "refuted", "unchecked", "unreadable"]
+    assert list(counts) == ["proved", "confirmed", "defined", "refuted", "unchecked", "unreadable", "beyond"]
     assert sum(counts.values()) == 7 and counts["proved"] == 2 and counts["refuted"] == 1
     assert summary([]) == dict.fromkeys(counts, 0)
 
@@ -67,6 +67,7 @@ def test_a_record_is_written_as_the_design_says(judge: Callable[..., Record]) ->
         "erratum",
         "message",
         "findings",
+        "outcomes",
         "entries",
         "counterexample",
         "samples",

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Role, Verdict
@@ -53,8 +51,3 @@ def _is_of_kinematics(node: n.Node, names: Names) -> bool:
         or names.quantity(plain) is not None
         or bool(node.pre_sub or node.pre_sup)
     )
-
-
-def left_out(chains: Iterable[n.Chain], latex: str) -> Finding:
-    """Say what of a display was read and takes part in no equation."""
-    return say(Kind.LEFT_OUT, parts=[latex[slice(*chain.span)] for chain in chains])

@@ -66,7 +66,7 @@ class Kind(StrEnum):
         "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked",
     )
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
-    LEFT_OUT = "left_out", "read, but in no equation: {parts}"
+    LEFT_OUT = "left_out", "an expression stands beside the equation and in none: what it says is not decided"
     NUMBER_HERE = "number_here", "`{name}` is a number here, not the arm's vector"
     VECTOR_HERE = "vector_here", "`{name}` is a vector here, a component elsewhere"
     NO_SUCH_LENGTH = "no_such_length", "the arm has no `{name}`; with `{length}` the equation holds"

@@ -16,6 +16,7 @@ class NamedSigns:
 
     values: dict[str, int] = field(default_factory=dict)
     read: set[str] = field(default_factory=set)  # those that an evaluation has met since this was emptied
+    lines: dict[str, int] = field(default_factory=dict)  # of the displays that name them
 
     def value(self, key: str) -> int | None:
         """Return the value of a sign, or None for another name."""
@@ -23,9 +24,14 @@ class NamedSigns:
             self.read.add(key)
         return self.values.get(key)
 
+    def name(self, key: str, line: int) -> None:
+        """Take a name for a sign, as a display says."""
+        self.values[key] = 1
+        self.lines.setdefault(key, line)
+
     def copy(self) -> NamedSigns:
         """Return the signs as they are now."""
-        return NamedSigns(self.values.copy(), self.read.copy())
+        return NamedSigns(self.values.copy(), self.read.copy(), self.lines.copy())
 
     def branches(self, several: bool = True) -> Iterator[int]:
         """Yield the sign of ± on every branch, the signs that have been met having their values on it."""

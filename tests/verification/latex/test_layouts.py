@@ -82,7 +82,7 @@ def test_a_line_with_a_sign_and_a_relation_is_an_equation(judge: Judge) -> None:
     ],
 )  # fmt: skip
 def test_data_patterns_and_words_claim_nothing(judge: Judge, display: str) -> None:
-    assert judge(display, arm=ARM, quantities=BOUND).verdict is Verdict.DEFINED
+    assert not judge(display, arm=ARM, quantities=BOUND).is_decided
 
 
 @pytest.mark.parametrize(
@@ -94,7 +94,7 @@ def test_data_patterns_and_words_claim_nothing(judge: Judge, display: str) -> No
     ],
 )  # fmt: skip
 def test_what_is_not_bound_is_read_and_left_open(judge: Judge, display: str) -> None:
-    assert judge(display, arm=ARM, quantities=BOUND).verdict in (Verdict.UNCHECKED, Verdict.DEFINED)
+    assert not judge(display, arm=ARM, quantities=BOUND).is_decided
 
 
 @pytest.mark.parametrize(

@@ -174,6 +174,6 @@ COSINE = r"\frac{p_x^2+p_y^2+(p_z-d_1)^2-a_2^2%sa_3^2}{2a_2a_3}"
 )  # fmt: skip
 def test_inverse_kinematics_holds_up_to_its_branches(judge: Judge, formula: str) -> None:
     assert judge(SOLVED, formula % (COSINE % "-"), arm=ARM).verdict in (Verdict.PROVED, Verdict.CONFIRMED)
-    assert judge(SOLVED, formula % (COSINE % "+"), arm=ARM).verdict in (Verdict.REFUTED, Verdict.DEFINED)
+    assert judge(SOLVED, formula % (COSINE % "+"), arm=ARM).verdict in (Verdict.REFUTED, Verdict.UNCHECKED)
     if "D =" not in formula:  # where D is defined by the display, its value is the document's own
         assert judge(SOLVED, formula % (COSINE % "+"), arm=ARM).verdict is Verdict.REFUTED
