@@ -24,7 +24,7 @@ from armproof.verification.latex.tokens import normalise_unicode, original_offse
 from armproof.verification.naming.names import read_names
 from armproof.verification.naming.uses import settle_definitions
 from armproof.verification.tables import check_array_table, check_table
-from armproof.verification.verdict import DocumentResult, Judged, Record, Verdict, worst
+from armproof.verification.verdict import DocumentResult, EquationResult, Record, Verdict, worst
 
 if TYPE_CHECKING:
     from armproof.verification.correction.corrector import Corrector
@@ -205,7 +205,6 @@ class DocumentChecker:
             record,
             verdict=verdict,
             findings=tuple(finding.at(outcome.equation) for outcome in leading for finding in outcome.findings),
-            outcomes=tuple(outcome.result(display.line) for outcome in outcomes),
             samples=max((outcome.samples for outcome in outcomes), default=0),
             max_error=max(errors, default=None),
             counterexample=extra,
@@ -219,7 +218,7 @@ class DocumentChecker:
                 record = replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
             if self.correct:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
-        return replace(record, outcomes=tuple(_judged(outcome, record) for outcome in outcomes))
+        return replace(record, outcomes=tuple(_result(outcome, record) for outcome in outcomes))
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
         if record.verdict is not Verdict.REFUTED or not self.correct:
@@ -248,12 +247,12 @@ class DocumentChecker:
         return outcomes, extra
 
 
-def _judged(outcome: Outcome, record: Record) -> Judged:
+def _result(outcome: Outcome, record: Record) -> EquationResult:
     """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
-    findings = tuple(finding.at(outcome.equation) for finding in outcome.findings)
-    if outcome.verdict is Verdict.REFUTED:
-        findings = tuple(finding for finding in record.findings if finding.equation == outcome.equation)
-    return Judged(outcome.equation, outcome.verdict, findings, outcome.samples, outcome.max_error)
+    result = outcome.result(record.line)
+    if outcome.verdict is not Verdict.REFUTED:
+        return result
+    return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
 
 def _unreadable(display: Display, error: ReadError) -> Finding:

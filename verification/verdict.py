@@ -162,17 +162,6 @@ class Discrepancy:
 
 
 @dataclass(frozen=True)
-class Judged:
-    """What became of one equation of a display, and why."""
-
-    equation: int
-    verdict: Verdict
-    findings: tuple[Finding, ...] = ()
-    samples: int = 0
-    max_error: float | None = None
-
-
-@dataclass(frozen=True)
 class Record:
     """The verdict of one display, or of one DH table.
 
@@ -185,7 +174,7 @@ class Record:
     verdict: Verdict
     erratum: bool = False
     findings: tuple[Finding, ...] = ()  # why
-    outcomes: tuple[Judged, ...] = ()  # one an equation, in their order; none for a table
+    outcomes: tuple[EquationResult, ...] = ()  # one an equation, in their order; none for a table
     entries: tuple[WrongEntry, ...] = ()
     counterexample: Mapping[str, float] = field(default_factory=dict)
     samples: int = 0
@@ -194,7 +183,6 @@ class Record:
     section: str = ""
     discrepancy: Discrepancy | None = None  # the sides at the counterexample, for a drawing
     corrections: tuple[Correction, ...] | None = None
-    outcomes: tuple[EquationResult, ...] = ()  # of its equations, in their order
 
     @property
     def is_decided(self) -> bool:
