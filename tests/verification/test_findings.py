@@ -1,8 +1,12 @@
 """Findings: what is said, in words for each audience and as data."""
 
 import json
+import re
+from pathlib import Path
 from string import Formatter
 
+import armproof.course
+import armproof.verification
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import Audience, Piece, pieces, write, write_all
@@ -45,3 +49,12 @@ def test_an_error_carries_its_finding() -> None:
 
 def test_braces_and_marks_in_terms_are_left_alone() -> None:
     assert str(say(Kind.NOT_BOUND, name="{}^0T_{4}`$")) == "'{}^0T_{4}`$' is not bound"
+
+
+def test_every_kind_is_said_somewhere() -> None:
+    """A kind that nothing says is dead; the check itself sees one that is missing."""
+    rooms = [Path(room.__path__[0]) for room in (armproof.course, armproof.verification)]
+    texts = [file.read_text() for room in rooms for file in room.rglob("*.py") if file.name != "kinds.py"]
+    said = {name for text in texts for name in re.findall(r"\bKind\.([A-Z][A-Z0-9_]*)", text)}
+    assert not {kind.name for kind in Kind} - said
+    assert "NO_SUCH_KIND_AT_ALL" not in said

@@ -804,6 +804,78 @@ class Kind(StrEnum):
     KEY_NOT_TEXT = "key_not_text", "'{key}' must be text, not {value}"
     ARM_EMPTY = "arm_empty", "'arm' is empty; name an arm, a model file or a DH table, or leave the key out"
 
+    # -- what the front matter says -------------------------------------------------------------------------------------
+    NO_MAPPING = "no_mapping", "'{key}' must be a mapping from names to meanings, not {value}"
+    UNKNOWN_TRANSFORMS = "unknown_transforms", "'transforms' must be upper or lower, not {value}"
+    SYMBOL_OF_NOTHING = "symbol_of_nothing", "symbol '{symbol}' must be bound to a symbol of the arm, not {value}"
+    UNKNOWN_SYMBOL = (
+        "unknown_symbol",
+        "symbol '{symbol}': the arm '{arm}' has no '{value}'; it has {known} ('{free}' binds a letter that is none of the arm's)",
+    )
+    SYMBOL_NOT_FREE = "symbol_not_free", "symbol '{symbol}' is one of the arm '{arm}': it cannot be free"
+    NO_NAME_BECAUSE = "no_name_because", "'{name}' is not a name: {problem}"
+    NO_NAME = (
+        "no_name",
+        "'{name}' is not a name; write it as in the displays, such as P_x, J(q) or {{}}^0T_4",
+    )
+    QUANTITY_OF_NO_KIND = (
+        "quantity_of_no_kind",
+        "quantity '{quantity}' must name one of {kinds}, such as {{origin: 3}}; it is {value}",
+    )
+    UNKNOWN_OPTION = (
+        "unknown_option",
+        "quantity '{quantity}': unknown option {options}; valid with '{kind_name}': {valid}",
+    )
+    UNKNOWN_LINK = "unknown_link", "quantity '{quantity}': link must be classic or modified, not {value}"
+    IN_QUANTITY = "in_quantity", "quantity '{quantity}': {problem}"
+    QUANTITY_WITHOUT_ARM = (
+        "quantity_without_arm",
+        "quantity '{quantity}' is of an arm, but the front matter names no arm",
+    )
+    UNKNOWN_JOINT = "unknown_joint", "quantity '{quantity}': no joint '{joint}'; the arm's are {joints}"
+    NOT_TWO_FRAMES = (
+        "not_two_frames",
+        "quantity '{quantity}': difference takes two frames, [to, from], not {value}",
+    )
+    NO_SUCH_ROW = (
+        "no_such_row",
+        "quantity '{quantity}': a {kind_name} has {most} rows, there is no row {index}",
+    )
+    UNKNOWN_AXIS = "unknown_axis", "quantity '{quantity}': along must be x, y or z, not {value}"
+    NO_ROW_AND_COLUMN = (
+        "no_row_and_column",
+        "quantity '{quantity}': component of a pose is [row, column], not {value}",
+    )
+    UNKNOWN_COMPONENT = "unknown_component", "quantity '{quantity}': component must be x, y or z, not {value}"
+    NO_INDICES = (
+        "no_indices",
+        "quantity '{quantity}': {option} must be a list of indices counted from 1, not {value}",
+    )
+    NO_SUCH_COLUMN = (
+        "no_such_column",
+        "quantity '{quantity}': a {kind_name} has {most} columns, there is no column {index}",
+    )
+    INVERSE_WITHOUT_ARM = (
+        "inverse_without_arm",
+        "'inverse' solves for the joints of an arm, but the front matter names no arm",
+    )
+    INVERSE_OF_NOTHING = "inverse_of_nothing", "'inverse' must say what is given, as {example}; it is {value}"
+    UNKNOWN_INVERSE_OPTION = "unknown_inverse_option", "'inverse': unknown option {unknown}; the options are {options}"
+    UNKNOWN_TARGET = "unknown_target", "'inverse': a target is one of {targets}, or a list of names"
+    NO_TARGET = "no_target", "'inverse': a target is a list of names, as {example}; it is {value}"
+    NAME_TWICE = "name_twice", "'inverse': a name stands twice in the target {target}"
+    NO_JOINTS_TO_SOLVE = "no_joints_to_solve", "'inverse': solve is a list of joints, of {joints}; it is {value}"
+    NOT_EACH_JOINT = (
+        "not_each_joint",
+        "'inverse': solve must name each joint of the arm '{arm}' once; they are {joints}, it is {given}",
+    )
+    OF_INVERSE = "of_inverse", "'inverse': {problem}"
+    TOO_MANY_SIGNS = "too_many_signs", "'inverse': {count} independent signs; at most {most} are read"
+    NO_PART_OF_TARGET = (
+        "no_part_of_target",
+        "'inverse': '{name}' is a {kind_name}; a target is made of {shapes} or their components",
+    )
+
     # -- the parts of a matrix ------------------------------------------------------------------------------------------
     EMPTY = "empty", "empty"
     THE_MATRIX = "the_matrix", "the matrix"

@@ -9,6 +9,7 @@ from typing import Any
 from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.naming.names import Names, name_key
 from armproof.verification.naming.quantities import read_quantity
 
@@ -47,28 +48,26 @@ def read_claim(spec: object, arm: Arm | None, names: Names) -> InverseClaim:
         DocumentError: an unknown key, target or joint, with the valid choices.
     """
     if arm is None:
-        raise DocumentError("'inverse' solves for the joints of an arm, but the front matter names no arm", "inverse")
+        raise DocumentError(say(Kind.INVERSE_WITHOUT_ARM), "inverse")
     if not isinstance(spec, Mapping) or "target" not in spec:
-        raise DocumentError(f"'inverse' must say what is given, as {_EXAMPLE}; it is {spec!r}", "inverse")
+        raise DocumentError(say(Kind.INVERSE_OF_NOTHING, example=_EXAMPLE, value=repr(spec)), "inverse")
     unknown = [str(key) for key in spec if key not in OPTIONS]
     if unknown:
-        raise DocumentError(
-            f"'inverse': unknown option {', '.join(unknown)}; the options are {', '.join(OPTIONS)}", "inverse"
-        )
+        raise DocumentError(say(Kind.UNKNOWN_INVERSE_OPTION, unknown=unknown, options=list(OPTIONS)), "inverse")
     return InverseClaim(_read_target(spec["target"], arm, names), _read_order(spec.get("solve"), arm, names))
 
 
 def _read_target(spec: object, arm: Arm, names: Names) -> tuple[TargetPart, ...]:
     if isinstance(spec, Mapping):
         if not any(kind in spec for kind in _WHOLE):
-            raise DocumentError(f"'inverse': a target is one of {', '.join(_WHOLE)}, or a list of names", "inverse")
+            raise DocumentError(say(Kind.UNKNOWN_TARGET, targets=list(_WHOLE)), "inverse")
         return (TargetPart("the target", "", _read_whole(spec, arm)),)
     listed = [spec] if isinstance(spec, str) else spec
     if not (isinstance(listed, list) and listed and all(isinstance(name, str) for name in listed)):
-        raise DocumentError(f"'inverse': a target is a list of names, as {_EXAMPLE}; it is {spec!r}", "inverse")
+        raise DocumentError(say(Kind.NO_TARGET, example=_EXAMPLE, value=repr(spec)), "inverse")
     keys = [_key(names, str(name)) for name in listed]
     if len(set(keys)) < len(keys):
-        raise DocumentError(f"'inverse': a name stands twice in the target {listed!r}", "inverse")
+        raise DocumentError(say(Kind.NAME_TWICE, target=repr(listed)), "inverse")
     return tuple(TargetPart(str(name), key, names.quantities.get(key)) for name, key in zip(listed, keys, strict=True))
 
 
@@ -76,7 +75,7 @@ def _read_whole(spec: Mapping[Any, Any], arm: Arm) -> Quantity:
     try:
         return read_quantity("inverse", spec, arm)
     except DocumentError as error:
-        raise DocumentError(str(error), "inverse") from None
+        raise DocumentError(finding_of(error), "inverse") from None
 
 
 def _read_order(spec: object, arm: Arm, names: Names) -> tuple[str, ...]:
@@ -84,14 +83,11 @@ def _read_order(spec: object, arm: Arm, names: Names) -> tuple[str, ...]:
         return ()
     symbols = [joint.symbol for joint in arm.joints]
     if not (isinstance(spec, list) and all(isinstance(name, str) for name in spec)):
-        raise DocumentError(f"'inverse': solve is a list of joints, of {', '.join(symbols)}; it is {spec!r}", "inverse")
+        raise DocumentError(say(Kind.NO_JOINTS_TO_SOLVE, joints=symbols, value=repr(spec)), "inverse")
     order = [names.known_symbol(_key(names, name)) or name for name in spec]
     if sorted(order) != sorted(symbols):
-        raise DocumentError(
-            f"'inverse': solve must name each joint of the arm '{arm.name}' once; they are {', '.join(symbols)}, "
-            f"it is {', '.join(map(str, spec))}",
-            "inverse",
-        )
+        given = [str(name) for name in spec]
+        raise DocumentError(say(Kind.NOT_EACH_JOINT, arm=arm.name, joints=symbols, given=given), "inverse")
     return tuple(order)
 
 
@@ -99,4 +95,4 @@ def _key(names: Names, name: str) -> str:
     try:
         return name_key(names.reader, name)
     except DocumentError as error:
-        raise DocumentError(f"'inverse': {error}", "inverse") from None
+        raise DocumentError(say(Kind.OF_INVERSE, problem=finding_of(error)), "inverse") from None

@@ -9,7 +9,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document, read_document
 from armproof.verification.errors import DocumentError, EvaluationError
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.inverse.branch_graph import BranchGraph
 from armproof.verification.inverse.claim import read_claim
 from armproof.verification.inverse.derivation import Derivation
@@ -60,4 +60,4 @@ def _check_target(derivation: Derivation) -> None:
     try:
         forward_values(derivation, free_algebra(Ring(), arm))
     except EvaluationError as error:
-        raise DocumentError(f"'inverse': {error}", "inverse") from None
+        raise DocumentError(say(Kind.OF_INVERSE, problem=finding_of(error)), "inverse") from None

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
-from armproof.verification.findings import Kind
+from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.derivation import Derivation, SolvingAlgebra, Step
 from armproof.verification.inverse.resolution import Resolution
 
@@ -45,7 +45,7 @@ def plan(start: Derivation, order: tuple[str, ...], algebra: SolvingAlgebra) -> 
         left.remove(step.joint)
     signs = tuple(dict.fromkeys(resolution.branching))
     if len(signs) > MOST_SIGNS:
-        raise DocumentError(f"'inverse': {len(signs)} independent signs; at most {MOST_SIGNS} are read", "inverse")
+        raise DocumentError(say(Kind.TOO_MANY_SIGNS, count=len(signs), most=MOST_SIGNS), "inverse")
     return replace(start, steps=tuple(steps), choice=dict(resolution.choice), signs=signs)
 
 

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.claim import InverseClaim, TargetPart
 
 _SHAPES = {"pose": (4, 4), "rotation": (3, 3), "origin": (3, 1), "axis": (3, 1)}
@@ -86,8 +87,7 @@ def _part_slots(part: TargetPart) -> list[Slot]:
         return [Slot(part.name, key=part.key)]
     if quantity.kind not in _SHAPES or quantity.homogeneous:
         raise DocumentError(
-            f"'inverse': '{part.name}' is a {quantity.kind}; a target is made of {', '.join(_SHAPES)} or their components",
-            "inverse",
+            say(Kind.NO_PART_OF_TARGET, name=part.name, kind_name=quantity.kind, shapes=list(_SHAPES)), "inverse"
         )
     rows, columns = _cells(quantity)
     one = len(rows) == len(columns) == 1

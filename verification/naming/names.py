@@ -12,6 +12,7 @@ from armproof.models.arm import Arm
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError, ReadError
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader, key_as_latex
@@ -177,25 +178,22 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     transforms = front.get("transforms", "upper")
     for key, value in (("symbols", symbols_spec), ("quantities", quantities_spec)):
         if not isinstance(value, Mapping):
-            raise DocumentError(f"'{key}' must be a mapping from names to meanings, not {value!r}", key)
+            raise DocumentError(say(Kind.NO_MAPPING, key=key, value=repr(value)), key)
     if transforms not in ("upper", "lower"):
-        raise DocumentError(f"'transforms' must be upper or lower, not {transforms!r}", "transforms")
+        raise DocumentError(say(Kind.UNKNOWN_TRANSFORMS, value=repr(transforms)), "transforms")
     found = (re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key)) for key in [*symbols_spec, *quantities_spec])
     words = frozenset(word for words in found for word in words) - READ_ALREADY
     plain = Reader(words=words)
     symbols: dict[str, str] = {}
     for key, value in symbols_spec.items():
         if not isinstance(value, str):
-            raise DocumentError(f"symbol '{key}' must be bound to a symbol of the arm, not {value!r}", "symbols")
+            raise DocumentError(say(Kind.SYMBOL_OF_NOTHING, symbol=str(key), value=repr(value)), "symbols")
         name = name_key(plain, str(key))
         if arm is not None and value != FREE and value not in (known := _scalars(arm)):
-            raise DocumentError(
-                f"symbol '{key}': the arm '{arm.name}' has no '{value}'; it has {', '.join(known)} "
-                f"('{FREE}' binds a letter that is none of the arm's)",
-                "symbols",
-            )
+            unknown = say(Kind.UNKNOWN_SYMBOL, symbol=str(key), arm=arm.name, value=value, known=list(known), free=FREE)
+            raise DocumentError(unknown, "symbols")
         if value == FREE and arm is not None and name in _scalars(arm):
-            raise DocumentError(f"symbol '{key}' is one of the arm '{arm.name}': it cannot be free", "symbols")
+            raise DocumentError(say(Kind.SYMBOL_NOT_FREE, symbol=str(key), arm=arm.name), "symbols")
         symbols[name] = name if value == FREE else value
     quantities = {
         name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()
@@ -217,9 +215,9 @@ def name_key(reader: Reader, key: str) -> str:
     try:
         node = probe.read_expression(latex)
     except ReadError as error:
-        raise DocumentError(f"'{key}' is not a name: {error}") from None
+        raise DocumentError(say(Kind.NO_NAME_BECAUSE, name=key, problem=finding_of(error))) from None
     if isinstance(node, n.Name):
         return node.key
     if isinstance(node, n.Call) and node.function == "name":
         return call_key(node)
-    raise DocumentError(f"'{key}' is not a name; write it as in the displays, such as P_x, J(q) or {{}}^0T_4")
+    raise DocumentError(say(Kind.NO_NAME, name=key))

@@ -9,6 +9,7 @@ from dataclasses import replace
 from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 
 KINDS = ("pose", "rotation", "origin", "axis", "jacobian", "link", "difference", "joint", "vector")
@@ -28,45 +29,42 @@ OPTIONS = {
 def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
     """Return the quantity that a front-matter entry describes; raises DocumentError with the valid choices."""
     if not isinstance(spec, Mapping) or len(kinds := [kind for kind in KINDS if kind in spec]) != 1:
-        raise DocumentError(
-            f"quantity '{key}' must name one of {', '.join(KINDS)}, such as {{origin: 3}}; it is {spec!r}"
-        )
+        raise DocumentError(say(Kind.QUANTITY_OF_NO_KIND, quantity=key, kinds=list(KINDS), value=repr(spec)))
     kind = kinds[0]
     unknown = set(map(str, spec)) - OPTIONS[kind] - {kind}
     if unknown:
         valid = ", ".join(sorted(OPTIONS[kind])) or "none"
         raise DocumentError(
-            f"quantity '{key}': unknown option {', '.join(sorted(unknown))}; valid with '{kind}': {valid}"
+            say(Kind.UNKNOWN_OPTION, quantity=key, options=sorted(unknown), kind_name=kind, valid=valid)
         )
     if kind == "link":
         if spec["link"] not in ("classic", "modified"):
-            raise DocumentError(f"quantity '{key}': link must be classic or modified, not {spec['link']!r}")
+            raise DocumentError(say(Kind.UNKNOWN_LINK, quantity=key, value=repr(spec["link"])))
         return Quantity(
             "link", str(spec["link"]), rows=_indices(key, spec, "rows"), columns=_indices(key, spec, "columns")
         )
     if arm is None:
-        raise DocumentError(f"quantity '{key}' is of an arm, but the front matter names no arm")
+        raise DocumentError(say(Kind.QUANTITY_WITHOUT_ARM, quantity=key))
     if kind == "vector":
         return Quantity("vector", "q")
     if kind == "joint":
         symbols = [joint.symbol for joint in arm.joints]
         if str(spec["joint"]) not in symbols:
-            raise DocumentError(f"quantity '{key}': no joint '{spec['joint']}'; the arm's are {', '.join(symbols)}")
+            raise DocumentError(say(Kind.UNKNOWN_JOINT, quantity=key, joint=str(spec["joint"]), joints=symbols))
         return Quantity("joint", str(spec["joint"]), scalar=True)
     start = "0"
     frame = spec[kind]
     if kind == "difference":
         if not (isinstance(frame, list) and len(frame) == 2):
-            raise DocumentError(f"quantity '{key}': difference takes two frames, [to, from], not {frame!r}")
+            raise DocumentError(say(Kind.NOT_TWO_FRAMES, quantity=key, value=repr(frame)))
         start = frame_name(arm, str(frame[1]), key)
         frame = frame[0]
     reference = frame_name(arm, str(spec["in"]), key) if "in" in spec else arm.frames[0]
     rows, columns = _indices(key, spec, "rows"), _indices(key, spec, "columns")
     for option, indices, most in (("rows", rows, _height(kind)), ("columns", columns, _width(kind, arm))):
         if indices and max(indices) > most:
-            raise DocumentError(
-                f"quantity '{key}': a {kind} has {most} {option}, there is no {option[:-1]} {max(indices)}"
-            )
+            beyond = Kind.NO_SUCH_ROW if option == "rows" else Kind.NO_SUCH_COLUMN
+            raise DocumentError(say(beyond, quantity=key, kind_name=kind, most=most, index=max(indices)))
     quantity = Quantity(
         kind,
         frame_name(arm, str(frame), key),
@@ -78,7 +76,7 @@ def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
     )
     if "along" in spec:
         if spec["along"] not in COMPONENTS:
-            raise DocumentError(f"quantity '{key}': along must be x, y or z, not {spec['along']!r}")
+            raise DocumentError(say(Kind.UNKNOWN_AXIS, quantity=key, value=repr(spec["along"])))
         quantity = replace(quantity, along=str(spec["along"]))
     if "component" in spec:
         quantity = _component(key, quantity, spec["component"])
@@ -96,10 +94,10 @@ def _width(kind: str, arm: Arm) -> int:
 def _component(key: str, quantity: Quantity, component: object) -> Quantity:
     if quantity.kind == "pose":
         if not (isinstance(component, list) and len(component) == 2 and all(c in (1, 2, 3, 4) for c in component)):
-            raise DocumentError(f"quantity '{key}': component of a pose is [row, column], not {component!r}")
+            raise DocumentError(say(Kind.NO_ROW_AND_COLUMN, quantity=key, value=repr(component)))
         return replace(quantity, rows=(component[0],), columns=(component[1],), scalar=True)
     if component not in COMPONENTS:
-        raise DocumentError(f"quantity '{key}': component must be x, y or z, not {component!r}")
+        raise DocumentError(say(Kind.UNKNOWN_COMPONENT, quantity=key, value=repr(component)))
     return replace(quantity, rows=(COMPONENTS[str(component)] + 1,), scalar=True)
 
 
@@ -110,7 +108,7 @@ def _indices(key: str, spec: Mapping, option: str) -> tuple[int, ...] | None:
     if isinstance(value, int):
         value = [value]
     if not (isinstance(value, list) and value and all(type(i) is int and 1 <= i <= 64 for i in value)):
-        raise DocumentError(f"quantity '{key}': {option} must be a list of indices counted from 1, not {value!r}")
+        raise DocumentError(say(Kind.NO_INDICES, quantity=key, option=option, value=repr(value)))
     return tuple(value)
 
 
@@ -120,8 +118,8 @@ def frame_name(arm: Arm, name: str, key: str = "") -> str:
         return name
     if name in ("n", "N"):
         return numbered_frames(arm)[-1]
-    where = f"quantity '{key}': " if key else ""
-    raise DocumentError(f"{where}no frame '{name}' on arm '{arm.name}'; its frames are {', '.join(arm.frames)}")
+    unknown = say(Kind.NO_SUCH_FRAME, frame=name, arm=arm.name, frames=list(arm.frames))
+    raise DocumentError(say(Kind.IN_QUANTITY, quantity=key, problem=unknown) if key else unknown)
 
 
 def numbered_frames(arm: Arm) -> list[str]:
