@@ -265,39 +265,38 @@ def _formulas(node: n.Node) -> Iterator[n.Node]:
 
 def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """A length or a sine or cosine, missing from one term."""
-    factors: list[tuple[n.Node, str]] = [(length, _show(length)) for length in letters.lengths]
+    factors: list[tuple[n.Node, Finding]] = [
+        (length, say(Kind.MISSING_FACTOR, factor=_show(length))) for length in letters.lengths
+    ]
     style = next((b for b in n.walk(root) if isinstance(b, n.Call) and b.function in ("cos", "sin")), None)
-    if style is not None and isinstance(style.arguments[0], n.JointAngles):
-        for joint in letters.joints:
-            for function in ("cos", "sin"):
-                head = (
-                    bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
-                )
-                factors.append(
-                    (
-                        replace(style, function=function, head=head, arguments=(n.JointAngles(((1, joint),)),)),
-                        f"{function} {joint}",
-                    )
-                )
-    elif style is not None:
-        for angle in letters.angles:
-            for function in ("cos", "sin"):
-                head = (
-                    bare_head(style) if style.function == function else SWAPPED.get(bare_head(style), f"\\{function}")
-                )
-                factors.append(
-                    (replace(style, function=function, head=head, arguments=(angle,)), f"{function} of {_show(angle)}")
-                )
-    factors.append((n.Number(Fraction(2), "2"), "2"))
+    factors += _functions_of(style, letters) if style is not None else []
+    factors.append((n.Number(Fraction(2), "2"), say(Kind.MISSING_FACTOR, factor="2")))
     targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
     if not isinstance(root, n.Sum):
         targets.append(root)
     for target in targets:
-        for factor, shown in factors:
+        for factor, missing in factors:
             before = target.factors if isinstance(target, n.Product) and "×" not in target.operators else (target,)
             operators = target.operators if isinstance(target, n.Product) and len(before) > 1 else ()
             grown = n.Product((factor, *before), ("", *operators), span=target.span)
-            yield Edit(n.substitute(root, target, grown), "factor", say(Kind.MISSING_FACTOR, factor=shown))
+            yield Edit(n.substitute(root, target, grown), "factor", missing)
+
+
+def _functions_of(style: n.Call, letters: Letters) -> Iterator[tuple[n.Node, Finding]]:
+    """Yield the cosines and sines of the joints, written as `style` is, each with what is said where it is missing."""
+    arguments: list[tuple[n.Node, Kind, dict[str, int | str]]]
+    if isinstance(style.arguments[0], n.JointAngles):
+        arguments = [
+            (n.JointAngles(((1, joint),)), Kind.MISSING_FUNCTION, {"index": joint}) for joint in letters.joints
+        ]
+    else:
+        arguments = [(angle, Kind.MISSING_FUNCTION_OF, {"angle": _show(angle)}) for angle in letters.angles]
+    for argument, kind, terms in arguments:
+        for function in ("cos", "sin"):
+            other = SWAPPED.get(bare_head(style), f"\\{function}")
+            head = bare_head(style) if style.function == function else other
+            call = replace(style, function=function, head=head, arguments=(argument,))
+            yield call, say(kind, function=function, **terms)
 
 
 def _show(name: n.Name) -> str:

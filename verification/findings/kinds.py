@@ -59,7 +59,7 @@ class Kind(StrEnum):
     NOT_READ = "not_read", "{reason}"
     DOCUMENT_AT_FAULT = "document_at_fault", "{reason}"
     DEFINES = "defines", "gives `{name}` its meaning"
-    DEFINES_ENTRIES = "defines_entries", "gives {names} their meaning"
+    DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = (
         "never_used",
@@ -294,6 +294,8 @@ class Kind(StrEnum):
     THROUGHOUT = "throughout", "{change} throughout"
     EXTRA_FACTOR = "extra_factor", "the {factor:nth} factor does not belong"
     MISSING_FACTOR = "missing_factor", "a factor `{factor}` is missing"
+    MISSING_FUNCTION = "missing_function", "a factor {function} {index} is missing"
+    MISSING_FUNCTION_OF = "missing_function_of", "a factor {function} of `{angle}` is missing"
     EXTRA_TERM = "extra_term", "the {term:nth} term does not belong"
     MISSING_TERM = "missing_term", "the term ${term}$ is missing"
     WRONG_NUMBER = "wrong_number", "the number {number}"
@@ -514,7 +516,7 @@ class Kind(StrEnum):
 
     # -- lengths --------------------------------------------------------------------------------------------------------
     LENGTHS_SWAPPED = "lengths_swapped", "the lengths `{one}` and `{other}` are swapped"
-    LENGTHS_INTERCHANGED = "lengths_interchanged", "the lengths {lengths} are interchanged"
+    LENGTHS_INTERCHANGED = "lengths_interchanged", "the lengths `{lengths}` are interchanged"
     LENGTH_MISSING = "length_missing", "the length `{length}` is missing"
     SIGN_OF_LENGTH = "sign_of_length", "the sign of the length `{length}` is wrong"
     LENGTH_FOR_LENGTH = "length_for_length", "the length `{printed}` stands where `{correct}` belongs"
@@ -655,7 +657,7 @@ class Kind(StrEnum):
         "row {number}: {parameter}: {problem}; the entry holds if it means ${meaning}$: bind it under 'symbols'",
     )
     ROW_WITHOUT_FRAME = "row_without_frame", "row {number} has no frame on the arm to be checked against"
-    JOINTS_WITHOUT_ROW = "joints_without_row", "{rows} rows for an arm of {joints} joints: none for {without}"
+    JOINTS_WITHOUT_ROW = "joints_without_row", "{rows} rows for an arm of {joints} joints: none for `{without}`"
     ROWS_BEYOND_ARM = (
         "rows_beyond_arm",
         "{rows} rows for an arm of {joints} joints, which has no frame for row {beyond}",
@@ -677,7 +679,7 @@ class Kind(StrEnum):
     # -- inverse kinematics ---------------------------------------------------------------------------------------------
     NO_DERIVATION = "no_derivation", "{reason}"
     RETURNS = "returns", "FK(IK(x)) = x {how} on its one branch"
-    RETURNS_ON_BRANCHES = "returns_on_branches", "FK(IK(x)) = x {how} on each of {count} branches ({signs})"
+    RETURNS_ON_BRANCHES = "returns_on_branches", "FK(IK(x)) = x {how} on each of {count} branches (`{signs}`)"
     ALL_ON_IT = "all_on_it", "every configuration is on it: there is no other solution"
     SAMPLES_ON_IT = "samples_on_it", "every configuration of the samples is on it: there is no other solution"
     ALL_ON_BRANCHES = "all_on_branches", "every configuration is on one of them: there are no other solutions"
@@ -702,6 +704,7 @@ class Kind(StrEnum):
     )
     ON_ANY_BRANCH = "on_any_branch", "on any branch"
     ON_THE_BRANCH = "on_the_branch", "on the branch {signs}"
+    SIGNED = "signed", "`{name}` {sign}"
     ON_ITS_BRANCH = "on_its_branch", ""
     LOSES_JOINT = (
         "loses_joint",

@@ -62,5 +62,5 @@ def refute_for_other_lengths(inverse: InverseKinematics) -> tuple[tuple[Finding,
 
 def describe_branch(signs: Mapping[str, int]) -> Finding:
     """Return "on the branch theta_2 +, rho −", or a finding without words where there is one branch."""
-    named = [f"{name} {'+' if sign > 0 else '−'}" for name, sign in signs.items()]
+    named = [say(Kind.SIGNED, name=name, sign="+" if sign > 0 else "−") for name, sign in signs.items()]
     return say(Kind.ON_THE_BRANCH, signs=named) if signs else say(Kind.ON_ITS_BRANCH)
