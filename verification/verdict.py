@@ -301,6 +301,11 @@ class Failure:
         """Why, behind file and line."""
         return located(self.path, self.line, self.reason)
 
+    def as_json(self) -> dict[str, Any]:
+        """Return the failure as the report's JSON writes it."""
+        findings = [self.finding.as_json()]
+        return {"path": self.path, "line": self.line, "message": self.message, "findings": findings}
+
 
 def summary(results: list[DocumentResult]) -> dict[str, int]:
     """Count the verdicts of all displays; `beyond` counts those of the unchecked ones that are remarks."""

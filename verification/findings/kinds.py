@@ -330,8 +330,16 @@ class Kind(StrEnum):
     COLUMNS_SWAPPED = "columns_swapped", "columns {one} and {other} are swapped"
     SIGN_OF_ROW = "sign_of_row", "the sign of row {number} is wrong"
     SIGN_OF_COLUMN = "sign_of_column", "the sign of column {number}, the {axis} axis, is wrong"
-    POSE_OF_OTHER_FRAME = "pose_of_other_frame", "this is the pose of frame {other}, not {frame}"
-    POSE_IN_OTHER_FRAME = "pose_in_other_frame", "this is the pose in frame {other}, not {reference}"
+    POSE_OF_OTHER_FRAME = (
+        "pose_of_other_frame",
+        "this is the pose of frame {other}, not {frame}",
+        "this is that of frame {other}, not {frame}",
+    )
+    POSE_IN_OTHER_FRAME = (
+        "pose_in_other_frame",
+        "this is the pose in frame {other}, not {reference}",
+        "it is expressed in frame {other}, not {reference}",
+    )
     OF_OTHER_FRAME = "of_other_frame", "this is that of frame {other}, not {frame}"
     IN_OTHER_FRAME = "in_other_frame", "it is expressed in frame {other}, not {reference}"
     IN_OTHER_AXES = "in_other_axes", "it is expressed in the axes of frame {other}, not {reference}"
@@ -391,6 +399,7 @@ class Kind(StrEnum):
     COLUMN_THE_OTHER_WAY = (
         "column_the_other_way",
         "column {number}: joint `{joint}` is taken the other way",
+        "column {number}: joint `{joint}` is taken the other way, the sign of its column is wrong",
     )
     COLUMN_MISSING = "column_missing", "column {number} is missing: zeros stand in its place"
     COLUMNS_REVERSED = "columns_reversed", "the columns stand in the wrong order, from tool to base"
@@ -492,6 +501,7 @@ class Kind(StrEnum):
     JOINT_THE_OTHER_WAY = (
         "joint_the_other_way",
         "joint `{joint}` is taken the other way",
+        "joint `{joint}` is taken the other way: the sign of `{joint}` is wrong",
     )
     SINE_COSINE_OF_JOINT = "sine_cosine_of_joint", "sine and cosine of `{joint}` are exchanged"
     JOINT_AS_DEGREES = "joint_as_degrees", "`{joint}` is taken as degrees: it is in radians already"

@@ -14,8 +14,8 @@ from armproof.verification.verdict import DocumentResult, Failure, summary
 def json_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> str:
     """Return the verdicts as one JSON object in ASCII, ending in a newline.
 
-    {"documents": [...], "summary": {...}}, and beside them "errors": [{"path", "line", "message"}] where a document
-    could not be checked. With `strict`, "passed" counts an unchecked display as a failure.
+    {"documents": [...], "summary": {...}}, and beside them "errors": [{"path", "line", "message", "findings"}] where a
+    document could not be checked. With `strict`, "passed" counts an unchecked display as a failure.
     """
     return "".join(json_parts(results, strict=strict))
 
@@ -35,8 +35,7 @@ def json_parts(results: Iterable[DocumentResult | Failure], *, strict: bool = Fa
         before = ","
     report: dict[str, Any] = {"summary": dict(counts)}
     if failures:
-        errors = [{"path": failure.path, "line": failure.line, "message": failure.message} for failure in failures]
-        report["errors"] = errors
+        report["errors"] = [failure.as_json() for failure in failures]
     yield (before + "]" if before != "," else "\n ]") + "," + _indented(report, 0).removeprefix("{") + "\n"
 
 

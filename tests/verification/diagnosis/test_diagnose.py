@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -147,7 +148,7 @@ def test_the_counterexample_shows_the_difference(judge: Judge, workbench: Callab
     record = judge(rf"{true} = {printed}")
     bench = workbench("scara")
     assert set(record.counterexample) == {"theta_1", "theta_2", "d_3", "theta_4", "a_1", "a_2"}
-    values = {name: bench.exact.rational(value).ring.rational(0) + bench.exact.ring.rational(value.__class__(value).as_integer_ratio()[0]) / value.as_integer_ratio()[1] for name, value in record.counterexample.items()}  # fmt: skip
+    values = {name: bench.exact.rational(Fraction(value)) for name, value in record.counterexample.items()}
     difference = bench.exact.substitute(bench.value(f"{true} - ({printed})"), values)
     assert abs(float(bench.sampled.from_exact(difference)[0])) > 0.1
 

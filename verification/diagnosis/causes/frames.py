@@ -24,17 +24,24 @@ def inverse(X: np.ndarray) -> np.ndarray:
 def other_poses(case: Case) -> Iterator[Candidate]:
     """Yield what else of the arm a pose, a rotation, an origin or an axis could be taken for."""
     quantity = case.quantity
-    if quantity.kind in ("pose", "rotation"):
-        kind = Kind.INVERSE_PRINTED if case.is_printed else Kind.INVERSE_COMPUTED
-        X = case.kinematics.pose(quantity.frame, quantity.reference)
-        yield say(kind, reference=quantity.reference, frame=quantity.frame), case.selected(inverse(X))
+    if case.is_printed:  # of a rotation, an author swaps the indices; a function transposes
+        yield from _inverted(case, Kind.INVERSE_PRINTED)
     if case.true.shape[1] == case.true.shape[2] > 1 or not case.fits:
         yield say(Kind.TRANSPOSED), case.true.transpose(0, 2, 1)
     yield say(Kind.SIGN_OF_WHOLE), -case.true
+    if not case.is_printed:
+        yield from _inverted(case, Kind.INVERSE_COMPUTED)
     if quantity.kind in _OF_FRAMES:
         yield from _other_frames(case)
     if quantity.kind == "axis":
         yield from _other_axes(case)
+
+
+def _inverted(case: Case, kind: Kind) -> Iterator[Candidate]:
+    quantity = case.quantity
+    if quantity.kind in ("pose", "rotation"):
+        X = case.kinematics.pose(quantity.frame, quantity.reference)
+        yield say(kind, reference=quantity.reference, frame=quantity.frame), case.selected(inverse(X))
 
 
 def _other_frames(case: Case) -> Iterator[Candidate]:
