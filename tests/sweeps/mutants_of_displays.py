@@ -21,6 +21,7 @@ from random import Random
 import armproof.course
 from armproof.verification.check import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN, check_document
 from armproof.verification.document import Display, Document, read_document
+from armproof.verification.findings import Kind
 
 HANDOUTS = Path(armproof.course.__path__[0]) / "handouts"
 COUNT, SEED, ON_A_PAGE = 20_000, 2019, 12
@@ -103,7 +104,7 @@ def _verdicts(document: Document, displays: list[Display]) -> list[str]:
     page = replace(document, front=front, displays=tuple(displays), tables=())
     records = check_document(page).equations
     for record in records:
-        if record.message.startswith("internal error"):
+        if record.says(Kind.INTERNAL_ERROR):
             raise RuntimeError(record.message)
     return [record.verdict.value for record in records]
 

@@ -49,7 +49,7 @@ def test_every_slip_changes_the_formula(latex: str) -> None:
     root = read(latex)
     found = edits(latex)
     assert found
-    assert [edit.words for edit in found if edit.node == root] == []
+    assert [str(edit.finding) for edit in found if edit.node == root] == []
 
 
 @every_formula
@@ -57,7 +57,7 @@ def test_every_slip_can_be_read_again_as_it_was_meant(latex: str) -> None:
     root = read(latex)
     for edit in single_edits(root, LETTERS):
         text = Writer(latex, root, Notation()).write(edit.node)
-        assert flat(read(text)) == flat(edit.node), (edit.words, text)
+        assert flat(read(text)) == flat(edit.node), (str(edit.finding), text)
 
 
 @every_formula
@@ -110,7 +110,7 @@ def test_no_angle_is_squared_and_none_is_multiplied_by_a_length() -> None:
         calls = [node for node in n.walk(edit.node) if isinstance(node, n.Call)]
         assert not any(
             isinstance(below, n.Power | n.Product) for call in calls for below in n.walk(call.arguments[0])
-        ), edit.words
+        ), str(edit.finding)
 
 
 def test_a_sine_keeps_its_spelling() -> None:
