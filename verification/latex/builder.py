@@ -11,8 +11,15 @@ from lark import Token, Transformer
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.derivatives import partial_derivative, total_derivative
-from armproof.verification.latex.items import Differential, Item, argument_end, node_item, scripts_before
+from armproof.verification.latex.items import (
+    Differential,
+    Item,
+    argument_end,
+    node_item,
+    partial_derivative,
+    scripts_before,
+    total_derivative,
+)
 from armproof.verification.latex.runs import RunReader, product
 from armproof.verification.latex.statements import Cell, build_statements, environment_node
 from armproof.verification.latex.tokens import span_of_token
