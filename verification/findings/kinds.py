@@ -29,6 +29,7 @@ class Kind(StrEnum):
         kind._value_, kind.template, kind.student = name, template, student
         return kind
 
+    # fmt: off
     # -- what became of a display ---------------------------------------------------------------------------------------
     PROBLEM = "problem", "{reason}"
     INTERNAL_ERROR = "internal_error", "internal error, please report it: {type}: {reason}"
@@ -61,10 +62,7 @@ class Kind(StrEnum):
     DEFINES = "defines", "gives `{name}` its meaning"
     DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
-    NEVER_USED = (
-        "never_used",
-        "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked",
-    )
+    NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
     LEFT_OUT = "left_out", "an expression stands beside the equation and in none: what it says is not decided"
     NUMBER_HERE = "number_here", "`{name}` is a number here, not the arm's vector"
@@ -99,10 +97,7 @@ class Kind(StrEnum):
     NO_ANGLE = "no_angle", "'{text}' has no angle"
     NO_ARGUMENT = "no_argument", "'{text}' has no argument"
     DERIVATIVE_BY_NOTHING = "derivative_by_nothing", "a derivative with respect to nothing"
-    HIGHER_DERIVATIVE = (
-        "higher_derivative",
-        "a higher derivative is with respect to one variable, such as $\\partial t^2$",
-    )
+    HIGHER_DERIVATIVE = "higher_derivative", "a higher derivative is with respect to one variable, such as $\\partial t^2$"
     WRONG_END = "wrong_end", "'\\begin{{{begin}}}' is closed by '\\end{{{end}}}'"
     OPERAND_MISSING = "operand_missing", "an operand is missing"
     LONG_NUMBER = "long_number", "a number of more than 40 digits"
@@ -121,10 +116,7 @@ class Kind(StrEnum):
     TIMES_AN_ANGLE = "times_an_angle", "{times} times an angle"
     IDENTITY_OF_NO_SIZE = "identity_of_no_size", "an identity matrix whose size cannot be told"
     MATRICES_FOR_VALUE = "matrices_for_value", "a list of matrices stands where one value is expected"
-    DERIVATIVE_BY_NO_VARIABLE = (
-        "derivative_by_no_variable",
-        "a derivative with respect to something that is not a variable",
-    )
+    DERIVATIVE_BY_NO_VARIABLE = "derivative_by_no_variable", "a derivative with respect to something that is not a variable"
     ROOT_OF_NEGATIVE = "root_of_negative", "the square root of a negative number", ""
     ATAN2_OF_ZEROS = "atan2_of_zeros", "atan2(0, 0) has no value"
     SUM_OF_SIZES = "sum_of_sizes", "a sum of a {one} and a {other} matrix"
@@ -180,10 +172,7 @@ class Kind(StrEnum):
     MATRIX_OF_OTHER_SIZE = "matrix_of_other_size", "the matrix in which '{name}' stands has another size"
     NOT_IN_TARGET = "not_in_target", "it uses a part of the pose of frame {frame} that is not in the target"
     PRODUCT_OF_SIZES = "product_of_sizes", "a product of a {one} and a {other} matrix"
-    PRODUCT_OF_POSE = (
-        "product_of_pose",
-        "a product of a {one} and a {other} matrix; write the vector in homogeneous coordinates",
-    )
+    PRODUCT_OF_POSE = "product_of_pose", "a product of a {one} and a {other} matrix; write the vector in homogeneous coordinates"
     NO_VECTOR = "no_vector", "a vector is expected, a {size} matrix is given"
     NO_VECTOR_OF_LENGTH = "no_vector_of_length", "a {length}-vector is expected, a {size} matrix is given"
     TAKES_ONE_ARGUMENT = "takes_one_argument", "{function} takes 1 argument, {given} are given"
@@ -211,43 +200,22 @@ class Kind(StrEnum):
 
     # -- samples, relations, conditions ---------------------------------------------------------------------------------
     TO_DECIMALS = "to_decimals", "to the {decimals} decimals printed"
-    TO_DECIMALS_ON_A_BRANCH = (
-        "to_decimals_on_a_branch",
-        "to the {decimals} decimals printed, on one branch of its arc functions",
-    )
+    TO_DECIMALS_ON_A_BRANCH = "to_decimals_on_a_branch", "to the {decimals} decimals printed, on one branch of its arc functions"
     TO_DECIMALS_THERE = "to_decimals_there", "to the decimals printed, at the configuration given before"
     WRONG_THERE = "wrong_there", "at the configuration given before", ""
-    NUMBERS_OF_NOWHERE = (
-        "numbers_of_nowhere",
-        "numbers at a configuration, or for lengths, that no display before states",
-    )
+    NUMBERS_OF_NOWHERE = "numbers_of_nowhere", "numbers at a configuration, or for lengths, that no display before states"
     NOT_EXACT = "not_exact", "{what} is not exact", ""
     FEW_VALUES = "few_values", "fewer than 10 configurations have a value"
-    ON_A_BRANCH = (
-        "on_a_branch",
-        "on one branch of its square roots and arc functions: at {holding} of {configurations} random configurations; "
-        "at the others another sign or half-turn is meant",
-    )
-    UP_TO_A_SIGN = (
-        "up_to_a_sign",
-        "holds up to the sign of a square root or the branch of an arc function only",
-        "",
-    )
-    FOR_THESE_LENGTHS = (
-        "for_these_lengths",
-        "the sign of a square root is right for the lengths of this arm only",
-        "",
-    )
+    ON_A_BRANCH = "on_a_branch", "on one branch of its square roots and arc functions: at {holding} of {configurations} random configurations; at the others another sign or half-turn is meant"
+    UP_TO_A_SIGN = "up_to_a_sign", "holds up to the sign of a square root or the branch of an arc function only", ""
+    FOR_THESE_LENGTHS = "for_these_lengths", "the sign of a square root is right for the lengths of this arm only", ""
     ROOTS_POSITIVE = "roots_positive", "the two sides differ, square roots being taken as positive", ""
     PROOFS_DISAGREE = "proofs_disagree", "the proof and the double plant disagree"
     ALWAYS_EQUAL = "always_equal", "the two sides are equal for every configuration", ""
     INEQUALITY_HOLDS = "inequality_holds", "an inequality holds at every sample"
     INEQUALITY_FAILS = "inequality_fails", "the inequality fails at some configurations"
     APPROXIMATION = "approximation", "an approximation, to about a hundredth"
-    DOES_NOT_FOLLOW = (
-        "does_not_follow",
-        "the {holds} side holds and the {fails} does not at the configuration given",
-    )
+    DOES_NOT_FOLLOW = "does_not_follow", "the {holds} side holds and the {fails} does not at the configuration given"
 
     # -- wrong entries and what mends them ------------------------------------------------------------------------------
     WRONG_ENTRY = "wrong_entry", "is ${printed}$, should be ${correct}$", ""
@@ -275,20 +243,14 @@ class Kind(StrEnum):
     SINE_FOR_COSINE = "sine_for_cosine", "sine for cosine"
     COSINE_FOR_SINE = "cosine_for_sine", "cosine for sine"
     EXCHANGED_THROUGHOUT = "exchanged_throughout", "sine and cosine are exchanged throughout"
-    PRODUCT_OF_COSINES = (
-        "product_of_cosines",
-        "a product of cosines where the cosine of the sum of angles belongs",
-    )
+    PRODUCT_OF_COSINES = "product_of_cosines", "a product of cosines where the cosine of the sum of angles belongs"
     PRODUCT_OF_SINES = "product_of_sines", "a product of sines where the sine of the sum of angles belongs"
     WRONG_INDEX = "wrong_index", "index {printed} where {correct} belongs"
     EXTRA_INDEX = "extra_index", "index {index} does not belong"
     MISSING_INDEX = "missing_index", "index {index} is missing"
     WRONG_ANGLE = "wrong_angle", "angle `{printed}` where `{correct}` belongs"
     MISSING_ANGLE = "missing_angle", "angle `{angle}` is missing"
-    ABSOLUTE_ANGLE = (
-        "absolute_angle",
-        "{change}: an angle is taken as absolute where the sum of relative angles belongs",
-    )
+    ABSOLUTE_ANGLE = "absolute_angle", "{change}: an angle is taken as absolute where the sum of relative angles belongs"
     WRONG_LENGTH = "wrong_length", "length `{printed}` where `{correct}` belongs"
     SWAPPED_LENGTHS = "swapped_lengths", "lengths `{one}` and `{other}` are swapped"
     THROUGHOUT = "throughout", "{change} throughout"
@@ -308,18 +270,9 @@ class Kind(StrEnum):
     SIGN_OF_WHOLE = "sign_of_whole", "wrong sign of the whole"
     DOUBLED = "doubled", "the whole is doubled"
     INVERTED = "inverted", "the inverse is printed"
-    INVERSE_PRINTED = (
-        "inverse_printed",
-        "the inverse is printed: the pose of frame {reference} in frame {frame}",
-    )
-    INVERSE_COMPUTED = (
-        "inverse_computed",
-        "the inverse is computed: the pose of frame {reference} in frame {frame}",
-    )
-    OTHER_DIRECTION = (
-        "other_direction",
-        "if the {index} index of `{name}` names the reference frame, say 'transforms: {index}' in the front matter",
-    )
+    INVERSE_PRINTED = "inverse_printed", "the inverse is printed: the pose of frame {reference} in frame {frame}"
+    INVERSE_COMPUTED = "inverse_computed", "the inverse is computed: the pose of frame {reference} in frame {frame}"
+    OTHER_DIRECTION = "other_direction", "if the {index} index of `{name}` names the reference frame, say 'transforms: {index}' in the front matter"
     ROTATION_TRANSPOSED = "rotation_transposed", "the rotation is transposed"
     ROTATION_MISSING = "rotation_missing", "the rotation is missing: an identity stands in its place"
     ORIGIN_MISSING = "origin_missing", "the origin is missing: zeros stand in its place"
@@ -330,31 +283,14 @@ class Kind(StrEnum):
     COLUMNS_SWAPPED = "columns_swapped", "columns {one} and {other} are swapped"
     SIGN_OF_ROW = "sign_of_row", "the sign of row {number} is wrong"
     SIGN_OF_COLUMN = "sign_of_column", "the sign of column {number}, the {axis} axis, is wrong"
-    POSE_OF_OTHER_FRAME = (
-        "pose_of_other_frame",
-        "this is the pose of frame {other}, not {frame}",
-        "this is that of frame {other}, not {frame}",
-    )
-    POSE_IN_OTHER_FRAME = (
-        "pose_in_other_frame",
-        "this is the pose in frame {other}, not {reference}",
-        "it is expressed in frame {other}, not {reference}",
-    )
+    POSE_OF_OTHER_FRAME = "pose_of_other_frame", "this is the pose of frame {other}, not {frame}", "this is that of frame {other}, not {frame}"
+    POSE_IN_OTHER_FRAME = "pose_in_other_frame", "this is the pose in frame {other}, not {reference}", "it is expressed in frame {other}, not {reference}"
     OF_OTHER_FRAME = "of_other_frame", "this is that of frame {other}, not {frame}"
     IN_OTHER_FRAME = "in_other_frame", "it is expressed in frame {other}, not {reference}"
     IN_OTHER_AXES = "in_other_axes", "it is expressed in the axes of frame {other}, not {reference}"
-    CONSTANT_OFFSET = (
-        "constant_offset",
-        "the origin is off by the constant ({values}): an offset of the base is missing or wrong",
-    )
-    OTHER_BASE = (
-        "other_base",
-        "the base frame is another: a constant transform before the first joint is missing or wrong",
-    )
-    OTHER_TOOL = (
-        "other_tool",
-        "the tool frame is another: a constant transform after the last joint is missing or wrong",
-    )
+    CONSTANT_OFFSET = "constant_offset", "the origin is off by the constant ({values}): an offset of the base is missing or wrong"
+    OTHER_BASE = "other_base", "the base frame is another: a constant transform before the first joint is missing or wrong"
+    OTHER_TOOL = "other_tool", "the tool frame is another: a constant transform after the last joint is missing or wrong"
     OTHER_ORDER_OF_ROWS = "other_order_of_rows", "the rows stand in the wrong order: {order}"
     OTHER_ORDER_OF_COLUMNS = "other_order_of_columns", "the columns stand in the wrong order: {order}"
 
@@ -378,149 +314,60 @@ class Kind(StrEnum):
 
     # -- a Jacobian -----------------------------------------------------------------------------------------------------
     BLOCKS_SWAPPED = "blocks_swapped", "the blocks are swapped: the rows are [ω; v], [v; ω] is meant"
-    SOME_BLOCKS_SWAPPED = (
-        "some_blocks_swapped",
-        "the blocks are swapped: the rows of ω stand before those of v",
-    )
+    SOME_BLOCKS_SWAPPED = "some_blocks_swapped", "the blocks are swapped: the rows of ω stand before those of v"
     JACOBIAN_TRANSPOSED = "jacobian_transposed", "the Jacobian is transposed: its rows stand as columns"
     PART_TRANSPOSED = "part_transposed", "the Jacobian is transposed, and is its {part} part alone"
     IN_TOOL_FRAME = "in_tool_frame", "it is expressed in frame {other}, the tool's own, not {reference}"
     TURNED = "turned", "it is turned by the rotation of frame {other} where it should not be"
-    LINEAR_PART_OF_OTHER_FRAME = (
-        "linear_part_of_other_frame",
-        "its linear part is that of the origin of frame {other}, not {frame}",
-    )
+    LINEAR_PART_OF_OTHER_FRAME = "linear_part_of_other_frame", "its linear part is that of the origin of frame {other}, not {frame}"
     JACOBIAN_OF_OTHER_FRAME = "jacobian_of_other_frame", "this is the Jacobian of frame {other}, not {frame}"
-    OTHER_POINT = (
-        "other_point",
-        "its linear part is that of the body's point at the origin of frame {other}, not {frame}: "
-        "z × `(p_n - p)` takes the wrong `p_n`",
-    )
-    COLUMN_THE_OTHER_WAY = (
-        "column_the_other_way",
-        "column {number}: joint `{joint}` is taken the other way",
-        "column {number}: joint `{joint}` is taken the other way, the sign of its column is wrong",
-    )
+    OTHER_POINT = "other_point", "its linear part is that of the body's point at the origin of frame {other}, not {frame}: z × `(p_n - p)` takes the wrong `p_n`"
+    COLUMN_THE_OTHER_WAY = "column_the_other_way", "column {number}: joint `{joint}` is taken the other way", "column {number}: joint `{joint}` is taken the other way, the sign of its column is wrong"
     COLUMN_MISSING = "column_missing", "column {number} is missing: zeros stand in its place"
     COLUMNS_REVERSED = "columns_reversed", "the columns stand in the wrong order, from tool to base"
     COLUMNS_SHIFTED = "columns_shifted", "the columns stand in the wrong order: they are shifted"
-    ABSOLUTE_DERIVATIVES = (
-        "absolute_derivatives",
-        "the chain rule is missing: the columns are derivatives with respect to absolute angles, "
-        "`θ_1 + θ_2` depends on both `θ_1` and `θ_2`",
-    )
-    CHAIN_RULE_IN_COLUMN = (
-        "chain_rule_in_column",
-        "column {number}: the chain rule is missing, `{joint}` moves the links after joint `{other}` too",
-    )
-    COLUMNS_SUMMED_TWICE = (
-        "columns_summed_twice",
-        "the columns are summed up twice: those of relative angles are sums already",
-    )
+    ABSOLUTE_DERIVATIVES = "absolute_derivatives", "the chain rule is missing: the columns are derivatives with respect to absolute angles, `θ_1 + θ_2` depends on both `θ_1` and `θ_2`"
+    CHAIN_RULE_IN_COLUMN = "chain_rule_in_column", "column {number}: the chain rule is missing, `{joint}` moves the links after joint `{other}` too"
+    COLUMNS_SUMMED_TWICE = "columns_summed_twice", "the columns are summed up twice: those of relative angles are sums already"
     PER_DEGREE = "per_degree", "it is per degree: the columns of revolute joints are per radian"
-    IN_DEGREES = (
-        "in_degrees",
-        "it is in degrees: the columns of revolute joints are multiplied by 180/π",
-    )
+    IN_DEGREES = "in_degrees", "it is in degrees: the columns of revolute joints are multiplied by 180/π"
     LENGTHS_IN_OTHER_UNIT = "lengths_in_other_unit", "the lengths are in {unit}: they are in metres"
     LINEAR_PART_IN_OTHER_UNIT = "linear_part_in_other_unit", "the linear part is in {unit}: lengths are in metres"
     PART_MISSING = "part_missing", "the {part} part is missing: zeros stand in its place"
     SIGN_OF_PART = "sign_of_part", "the sign of the {part} part is wrong"
-    ROWS_OF_PART_SWAPPED = (
-        "rows_of_part_swapped",
-        "rows {one} and {other}, {axis} and {other_axis} of {part}, are swapped",
-    )
-    SIGN_OF_CROSS_PRODUCT = (
-        "sign_of_cross_product",
-        "the sign of the cross product is wrong: it is z × `(p_n - p_i)`, not z × `(p_i - p_n)` or `(p_n - p_i)` × z",
-    )
+    ROWS_OF_PART_SWAPPED = "rows_of_part_swapped", "rows {one} and {other}, {axis} and {other_axis} of {part}, are swapped"
+    SIGN_OF_CROSS_PRODUCT = "sign_of_cross_product", "the sign of the cross product is wrong: it is z × `(p_n - p_i)`, not z × `(p_i - p_n)` or `(p_n - p_i)` × z"
     CROSS_OF_ORIGIN = "cross_of_origin", "z × `p_i` stands where z × `(p_n - p_i)` belongs"
-    CROSS_OF_END = (
-        "cross_of_end",
-        "z × `p_n` stands where z × `(p_n - p_i)` belongs: the origin on the axis is not subtracted",
-    )
-    NO_CROSS_PRODUCT = (
-        "no_cross_product",
-        "`p_n - p_i` stands without its cross product with z: v is z × `(p_n - p_i)`",
-    )
-    PRISMATIC_AS_REVOLUTE = (
-        "prismatic_as_revolute",
-        "prismatic joints are treated as revolute ones: their columns are [z; 0]",
-    )
-    PRISMATIC_TURNING = (
-        "prismatic_turning",
-        "prismatic joints have no angular velocity: zeros belong in place of z",
-    )
-    REVOLUTE_AS_PRISMATIC = (
-        "revolute_as_prismatic",
-        "revolute joints are treated as prismatic ones: their columns are [z × `(p_n - p_i)`; z]",
-    )
+    CROSS_OF_END = "cross_of_end", "z × `p_n` stands where z × `(p_n - p_i)` belongs: the origin on the axis is not subtracted"
+    NO_CROSS_PRODUCT = "no_cross_product", "`p_n - p_i` stands without its cross product with z: v is z × `(p_n - p_i)`"
+    PRISMATIC_AS_REVOLUTE = "prismatic_as_revolute", "prismatic joints are treated as revolute ones: their columns are [z; 0]"
+    PRISMATIC_TURNING = "prismatic_turning", "prismatic joints have no angular velocity: zeros belong in place of z"
+    REVOLUTE_AS_PRISMATIC = "revolute_as_prismatic", "revolute joints are treated as prismatic ones: their columns are [z × `(p_n - p_i)`; z]"
     NEIGHBOURING_AXIS = "neighbouring_axis", "`{other}` stands where `{own}` is the joint's axis{where}"
-    NEIGHBOURING_ORIGIN = (
-        "neighbouring_origin",
-        "`{other}` stands where `{own}` is the origin on the joint's axis{where}",
-    )
+    NEIGHBOURING_ORIGIN = "neighbouring_origin", "`{other}` stands where `{own}` is the origin on the joint's axis{where}"
     OF_THE_NEIGHBOUR = "of_the_neighbour", ", of the neighbouring frame"
     OF_THE_CONVENTION = "of_the_convention", " ({convention} DH)"
     FIRST_AXIS_FOR_ALL = "first_axis_for_all", "`z_0` stands for the axis of every joint"
-    Z_FOR_ALL = (
-        "z_for_all",
-        "z of the frame is taken for the axis of every joint; on this arm some joints have another axis, or its opposite",
-    )
-    COLUMN_AS_PRISMATIC = (
-        "column_as_prismatic",
-        "column {number}: the revolute joint `{joint}` is treated as a prismatic one",
-    )
-    COLUMN_TURNING = (
-        "column_turning",
-        "column {number}: the prismatic joint `{joint}` has no angular velocity: zeros belong in place of z",
-    )
-    COLUMN_AS_REVOLUTE = (
-        "column_as_revolute",
-        "column {number}: the prismatic joint `{joint}` is treated as a revolute one: its column is [z; 0]",
-    )
+    Z_FOR_ALL = "z_for_all", "z of the frame is taken for the axis of every joint; on this arm some joints have another axis, or its opposite"
+    COLUMN_AS_PRISMATIC = "column_as_prismatic", "column {number}: the revolute joint `{joint}` is treated as a prismatic one"
+    COLUMN_TURNING = "column_turning", "column {number}: the prismatic joint `{joint}` has no angular velocity: zeros belong in place of z"
+    COLUMN_AS_REVOLUTE = "column_as_revolute", "column {number}: the prismatic joint `{joint}` is treated as a revolute one: its column is [z; 0]"
 
     # -- joint variables ------------------------------------------------------------------------------------------------
     ANGLES_AS_DEGREES = "angles_as_degrees", "the angles are taken as degrees: q is in radians already"
-    ANGLES_TO_DEGREES = (
-        "angles_to_degrees",
-        "the angles are converted to degrees before sine and cosine, which take radians",
-    )
-    EVERY_JOINT_THE_OTHER_WAY = (
-        "every_joint_the_other_way",
-        "every joint is taken the other way: the sign of all angles is wrong",
-    )
-    ANGLES_ABSOLUTE = (
-        "angles_absolute",
-        "each angle is taken as absolute, from the base; it is relative to the link before: sums of angles are missing",
-    )
-    ANGLES_SUMMED_TWICE = (
-        "angles_summed_twice",
-        "the angles are summed up twice: each is relative to the link before already",
-    )
-    JOINT_THE_OTHER_WAY = (
-        "joint_the_other_way",
-        "joint `{joint}` is taken the other way",
-        "joint `{joint}` is taken the other way: the sign of `{joint}` is wrong",
-    )
+    ANGLES_TO_DEGREES = "angles_to_degrees", "the angles are converted to degrees before sine and cosine, which take radians"
+    EVERY_JOINT_THE_OTHER_WAY = "every_joint_the_other_way", "every joint is taken the other way: the sign of all angles is wrong"
+    ANGLES_ABSOLUTE = "angles_absolute", "each angle is taken as absolute, from the base; it is relative to the link before: sums of angles are missing"
+    ANGLES_SUMMED_TWICE = "angles_summed_twice", "the angles are summed up twice: each is relative to the link before already"
+    JOINT_THE_OTHER_WAY = "joint_the_other_way", "joint `{joint}` is taken the other way", "joint `{joint}` is taken the other way: the sign of `{joint}` is wrong"
     SINE_COSINE_OF_JOINT = "sine_cosine_of_joint", "sine and cosine of `{joint}` are exchanged"
     JOINT_AS_DEGREES = "joint_as_degrees", "`{joint}` is taken as degrees: it is in radians already"
     JOINT_MISSING = "joint_missing", "`{joint}` is missing: it stands nowhere in the result"
     OTHER_ZERO = "other_zero", "`{joint}` is counted from another zero: off by {turn}"
-    OTHER_ZERO_OR_DERIVATIVE = (
-        "other_zero_or_derivative",
-        "`{joint}` is counted from another zero: off by {turn}, or the derivatives of its sine and cosine are not taken",
-    )
+    OTHER_ZERO_OR_DERIVATIVE = "other_zero_or_derivative", "`{joint}` is counted from another zero: off by {turn}, or the derivatives of its sine and cosine are not taken"
     JOINT_TWICE = "joint_twice", "`{joint}` is counted twice"
-    JOINT_ABSOLUTE = (
-        "joint_absolute",
-        "`{joint}` is taken as an absolute angle, from the base; it is relative to the link before: "
-        "`{joint}` stands where `{before} + {joint}` belongs",
-    )
-    JOINT_SUMMED = (
-        "joint_summed",
-        "`{before} + {joint}` stands where `{joint}` belongs: the angle is relative to the link before already",
-    )
+    JOINT_ABSOLUTE = "joint_absolute", "`{joint}` is taken as an absolute angle, from the base; it is relative to the link before: `{joint}` stands where `{before} + {joint}` belongs"
+    JOINT_SUMMED = "joint_summed", "`{before} + {joint}` stands where `{joint}` belongs: the angle is relative to the link before already"
     JOINTS_SWAPPED = "joints_swapped", "`{one}` and `{other}` are swapped"
     JOINT_FOR_JOINT = "joint_for_joint", "`{printed}` stands where `{correct}` belongs"
 
@@ -536,43 +383,22 @@ class Kind(StrEnum):
     SEVERAL_LENGTHS = "several_lengths", "{one}; {other}"
 
     # -- link matrices --------------------------------------------------------------------------------------------------
-    OTHER_GENERAL_LINK = (
-        "other_general_link",
-        "this is the {other} link matrix, the {convention} one is meant",
-    )
-    OTHER_CONVENTION = (
-        "other_convention",
-        "this is the {other} link matrix, the arm's frames are those of the {convention} convention",
-    )
-    LINKS_OF_OTHER_CONVENTION = (
-        "links_of_other_convention",
-        "the link matrices are those of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}",
-    )
-    LINKS_REVERSED = (
-        "links_reversed",
-        "the link matrices are multiplied in the wrong order, from the last to the first",
-    )
-    LINKS_SWAPPED = (
-        "links_swapped",
-        "the link matrices `{one}` and `{other}` are multiplied in the wrong order",
-    )
+    OTHER_GENERAL_LINK = "other_general_link", "this is the {other} link matrix, the {convention} one is meant"
+    OTHER_CONVENTION = "other_convention", "this is the {other} link matrix, the arm's frames are those of the {convention} convention"
+    LINKS_OF_OTHER_CONVENTION = "links_of_other_convention", "the link matrices are those of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}"
+    LINKS_REVERSED = "links_reversed", "the link matrices are multiplied in the wrong order, from the last to the first"
+    LINKS_SWAPPED = "links_swapped", "the link matrices `{one}` and `{other}` are multiplied in the wrong order"
     LINK_LEFT_OUT = "link_left_out", "the link matrix `{link}` is missing from the product"
     LINK_TWICE = "link_twice", "the link matrix `{link}` stands in the product twice"
     WRONG_LINK = "wrong_link", "the link matrix `{link}` is wrong: {slip}"
-    FIRST_WRONG_LINK = (
-        "first_wrong_link",
-        "the link matrix `{link}` is wrong: {slip}; frame {frame} is the first that departs from the arm's",
-    )
+    FIRST_WRONG_LINK = "first_wrong_link", "the link matrix `{link}` is wrong: {slip}; frame {frame} is the first that departs from the arm's"
     LINK_SIGN_OF_ENTRY = "link_sign_of_entry", "the sign of its entry ({row}, {column})"
     LINK_ENTRY = "link_entry", "its entry ({row}, {column})"
     LINK_ENTRIES = "link_entries", "its entries {places}"
     LINK_MOST_ENTRIES = "link_most_entries", "most of its entries"
     LINK_INVERTED = "link_inverted", "it is inverted"
     LINK_TRANSPOSED = "link_transposed", "its rotation is transposed, the sign of its sines is wrong"
-    LINK_CONVENTION = (
-        "link_convention",
-        "it is that of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}",
-    )
+    LINK_CONVENTION = "link_convention", "it is that of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}"
     LINK_SIGN_OF_TWIST = "link_sign_of_twist", "the sign of its twist α"
     LINK_TWIST = "link_twist", "its twist α is missing"
     LINK_SIGN_OF_ANGLE = "link_sign_of_angle", "the sign of its angle θ"
@@ -588,10 +414,7 @@ class Kind(StrEnum):
 
     # -- tables ---------------------------------------------------------------------------------------------------------
     TABLE_ENTRY = "table_entry", "row {row}: {parameter} is ${printed}$, should be ${correct}$"
-    TABLE_ENTRY_BECAUSE = (
-        "table_entry_because",
-        "row {row}: {parameter} is ${printed}$, should be ${correct}$: {change}",
-    )
+    TABLE_ENTRY_BECAUSE = "table_entry_because", "row {row}: {parameter} is ${printed}$, should be ${correct}$: {change}"
     WRONG_VARIABLE = "wrong_variable", "row {row}: the variable is ${printed}$, should be ${correct}$"
     WRONG_ORIGIN = "wrong_origin", "row {row}: ${printed}$ should be ${correct}$: {change}"
     JOINT_IS_NOT = "joint_is_not", "row {row}: the joint is {joint_kind}, not {printed}"
@@ -619,38 +442,16 @@ class Kind(StrEnum):
     LETTER_FOR_LETTER = "letter_for_letter", "${printed}$ for ${correct}$"
     LETTER_MISSING = "letter_missing", "${letter}$ is missing"
     LETTER_EXTRA = "letter_extra", "${letter}$ does not belong"
-    OTHER_FRAMES = (
-        "other_frames",
-        "the table gives `{pose}` of the arm, but by other frames from row {number} on: "
-        "a {convention} DH table whose frames between are not the arm's",
-    )
-    HEADERS_OF_OTHER_CONVENTION = (
-        "headers_of_other_convention",
-        "the rows hold in the {convention} convention, the headers say {stated}",
-    )
-    FRAMES_OF_OTHER_CONVENTION = (
-        "frames_of_other_convention",
-        "the arm's frames are {convention} DH frames, the headers say {stated}",
-    )
+    OTHER_FRAMES = "other_frames", "the table gives `{pose}` of the arm, but by other frames from row {number} on: a {convention} DH table whose frames between are not the arm's"
+    HEADERS_OF_OTHER_CONVENTION = "headers_of_other_convention", "the rows hold in the {convention} convention, the headers say {stated}"
+    FRAMES_OF_OTHER_CONVENTION = "frames_of_other_convention", "the arm's frames are {convention} DH frames, the headers say {stated}"
     HEADERS_SWAPPED = "headers_swapped", "columns {one} and {other} swapped: the headers"
-    ROWS_SHIFTED = (
-        "rows_shifted",
-        "a and α stand one row too {direction}, as in a table of the {convention} convention",
-    )
-    ROW_WITHOUT_DH_FRAMES = (
-        "row_without_dh_frames",
-        "row {number}: frames {reference} and {frame} of the arm are not {convention} DH frames",
-    )
+    ROWS_SHIFTED = "rows_shifted", "a and α stand one row too {direction}, as in a table of the {convention} convention"
+    ROW_WITHOUT_DH_FRAMES = "row_without_dh_frames", "row {number}: frames {reference} and {frame} of the arm are not {convention} DH frames"
     AND_MORE = "and_more", "and {count} more"
-    NO_DH_FRAMES = (
-        "no_dh_frames",
-        "the frames of arm '{arm}' are DH frames of neither convention: the rows cannot be checked one by one",
-    )
+    NO_DH_FRAMES = "no_dh_frames", "the frames of arm '{arm}' are DH frames of neither convention: the rows cannot be checked one by one"
     MOVES_WITH = "moves_with", "the last row's frame moves with frame {frame} for every configuration"
-    MOVES_WITH_BUT_AT = (
-        "moves_with_but_at",
-        "the last row's frame moves with frame {frame} for every configuration, with its origin in that of frame {origin}",
-    )
+    MOVES_WITH_BUT_AT = "moves_with_but_at", "the last row's frame moves with frame {frame} for every configuration, with its origin in that of frame {origin}"
     SO_MENDED = "so_mended", "so mended, the last row's frame moves with frame {frame}"
     AT_NO_LAST_FRAME = "at_no_last_frame", "and the last row's frame lies at none of the arm's last frames"
     GENERAL_LINK = "general_link", "names the parameters of a general link"
@@ -662,16 +463,10 @@ class Kind(StrEnum):
     HOLDS_IN_CONVENTION = "holds_in_convention", "the rows hold in the {convention} one"
     LENGTH_ALONG_X = "length_along_x", "{holds}, {letter} the length along x"
     ROW_OPEN = "row_open", "row {number}: {parameter}: {problem}"
-    ROW_OPEN_BUT = (
-        "row_open_but",
-        "row {number}: {parameter}: {problem}; the entry holds if it means ${meaning}$: bind it under 'symbols'",
-    )
+    ROW_OPEN_BUT = "row_open_but", "row {number}: {parameter}: {problem}; the entry holds if it means ${meaning}$: bind it under 'symbols'"
     ROW_WITHOUT_FRAME = "row_without_frame", "row {number} has no frame on the arm to be checked against"
     JOINTS_WITHOUT_ROW = "joints_without_row", "{rows} rows for an arm of {joints} joints: none for `{without}`"
-    ROWS_BEYOND_ARM = (
-        "rows_beyond_arm",
-        "{rows} rows for an arm of {joints} joints, which has no frame for row {beyond}",
-    )
+    ROWS_BEYOND_ARM = "rows_beyond_arm", "{rows} rows for an arm of {joints} joints, which has no frame for row {beyond}"
     ROWS_IN_ORDER = "rows_in_order", "the labels name no frames of the arm: the rows are taken in order"
     LENGTHS_IN_NUMBERS = "lengths_in_numbers", "lengths in numbers are compared with those of the model"
     EMPTY_AS_ZERO = "empty_as_zero", "an empty entry is read as 0"
@@ -693,10 +488,7 @@ class Kind(StrEnum):
     ALL_ON_IT = "all_on_it", "every configuration is on it: there is no other solution"
     SAMPLES_ON_IT = "samples_on_it", "every configuration of the samples is on it: there is no other solution"
     ALL_ON_BRANCHES = "all_on_branches", "every configuration is on one of them: there are no other solutions"
-    SAMPLES_ON_BRANCHES = (
-        "samples_on_branches",
-        "every configuration of the samples is on one of them: there are no other solutions",
-    )
+    SAMPLES_ON_BRANCHES = "samples_on_branches", "every configuration of the samples is on one of them: there are no other solutions"
     FEWER_WHERE = "fewer_where", "fewer where {places}, none where that is negative"
     DEGENERATE_WHERE = "degenerate_where", "no value, or a joint free, where {places}"
     VANISHES = "vanishes", "${formula} = 0$"
@@ -704,27 +496,14 @@ class Kind(StrEnum):
     EITHER = "either", "{one} or {other}"
     NOT_PROVED_EXACTLY = "not_proved_exactly", "FK(IK(x)) = x is not proved exactly: {problem}"
     NOT_PROVED_EXACTLY_FOR = "not_proved_exactly_for", "FK(IK(x)) = x is not proved exactly for {labels}"
-    MAYBE_INCOMPLETE = (
-        "maybe_incomplete",
-        "that there are no other solutions is not proved exactly: {problem}",
-    )
-    MISSES_TARGET = (
-        "misses_target",
-        "FK(IK(x)) is not x {where}: {slot} is off by {error:.3g} at the first example",
-    )
+    MAYBE_INCOMPLETE = "maybe_incomplete", "that there are no other solutions is not proved exactly: {problem}"
+    MISSES_TARGET = "misses_target", "FK(IK(x)) is not x {where}: {slot} is off by {error:.3g} at the first example"
     ON_ANY_BRANCH = "on_any_branch", "on any branch"
     ON_THE_BRANCH = "on_the_branch", "on the branch {signs}"
     SIGNED = "signed", "`{name}` {sign}"
     ON_ITS_BRANCH = "on_its_branch", ""
-    LOSES_JOINT = (
-        "loses_joint",
-        "no branch gives back `{joint}` (line {line}) at {lost} of {configurations} random configurations, "
-        "though the joints before it are right",
-    )
-    INVERSE_FOR_THESE_LENGTHS = (
-        "inverse_for_these_lengths",
-        "right for the lengths of this arm only; for others {others}",
-    )
+    LOSES_JOINT = "loses_joint", "no branch gives back `{joint}` (line {line}) at {lost} of {configurations} random configurations, though the joints before it are right"
+    INVERSE_FOR_THESE_LENGTHS = "inverse_for_these_lengths", "right for the lengths of this arm only; for others {others}"
 
     # -- functions ------------------------------------------------------------------------------------------------------
     PROVED_FOR_JOINTS = "proved_for_joints", "proved for all joint values"
@@ -732,10 +511,7 @@ class Kind(StrEnum):
     PROVED_AT_LENGTHS = "proved_at_lengths", "proved for all joint values, at the arm's lengths {values}"
     VALUE = "value", "`{name}` = {value:g}"
     EQUAL_AT = "equal_at", "equal at {count:,} configurations"
-    NOT_THE_FORMULA = (
-        "not_the_formula",
-        "not exactly the arm's formula: a rounded constant or a difference quotient",
-    )
+    NOT_THE_FORMULA = "not_the_formula", "not exactly the arm's formula: a rounded constant or a difference quotient"
     OF_QUANTITY = "of_quantity", "{label}: {what}"
     RESULT_SIZE = "result_size", "the result is {printed}, it should be {correct}"
     RESULT_SIZE_BECAUSE = "result_size_because", "{mismatch}: {cause}"
@@ -743,40 +519,19 @@ class Kind(StrEnum):
     ANOTHER_SHAPE = "another_shape", "the result has another shape at some configurations"
     SHAPES_DIFFER = "shapes_differ", "the function returns results of different shapes at different q"
     NOT_FINITE = "not_finite", "the result holds entries that are not finite (NaN or infinity)"
-    WRONG_SOMEWHERE = (
-        "wrong_somewhere",
-        "the result is wrong at {wrong} of {configurations} configurations, such as the one given, and right elsewhere",
-    )
-    NOT_FINITE_SOMEWHERE = (
-        "not_finite_somewhere",
-        "the result is not finite at {wrong} of {configurations} configurations, such as the one given, "
-        "and right elsewhere",
-    )
-    CUT_TO_INTEGERS = (
-        "cut_to_integers",
-        "every entry is cut to a whole number: an array made of integers cuts what is assigned to it; make it of floats",
-    )
+    WRONG_SOMEWHERE = "wrong_somewhere", "the result is wrong at {wrong} of {configurations} configurations, such as the one given, and right elsewhere"
+    NOT_FINITE_SOMEWHERE = "not_finite_somewhere", "the result is not finite at {wrong} of {configurations} configurations, such as the one given, and right elsewhere"
+    CUT_TO_INTEGERS = "cut_to_integers", "every entry is cut to a whole number: an array made of integers cuts what is assigned to it; make it of floats"
     WRONG_DEFAULT = "wrong_default", "the formula is right, but the default value of {lengths}"
     DEFAULT = "default", "`{length}` is {printed}, the arm's is {correct:g}"
     AND_THAT_OF = "and_that_of", "{one}; that of {other}"
     ROUNDED_ENTRIES = "rounded_entries", "the entries are rounded to {digits} decimals"
-    RIGHT_TO_DECIMALS = (
-        "right_to_decimals",
-        "right to about {digits} decimals only: a rounded constant (3.14 for π), "
-        "or a difference quotient with too large a step",
-    )
-    UNSTEADY = (
-        "unsteady",
-        "two calls at the same q give different results: random numbers, or values kept between calls",
-    )
+    RIGHT_TO_DECIMALS = "right_to_decimals", "right to about {digits} decimals only: a rounded constant (3.14 for π), or a difference quotient with too large a step"
+    UNSTEADY = "unsteady", "two calls at the same q give different results: random numbers, or values kept between calls"
     NO_NUMBERS = "no_numbers", "{reason}"
     NOT_ATTEMPTED = "not_attempted", "{reason}"
     NOT_IMPLEMENTED = "not_implemented", "the function raises NotImplementedError"
-    DID_NOT_END = (
-        "did_not_end",
-        "the function did not end within {seconds:g} s{where}: a loop that never ends? "
-        "A function that is slow is given more time with 'seconds'",
-    )
+    DID_NOT_END = "did_not_end", "the function did not end within {seconds:g} s{where}: a loop that never ends? A function that is slow is given more time with 'seconds'"
     CALLS_ITSELF = "calls_itself", "the function calls itself without end{where}"
     RAISED = "raised", "{type}{where}: {reason}"
     IN_LINE = "in_line", " in line {line}"
@@ -803,15 +558,9 @@ class Kind(StrEnum):
     NOT_JSON = "not_json", "not a notebook: {reason} (a notebook is JSON)"
     NOT_A_NOTEBOOK = "not_a_notebook", "not a notebook: {reason}"
     FRONT_MATTER_OPEN = "front_matter_open", "the front matter opened by '---' is never closed by '---'"
-    FRONT_MATTER_ALIAS = (
-        "front_matter_alias",
-        "the front matter may not repeat a part by '*{anchor}'; write it out",
-    )
+    FRONT_MATTER_ALIAS = "front_matter_alias", "the front matter may not repeat a part by '*{anchor}'; write it out"
     FRONT_MATTER_NOT_YAML = "front_matter_not_yaml", "the front matter is not YAML: {reason}"
-    FRONT_MATTER_NO_MAPPING = (
-        "front_matter_no_mapping",
-        "the front matter must be a mapping of keys such as 'arm: scara'",
-    )
+    FRONT_MATTER_NO_MAPPING = "front_matter_no_mapping", "the front matter must be a mapping of keys such as 'arm: scara'"
     KEY_TWICE = "key_twice", "the front-matter key '{key}' stands twice, first in line {first}"
     UNKNOWN_KEY = "unknown_key", "unknown front-matter key '{key}'; the keys are {keys}"
     KEY_NOT_TEXT = "key_not_text", "'{key}' must be text, not {value}"
@@ -821,73 +570,34 @@ class Kind(StrEnum):
     NO_MAPPING = "no_mapping", "'{key}' must be a mapping from names to meanings, not {value}"
     UNKNOWN_TRANSFORMS = "unknown_transforms", "'transforms' must be upper or lower, not {value}"
     SYMBOL_OF_NOTHING = "symbol_of_nothing", "symbol '{symbol}' must be bound to a symbol of the arm, not {value}"
-    UNKNOWN_SYMBOL = (
-        "unknown_symbol",
-        "symbol '{symbol}': the arm '{arm}' has no '{value}'; it has {known} ('{free}' binds a letter that is none of the arm's)",
-    )
+    UNKNOWN_SYMBOL = "unknown_symbol", "symbol '{symbol}': the arm '{arm}' has no '{value}'; it has {known} ('{free}' binds a letter that is none of the arm's)"
     SYMBOL_NOT_FREE = "symbol_not_free", "symbol '{symbol}' is one of the arm '{arm}': it cannot be free"
     NO_NAME_BECAUSE = "no_name_because", "'{name}' is not a name: {problem}"
-    NO_NAME = (
-        "no_name",
-        "'{name}' is not a name; write it as in the displays, such as P_x, J(q) or {{}}^0T_4",
-    )
-    QUANTITY_OF_NO_KIND = (
-        "quantity_of_no_kind",
-        "quantity '{quantity}' must name one of {kinds}, such as {{origin: 3}}; it is {value}",
-    )
-    UNKNOWN_OPTION = (
-        "unknown_option",
-        "quantity '{quantity}': unknown option {options}; valid with '{kind_name}': {valid}",
-    )
+    NO_NAME = "no_name", "'{name}' is not a name; write it as in the displays, such as P_x, J(q) or {{}}^0T_4"
+    QUANTITY_OF_NO_KIND = "quantity_of_no_kind", "quantity '{quantity}' must name one of {kinds}, such as {{origin: 3}}; it is {value}"
+    UNKNOWN_OPTION = "unknown_option", "quantity '{quantity}': unknown option {options}; valid with '{kind_name}': {valid}"
     UNKNOWN_LINK = "unknown_link", "quantity '{quantity}': link must be classic or modified, not {value}"
     IN_QUANTITY = "in_quantity", "quantity '{quantity}': {problem}"
-    QUANTITY_WITHOUT_ARM = (
-        "quantity_without_arm",
-        "quantity '{quantity}' is of an arm, but the front matter names no arm",
-    )
+    QUANTITY_WITHOUT_ARM = "quantity_without_arm", "quantity '{quantity}' is of an arm, but the front matter names no arm"
     UNKNOWN_JOINT = "unknown_joint", "quantity '{quantity}': no joint '{joint}'; the arm's are {joints}"
-    NOT_TWO_FRAMES = (
-        "not_two_frames",
-        "quantity '{quantity}': difference takes two frames, [to, from], not {value}",
-    )
-    NO_SUCH_ROW = (
-        "no_such_row",
-        "quantity '{quantity}': a {kind_name} has {most} rows, there is no row {index}",
-    )
+    NOT_TWO_FRAMES = "not_two_frames", "quantity '{quantity}': difference takes two frames, [to, from], not {value}"
+    NO_SUCH_ROW = "no_such_row", "quantity '{quantity}': a {kind_name} has {most} rows, there is no row {index}"
     UNKNOWN_AXIS = "unknown_axis", "quantity '{quantity}': along must be x, y or z, not {value}"
-    NO_ROW_AND_COLUMN = (
-        "no_row_and_column",
-        "quantity '{quantity}': component of a pose is [row, column], not {value}",
-    )
+    NO_ROW_AND_COLUMN = "no_row_and_column", "quantity '{quantity}': component of a pose is [row, column], not {value}"
     UNKNOWN_COMPONENT = "unknown_component", "quantity '{quantity}': component must be x, y or z, not {value}"
-    NO_INDICES = (
-        "no_indices",
-        "quantity '{quantity}': {option} must be a list of indices counted from 1, not {value}",
-    )
-    NO_SUCH_COLUMN = (
-        "no_such_column",
-        "quantity '{quantity}': a {kind_name} has {most} columns, there is no column {index}",
-    )
-    INVERSE_WITHOUT_ARM = (
-        "inverse_without_arm",
-        "'inverse' solves for the joints of an arm, but the front matter names no arm",
-    )
+    NO_INDICES = "no_indices", "quantity '{quantity}': {option} must be a list of indices counted from 1, not {value}"
+    NO_SUCH_COLUMN = "no_such_column", "quantity '{quantity}': a {kind_name} has {most} columns, there is no column {index}"
+    INVERSE_WITHOUT_ARM = "inverse_without_arm", "'inverse' solves for the joints of an arm, but the front matter names no arm"
     INVERSE_OF_NOTHING = "inverse_of_nothing", "'inverse' must say what is given, as {example}; it is {value}"
     UNKNOWN_INVERSE_OPTION = "unknown_inverse_option", "'inverse': unknown option {unknown}; the options are {options}"
     UNKNOWN_TARGET = "unknown_target", "'inverse': a target is one of {targets}, or a list of names"
     NO_TARGET = "no_target", "'inverse': a target is a list of names, as {example}; it is {value}"
     NAME_TWICE = "name_twice", "'inverse': a name stands twice in the target {target}"
     NO_JOINTS_TO_SOLVE = "no_joints_to_solve", "'inverse': solve is a list of joints, of {joints}; it is {value}"
-    NOT_EACH_JOINT = (
-        "not_each_joint",
-        "'inverse': solve must name each joint of the arm '{arm}' once; they are {joints}, it is {given}",
-    )
+    NOT_EACH_JOINT = "not_each_joint", "'inverse': solve must name each joint of the arm '{arm}' once; they are {joints}, it is {given}"
     OF_INVERSE = "of_inverse", "'inverse': {problem}"
     TOO_MANY_SIGNS = "too_many_signs", "'inverse': {count} independent signs; at most {most} are read"
-    NO_PART_OF_TARGET = (
-        "no_part_of_target",
-        "'inverse': '{name}' is a {kind_name}; a target is made of {shapes} or their components",
-    )
+    NO_PART_OF_TARGET = "no_part_of_target", "'inverse': '{name}' is a {kind_name}; a target is made of {shapes} or their components"
 
     # -- the parts of a matrix ------------------------------------------------------------------------------------------
     EMPTY = "empty", "empty"
