@@ -141,7 +141,7 @@ def _slips_of_constants(node: n.Node, lengths: tuple[n.Name, ...]) -> Iterator[S
 def _mutant(latex: str, site: Site, edit: Slip) -> Mutant:
     text = _Foreign(latex, site.node).write(edit.node)
     start, end = site.node.span
-    return Mutant(_spliced(latex, start, end, text), edit.kind, str(edit.finding), site, edit.node, text)
+    return Mutant(_spliced(latex, start, end, text), edit.kind, edit.words, site, edit.node, text)
 
 
 class _Foreign(Writer):
