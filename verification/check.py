@@ -111,7 +111,7 @@ class DocumentChecker:
     @cached_property
     def _samples(self) -> SampledAlgebra:
         with self.ring.budget.paused():
-            from armproof.verification.evaluation.plant_samples import plant_samples
+            from armproof.verification.evaluation.sampled import plant_samples
 
             return plant_samples(self.exact)
 

@@ -10,10 +10,7 @@ from typer.core import TyperGroup
 
 from armproof.course.authoring import options as o
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
-from armproof.verification.cli.loading import give_up
-from armproof.verification.cli.messages import complain
-from armproof.verification.cli.plugins import as_command
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, as_command, complain, give_up
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
@@ -52,7 +49,7 @@ def list_lessons(folder: o.Folder = None) -> None:
     """List the lessons: number, name, title, tasks, arms."""
     from armproof.course.authoring.listing import described
     from armproof.course.authoring.writing import rows
-    from armproof.verification.report.lines import write_lines
+    from armproof.verification.report.text import write_lines
 
     try:
         place = _place(folder)

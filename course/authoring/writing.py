@@ -9,8 +9,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from armproof.course.authoring.checking.report import Report
-from armproof.verification.cli.progress import Progress
-from armproof.verification.report.lines import Line, write_lines
+from armproof.verification.cli.documents import Progress
+from armproof.verification.report.text import Line, write_lines
 
 HEAD = ("lesson", "tasks", "answers", "equations", "solved", "student", "check", "")
 _ORDER = ("proved", "confirmed", "defined", "refuted", "unchecked", "unreadable")

@@ -10,10 +10,8 @@ import typer
 
 from armproof.course.grading.sandbox.errors import GradingError
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.app import CANNOT_RUN, INTERRUPTED
-from armproof.verification.cli.loading import give_up
-from armproof.verification.cli.messages import complain
-from armproof.verification.cli.progress import Progress
+from armproof.verification.cli.application import CANNOT_RUN, INTERRUPTED, complain, give_up
+from armproof.verification.cli.documents import Progress
 
 Folder = Annotated[
     Path, typer.Argument(metavar="FOLDER", help="Notebooks, one a student, or a folder of them for each.")

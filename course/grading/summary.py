@@ -8,10 +8,9 @@ from pathlib import Path
 from armproof.course.grading.grading import Grades
 from armproof.course.grading.results import Status
 from armproof.course.grading.running.protections import describe
-from armproof.verification.cli.app import FAILS, PASSES
-from armproof.verification.cli.messages import complain
+from armproof.verification.cli.application import FAILS, PASSES, complain
 from armproof.verification.report.html.site import INDEX
-from armproof.verification.report.lines import Line, write_lines
+from armproof.verification.report.text import Line, write_lines
 
 
 def summarise(grades: Grades, out: Path) -> int:

@@ -10,10 +10,8 @@ from typing import Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, complain, give_up
 from armproof.verification.cli.documents import check_paths
-from armproof.verification.cli.loading import give_up
-from armproof.verification.cli.messages import complain
 from armproof.verification.verdict import DocumentResult, Failure
 
 

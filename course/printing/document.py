@@ -15,10 +15,9 @@ from armproof.course.sheet.reading import BlockReader
 from armproof.course.sheet.words import check_language, say
 from armproof.models.catalogue import load_arm
 from armproof.verification.document import Document
-from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.front_matter import read_text, split_front_matter
 from armproof.verification.document.markdown import markdown_reader
 from armproof.verification.document.notebook import read_cells, split_cells
-from armproof.verification.document.text import read_text
 from armproof.verification.naming.names import read_names
 from armproof.verification.verdict import DocumentResult
 

@@ -13,7 +13,7 @@ from armproof.course.printing.pdf import check_installed, write_pdf
 from armproof.course.sheet.errors import PrintError
 from armproof.course.sheet.model import Sheet
 from armproof.course.sheet.words import check_language
-from armproof.verification.cli.messages import complain
+from armproof.verification.cli.application import complain
 from armproof.verification.document import Document
 from armproof.verification.running.atomic import write_atomically
 from armproof.verification.verdict import DocumentResult

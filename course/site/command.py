@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.app import FAILS, INTERRUPTED
-from armproof.verification.cli.loading import give_up
-from armproof.verification.cli.messages import complain
-from armproof.verification.cli.progress import Progress
+from armproof.verification.cli.application import FAILS, INTERRUPTED, complain, give_up
+from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
     from armproof.course.site.work import Built

@@ -16,13 +16,11 @@ from armproof.models.catalogue import arm_names
 from armproof.models.errors import ModelError
 from armproof.verification import check as checking
 from armproof.verification.cli import app
-from armproof.verification.cli.documents import check_paths
-from armproof.verification.cli.progress import Progress
+from armproof.verification.cli.documents import Progress, check_paths
 from armproof.verification.findings import Kind, say
 from armproof.verification.report.github import github_report
 from armproof.verification.report.json_ import json_report
-from armproof.verification.report.lines import to_ascii
-from armproof.verification.report.text import text_report
+from armproof.verification.report.text import text_report, to_ascii
 from armproof.verification.running import batch, processes
 from armproof.verification.running.batch import check_each
 from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict, WrongEntry
@@ -439,7 +437,7 @@ def test_the_bar_is_shown_on_a_terminal_alone_and_taken_away(monkeypatch: pytest
 
     for stream, shown in ((Terminal(), True), (io.StringIO(), False)):
         monkeypatch.setattr(sys, "stderr", stream)
-        monkeypatch.setattr("armproof.verification.cli.progress.SILENT", -1.0)
+        monkeypatch.setattr("armproof.verification.cli.documents.SILENT", -1.0)
         with Progress(3) as progress:
             progress.advance()
             assert ("1 of 3 documents" in stream.getvalue()) == shown

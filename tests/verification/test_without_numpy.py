@@ -11,7 +11,7 @@ import pytest
 
 import armproof.verification
 
-SAMPLES = ("sampled", "plant_samples")  # the algebra of samples, and the arm's at them
+SAMPLES = ("sampled",)  # the algebra of samples, and the arm's at them
 ROOT = Path(armproof.verification.__path__[0])
 PROGRAM = """
 import importlib, sys

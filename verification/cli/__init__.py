@@ -4,8 +4,8 @@ Exit codes: 0 everything passes, 1 something does not, 2 the command cannot run 
 Nothing heavy is imported before it is needed: `armproof --help` loads neither Drake nor NumPy.
 """
 
-from armproof.verification.cli import arms, correct, singularities, verify, view
-from armproof.verification.cli.app import app, main
+from armproof.verification.cli import arms, correct, singularities, verify
+from armproof.verification.cli.application import app, main
 
 __all__ = ["app", "main"]
 
@@ -14,6 +14,6 @@ for command in (
     correct.correct,
     arms.arms,
     singularities.singularities,
-    view.view,
+    arms.view,
 ):  # in the order of the help
     app.command()(command)

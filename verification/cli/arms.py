@@ -1,4 +1,4 @@
-"""`armproof arms`: the arms, or one of them."""
+"""`armproof arms`: the arms, or one of them; `armproof view`: one in Drake's visualizer."""
 
 from __future__ import annotations
 
@@ -6,9 +6,12 @@ from typing import Annotated
 
 import typer
 
-from armproof.verification.cli.loading import load
-from armproof.verification.report.lines import write_lines
+from armproof.models.errors import ArmproofError
+from armproof.verification.cli.application import give_up, load
+from armproof.verification.report.text import write_lines
 
+ArmName = Annotated[str, typer.Argument(metavar="ARM", help="An arm, or a path to a model file.", show_default=False)]
+Browser = Annotated[bool, typer.Option(help="Open a browser window.")]
 AnyArm = Annotated[
     str | None, typer.Argument(metavar="[ARM]", help="An arm, or a path to a model file.", show_default=False)
 ]
@@ -24,3 +27,14 @@ def arms(arm: AnyArm = None) -> None:
         write_lines(list_arms([load(name) for name in arm_names()]))
     else:
         write_lines(describe_arm(load(arm)))
+
+
+def view(arm: ArmName, browser: Browser = True) -> None:
+    """Show an arm in Drake's visualizer, with its frames and joint sliders."""
+    from armproof.models.showing.viewer import view_arm
+
+    loaded = load(arm)
+    try:
+        view_arm(loaded, browser=browser)
+    except ArmproofError as error:
+        give_up(error)

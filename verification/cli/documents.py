@@ -1,20 +1,63 @@
-"""The documents that a command's paths name, and their results."""
+"""The documents that a command's paths name, their results, and how far the command is."""
 
 from __future__ import annotations
 
+import sys
+import time
 from collections.abc import Callable, Iterator, Sequence
 from importlib.util import find_spec
 from pathlib import Path
+from types import TracebackType
 from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.progress import Progress
 from armproof.verification.findings import Kind, say
 from armproof.verification.running.batch import check_each
 from armproof.verification.verdict import DocumentResult, Failure
 
 if TYPE_CHECKING:
     from armproof.verification.running.batch import After
+
+
+WIDTH = 30
+SILENT = 0.5  # seconds: what takes no longer needs no bar
+
+
+class Progress:
+    """A bar on standard error that is never left behind; it is cleared before anything else is written."""
+
+    def __init__(self, total: int, noun: str = "documents") -> None:
+        self.total = total
+        self.noun = noun
+        self.done = 0
+        self._shown = False
+        self._silent_until = time.monotonic() + SILENT
+        self._on_terminal = total > 1 and sys.stderr.isatty()
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.clear()
+
+    def advance(self, by: int = 1) -> None:
+        """Count what is done, and show how far it is."""
+        self.done += by
+        if self._on_terminal and self.done < self.total and time.monotonic() > self._silent_until:
+            sys.stdout.flush()
+            full = WIDTH * self.done // self.total
+            sys.stderr.write(f"\r\x1b[K[{'#' * full}{'.' * (WIDTH - full)}] {self.done} of {self.total} {self.noun}")
+            sys.stderr.flush()
+            self._shown = True
+
+    def clear(self) -> None:
+        """Take the bar away, so that a line may be written where it stood."""
+        if self._shown:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
+            self._shown = False
 
 
 def check_paths(
@@ -77,3 +120,26 @@ def find_course() -> Path:
     here = Path("course")
     spec = None if here.is_dir() else find_spec("armproof.course")
     return Path(next(iter(spec.submodule_search_locations))) if spec and spec.submodule_search_locations else here
+
+
+def check_and_report(
+    paths: Sequence[Path], folder: Path, *, strict: bool = False, jobs: int | None = None
+) -> list[DocumentResult | Failure]:
+    """Return the result of each document, and write their pages, an index and verdicts.json into a folder.
+
+    Raises:
+        ReportFolderError: the folder cannot be written, or holds what is no report.
+    """
+    from armproof.verification.report.html.folder import new_report
+    from armproof.verification.report.html.site import page_names, page_writer, write_index
+
+    names: dict[str, str] = {}
+    with new_report(folder) as part:
+
+        def prepare(documents: list[Path]) -> After:
+            names.update(page_names(documents))
+            return page_writer(part, names, strict=strict)
+
+        results = check_paths(paths, prepare=prepare, correct=True, jobs=jobs)
+        write_index(part, names, results, strict=strict)
+    return results

@@ -9,9 +9,8 @@ from typing import Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.app import FAILS
-from armproof.verification.cli.loading import give_up, load
-from armproof.verification.report.lines import write_lines
+from armproof.verification.cli.application import FAILS, give_up, load
+from armproof.verification.report.text import write_lines
 
 
 class Format(StrEnum):

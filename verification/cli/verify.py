@@ -11,13 +11,9 @@ from typing import Annotated, NoReturn
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
-from armproof.verification.cli.documents import check_each_path, find_course, named_documents
-from armproof.verification.cli.loading import give_up
-from armproof.verification.cli.messages import complain
-from armproof.verification.cli.pages import check_and_report
-from armproof.verification.report.lines import write_lines
-from armproof.verification.report.text import text_report
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up
+from armproof.verification.cli.documents import check_and_report, check_each_path, find_course, named_documents
+from armproof.verification.report.text import text_report, write_lines
 from armproof.verification.report.totals import Totals
 from armproof.verification.verdict import DocumentResult, Failure
 

@@ -8,9 +8,18 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from armproof.verification.cli.messages import complain
-from armproof.verification.report.lines import Line, write_lines
-from armproof.verification.report.text import BAD, FAINT, GOOD, STRONG, describe_document, describe_record, text_report
+from armproof.verification.cli.application import complain
+from armproof.verification.report.text import (
+    BAD,
+    FAINT,
+    GOOD,
+    STRONG,
+    Line,
+    describe_document,
+    describe_record,
+    text_report,
+    write_lines,
+)
 from armproof.verification.report.totals import passes
 from armproof.verification.running.watch import Event, Gone, Settled, Told, Watch
 from armproof.verification.verdict import DocumentResult, Failure

@@ -6,12 +6,12 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+from armproof.verification.document.front_matter import read_text
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import Document
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
-from armproof.verification.document.text import read_text
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees, isfinite
 
 from armproof.models.arm import Arm, Joint
-from armproof.verification.report.lines import Line
+from armproof.verification.report.text import Line
 
 
 def list_arms(arms: Sequence[Arm]) -> Iterator[Line]:

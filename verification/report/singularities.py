@@ -9,7 +9,7 @@ from typing import Any
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.written import write_scalar
 from armproof.verification.latex.plain import plain_text
-from armproof.verification.report.lines import Line
+from armproof.verification.report.text import Line
 from armproof.verification.singularities.families import Family, Position, SingularityAnalysis
 from armproof.verification.singularities.writing import compact_notation
 

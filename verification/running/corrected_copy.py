@@ -12,8 +12,8 @@ from armproof.verification.check import check_document
 from armproof.verification.correction.record import applied
 from armproof.verification.correction.tables import cell_spans
 from armproof.verification.document import SUFFIXES, Display, Document, Table, parse_document
+from armproof.verification.document.front_matter import read_bytes, read_text
 from armproof.verification.document.rewriting import Change, change_of, change_of_cell, rewrite
-from armproof.verification.document.text import read_bytes, read_text
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 from armproof.verification.running.atomic import write_atomically

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.app import CANNOT_RUN, FAILS, INTERRUPTED, PASSES
-from armproof.verification.cli.loading import give_up
-from armproof.verification.cli.messages import complain
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

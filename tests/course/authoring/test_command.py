@@ -15,7 +15,7 @@ from armproof.course.authoring.checking.report import Report
 from armproof.course.authoring.command import lesson as group
 from armproof.course.sources import kernel
 from armproof.course.sources.places import Place
-from armproof.verification.cli.plugins import as_command
+from armproof.verification.cli.application import as_command
 
 
 def run(*arguments: object):

@@ -11,7 +11,7 @@ import pytest
 from armproof.course.figures.registry import KINDS, figures_for, find_kind
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names
-from armproof.verification.cli import app, plugins
+from armproof.verification.cli import app, application
 
 ROOT = Path(__file__).resolve().parents[3]
 TABLE = """\
@@ -31,8 +31,8 @@ Run = tuple[int, str, str]
 @pytest.fixture
 def armproof(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Callable[..., Run]:
     """Run the command in this process, its entry point as pyproject.toml has it."""
-    point = EntryPoint("figures", "armproof.course.figures.output.command:figures", plugins.GROUP)
-    monkeypatch.setattr(plugins, "commands", lambda: {"figures": point})
+    point = EntryPoint("figures", "armproof.course.figures.output.command:figures", application.GROUP)
+    monkeypatch.setattr(application, "commands", lambda: {"figures": point})
 
     def run(*arguments: object) -> Run:
         with pytest.raises(SystemExit) as end:
@@ -47,7 +47,7 @@ def test_pyproject_has_the_entry_point() -> None:
     import tomllib
 
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    assert project["entry-points"][plugins.GROUP]["figures"] == "armproof.course.figures.output.command:figures"
+    assert project["entry-points"][application.GROUP]["figures"] == "armproof.course.figures.output.command:figures"
 
 
 def test_it_writes_the_figures_asked_for(armproof: Callable[..., Run], tmp_path: Path) -> None:
@@ -113,8 +113,8 @@ def test_a_figure_that_fails_does_not_take_the_others_with_it(
 
 def test_help_loads_nothing_heavy() -> None:
     code = (
-        "import sys; from importlib.metadata import EntryPoint; from armproof.verification.cli import plugins, main;"
-        f"plugins.commands = lambda: {{'figures': EntryPoint('figures', 'armproof.course.figures.output.command:figures', {plugins.GROUP!r})}};"
+        "import sys; from importlib.metadata import EntryPoint; from armproof.verification.cli import application, main;"
+        f"application.commands = lambda: {{'figures': EntryPoint('figures', 'armproof.course.figures.output.command:figures', {application.GROUP!r})}};"
         "sys.argv = ['armproof', '--help']\ntry: main()\nexcept SystemExit: pass\n"
         "print([name for name in ('pydrake', 'numpy', 'matplotlib') if name in sys.modules])"
     )

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from armproof.verification.cli.pages import check_and_report
+from armproof.verification.cli.documents import check_and_report
 from tests.verification.report.browser import CHROMIUM, DRIVER, Browser
 
 ROOT = Path(__file__).resolve().parents[3]

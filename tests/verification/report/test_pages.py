@@ -188,7 +188,7 @@ def test_a_document_that_cannot_be_checked_is_named_in_the_index() -> None:
 
 def test_unreadable_displays_are_shown_as_source(tmp_path: Path) -> None:
     (tmp_path / "page.md").write_text("$$ \\foo{<i>} = 1 $$\n", encoding="utf-8")
-    from armproof.verification.cli.pages import check_and_report
+    from armproof.verification.cli.documents import check_and_report
 
     (result,) = check_and_report([tmp_path / "page.md"], tmp_path / "report")
     assert isinstance(result, DocumentResult) and not result.passed
@@ -197,7 +197,7 @@ def test_unreadable_displays_are_shown_as_source(tmp_path: Path) -> None:
 
 
 def test_the_same_documents_give_the_same_report(wrong_report: Path, tmp_path: Path) -> None:
-    from armproof.verification.cli.pages import check_and_report
+    from armproof.verification.cli.documents import check_and_report
 
     source = wrong_report.parent / "planar-2r.md"
     check_and_report([source], tmp_path / "again")

@@ -17,7 +17,7 @@ from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.latex.plain import LETTERS
 from armproof.verification.latex.tokens import normalise_unicode
 from armproof.verification.report.html.prose import math, symbol
-from armproof.verification.tables.array import read_array
+from armproof.verification.tables.check import read_array
 from armproof.verification.verdict import Record, WrongEntry
 
 ON_PAPER = 45.0  # em of text that fit on a line of A4

@@ -12,7 +12,7 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.verification.diagnosis import counterexample
 from armproof.verification.document import Document
-from armproof.verification.evaluation import plant_samples
+from armproof.verification.evaluation import sampled
 from armproof.verification.naming.names import read_names
 from armproof.verification.report.html import prose
 from armproof.verification.report.html.card import arm_card
@@ -72,8 +72,8 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         sections=list(_sections(pairs)),
         card=arm_card(arm, painter, read) if arm is not None and painter is not None else None,
         versions=versions(),
-        seeds=(plant_samples.SEED, counterexample.SEED),
-        samples=plant_samples.SAMPLES,
+        seeds=(sampled.SEED, counterexample.SEED),
+        samples=sampled.SAMPLES,
         largest=max((r.max_error for r in records if r.max_error is not None and r.samples), default=None),
     )
 

@@ -1,0 +1,116 @@
+"""The application that the commands belong to: its exit codes, what it says on standard error, and the commands that other rooms add.
+
+The package verification/ imports nothing of course/: the entry points of the group "armproof.commands" are found by name, each
+a function or a typer.Typer of several, and loaded only when the command is called for.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterable
+from importlib.metadata import EntryPoint, entry_points
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+from typer.core import TyperGroup
+from typer.main import get_command
+
+from armproof.models.errors import ArmproofError
+from armproof.verification.report.text import write_lines
+
+if TYPE_CHECKING:
+    from armproof.models.arm import Arm
+
+
+GROUP = "armproof.commands"
+PASSES, FAILS, CANNOT_RUN, INTERRUPTED = 0, 1, 2, 130
+
+
+def commands() -> dict[str, EntryPoint]:
+    """Return the commands that are installed beside this package, by name."""
+    return {found.name: found for found in sorted(entry_points(group=GROUP), key=lambda found: found.name)}
+
+
+class Group(TyperGroup):
+    """The commands of the application, and those of the entry points, which are loaded when they are asked for."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Return the names of all commands, the application's own first."""
+        own = super().list_commands(ctx)
+        return [*own, *(name for name in commands() if name not in own)]
+
+    def get_command(self, ctx: Any, name: str) -> Any:
+        """Return a command by its name; None if there is none."""
+        own = super().get_command(ctx, name)
+        if own is not None or (found := commands().get(name)) is None:
+            return own
+        return as_command(name, found.load())
+
+
+def as_command(name: str, found: Callable[..., Any] | typer.Typer) -> Any:
+    """Return a function with typer's annotations, or a group of them, as a command (of the click that this typer brings)."""
+    if isinstance(found, typer.Typer):
+        group = get_command(found)
+        group.name = name
+        return group
+    alone = typer.Typer(add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
+    alone.command(name)(found)
+    return get_command(alone)
+
+
+app = typer.Typer(
+    cls=Group,
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    help="Every equation of a robot-arm course, proved or refuted against Drake.",
+)
+
+Version = Annotated[bool, typer.Option("--version", help="Show the version.")]
+
+
+def complain(messages: Iterable[str]) -> None:
+    """Write each message on standard error, on one line."""
+    write_lines((((f"armproof: {message}", ""),) for message in messages), sys.stderr)
+
+
+def main() -> None:
+    """Run the command line."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by the caller
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - open to the end
+    try:
+        app(prog_name="armproof")
+    except OSError as error:  # standard output takes no more: Python would try once again as it ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        complain([f"cannot write the report: {error.strerror}"])
+        sys.exit(CANNOT_RUN)
+
+
+@app.callback(invoke_without_command=True)
+def show_version(version: Version = False) -> None:  # noqa: D103 - the docstring would become the help
+    if version:
+        from importlib.metadata import version as installed_version
+
+        typer.echo(f"armproof {installed_version('armproof')}")
+        raise typer.Exit
+
+
+def load(name: str) -> Arm:
+    """Load an arm, and say what is doubtful about its model; ends the command where there is no such arm."""
+    from armproof.models.catalogue import load_arm
+
+    try:
+        arm = load_arm(name)
+    except ArmproofError as error:
+        give_up(error)
+    complain(f"warning: {warning}" for warning in arm.warnings)
+    return arm
+
+
+def give_up(error: ArmproofError) -> NoReturn:
+    """Say what is wrong, and end the command."""
+    complain([str(error)])
+    raise typer.Exit(CANNOT_RUN)
