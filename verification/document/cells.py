@@ -6,7 +6,9 @@ import json
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from io import StringIO
 from itertools import pairwise
+from tokenize import TokenError, generate_tokens
 from typing import Any
 
 # jupytext's rule, and "# %%[markdown]" as editors take it; "# %%time" is a magic in a cell
@@ -66,7 +68,8 @@ def percent_cells(text: str) -> tuple[Cell, ...]:
 
 
 def _percent_cells(lines: list[str]) -> Iterator[Cell]:
-    starts = [number for number, line in enumerate(lines) if _MARKER.match(line)]
+    quoted = _quoted(lines)
+    starts = [number for number, line in enumerate(lines) if _MARKER.match(line) and number not in quoted]
     for start, end in pairwise([*starts, len(lines)]):
         first, last = start + 1, end
         while first < last and not lines[first].strip():
@@ -76,6 +79,17 @@ def _percent_cells(lines: list[str]) -> Iterator[Cell]:
         kind, metadata, title = _read_marker(lines[start])
         body = lines[first:last] if kind == "code" else [line[comment_width(line) :] for line in lines[first:last]]
         yield Cell(kind, "\n".join(body), first + 1, metadata, start + 1, title)
+
+
+def _quoted(lines: list[str]) -> set[int]:
+    """Return the lines, from 0, that begin within a string: a program may hold the text of a lesson."""
+    quoted: set[int] = set()
+    try:
+        for token in generate_tokens(StringIO("\n".join(lines)).readline):
+            quoted.update(range(token.start[0], token.end[0]))  # one line ends where it begins, but for a string
+    except (TokenError, SyntaxError):  # no Python from there on: a student's cell, a magic
+        pass
+    return quoted
 
 
 def comment_width(line: str) -> int:

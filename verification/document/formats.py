@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.front_matter import read_text
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import Document
@@ -24,7 +25,6 @@ _READERS: dict[str, Callable[[Path, str], Document]] = {
     ".rst": read_rst,
 }
 _MARKS = {
-    ".py": ("# %% [markdown]",),
     ".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)),
     ".rst": (".. math::",),
 }
@@ -86,6 +86,8 @@ def _is_document(path: Path) -> bool:
 
 def _has_displays(suffix: str, text: str) -> bool:
     """Whether a file's text is likely to hold displays."""
+    if suffix == ".py":  # its text cells, not what stands in a program's strings
+        return any(cell.kind == "markdown" for cell in percent_cells(text))
     return any(mark in text for mark in _MARKS.get(suffix, ("$$", "{math}")))
 
 

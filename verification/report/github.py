@@ -23,6 +23,8 @@ def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool =
             yield _command("error", result.path, result.line, "cannot be checked", result.reason)
             continue
         for record, kind in ordered_records(result):
+            if record.is_remark and not record.erratum:
+                continue
             if not record.passes or (strict and record.verdict is Verdict.UNCHECKED):
                 yield _annotate("error", result.path, record, kind)
             elif record.verdict is Verdict.UNCHECKED:

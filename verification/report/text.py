@@ -72,9 +72,9 @@ def text_report(results: Iterable[DocumentResult | Failure], *, strict: bool = F
             yield from describe_document(result, strict)
     if totals.documents:
         yield ()
-    *lines, verdict = totals.describe()
-    yield from (((line, STRONG),) for line in lines)
-    yield ((verdict, GOOD if totals.passed else BAD),)
+    yield from (((line, STRONG),) for line in totals.numbers())
+    yield ((totals.verdict, (WARN if totals.undecided else GOOD) if totals.passed else BAD),)
+    yield from ((("  " + cause, ""),) for cause in totals.undecided.causes())
 
 
 def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
@@ -87,14 +87,6 @@ def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
     if not result.path.endswith(".ipynb"):
         records = [(replace(record, cell=None), kind) for record, kind in records]
     return sorted(records, key=lambda item: (-1 if item[0].cell is None else item[0].cell, item[0].line))
-
-
-def describe_total(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> list[str]:
-    """Return the total in words: what the displays came to, and how many documents pass."""
-    totals = Totals(strict)
-    for result in results:
-        totals.add(result)
-    return totals.describe()
 
 
 def describe_place(record: Record) -> str:

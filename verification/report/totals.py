@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from operator import itemgetter
 
+from armproof.verification.report.undecided import Undecided
 from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict
 
 _ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
@@ -16,7 +18,7 @@ class Tally:
     def __init__(self, noun: str, records: Iterable[Record] = ()) -> None:
         self.noun = noun
         self.verdicts: Counter[Verdict] = Counter()
-        self.errata = 0
+        self.errata = self.remarks = 0
         for record in records:
             self.add(record)
 
@@ -24,15 +26,19 @@ class Tally:
         """Count a record."""
         if record.erratum and record.passes:
             self.errata += 1
+        elif record.is_remark:
+            self.remarks += 1
         else:
             self.verdicts[record.verdict] += 1
 
     def __len__(self) -> int:
-        return self.verdicts.total() + self.errata
+        return self.verdicts.total() + self.errata + self.remarks
 
     def __str__(self) -> str:
         """Return "12 displays: 8 proved, 1 refuted, 3 errata refuted"."""
         words = [f"{self.verdicts[verdict]} {verdict.value}" for verdict in _ORDER if self.verdicts[verdict]]
+        if self.remarks:
+            words.append(count(self.remarks, "remark"))
         if self.errata:
             words.append(f"{'1 erratum' if self.errata == 1 else f'{self.errata} errata'} refuted")
         return count(len(self), self.noun) + (f": {', '.join(words)}" if words else "")
@@ -48,9 +54,20 @@ class Totals:
     def __init__(self, strict: bool = False) -> None:
         self.strict = strict
         self.documents = self.failing = self.unable = self.samples = 0
-        self.largest_error: float | None = None
+        self.largest_error: tuple[float, str] | None = None  # and the document in which it is
         self.displays, self.tables = Tally("display"), Tally("table")
+        self.undecided = Undecided()
+        self.claims = False  # whether anything is decided
+        self.without_claim: list[str] = []  # documents in which there is nothing to decide
         self.messages: list[str] = []  # why documents could not be checked
+
+    @classmethod
+    def of(cls, results: Iterable[DocumentResult | Failure], strict: bool = False) -> Totals:
+        """Return the total of results."""
+        totals = cls(strict)
+        for result in results:
+            totals.add(result)
+        return totals
 
     def add(self, result: DocumentResult | Failure) -> None:
         """Count a document."""
@@ -60,15 +77,22 @@ class Totals:
             return
         self.documents += 1
         self.failing += not passes(result, self.strict)
-        for tally, records in ((self.displays, result.equations), (self.tables, result.tables)):
+        self.claims |= result.claims
+        undecided = self.undecided.open.total()
+        inverse = [result.inverse] if result.inverse is not None else []
+        for noun, records in (("equation", result.equations), ("table", result.tables), ("inverse", inverse)):
             for record in records:
-                tally.add(record)
-                self._add_samples(record)
+                self._add_record(record, noun, result.path)
+        if not result.claims and self.undecided.open.total() == undecided:
+            self.without_claim.append(result.path)
 
-    def _add_samples(self, record: Record) -> None:
+    def _add_record(self, record: Record, noun: str, path: str) -> None:
+        self.undecided.add(record, noun)
+        if noun != "inverse":
+            (self.tables if noun == "table" else self.displays).add(record)
         self.samples = max(self.samples, record.samples)
         if record.max_error is not None and record.samples:
-            self.largest_error = max(self.largest_error or 0.0, record.max_error)
+            self.largest_error = max(self.largest_error or (0.0, path), (record.max_error, path), key=itemgetter(0))
 
     @property
     def passed(self) -> bool:
@@ -76,19 +100,54 @@ class Totals:
         return not (self.failing or self.unable)
 
     def describe(self) -> list[str]:
-        """Return the total in words: what the displays came to, and how many documents pass."""
+        """Return the total in words: the numbers, whether everything passes, then why equations are not decided."""
+        return [*self.numbers(), self.verdict, *self.undecided.causes()]
+
+    def numbers(self) -> list[str]:
+        """Return what the displays came to, and the largest error."""
         lines = []
         if self.documents:
             of_tables = f"; {self.tables}" if len(self.tables) else ""
             lines.append(f"{count(self.documents, 'document')}, {self.displays}{of_tables}")
         if self.largest_error is not None:
+            error, path = self.largest_error
             where = f"{self.samples:,} configurations"
-            lines.append(f"evaluated on Drake's numerical plant at {where}: largest error {self.largest_error:.1e}")
+            within = f", in {path}" if self.documents > 1 else ""
+            lines.append(f"evaluated on Drake's numerical plant at {where}: largest error {error:.1e}{within}")
+        return lines
+
+    @property
+    def verdict(self) -> str:
+        """The answer in a sentence: everything passes only where every claim was decided."""
+        if self.passed:
+            return self._nothing_wrong
         verb = "does" if self.failing == 1 else "do"
-        verdicts = [f"{count(self.failing, 'document')} {verb} not pass"] if self.failing else []
+        strictly = self._fails_strictly() if self.strict else []
+        why = f" (--strict: {'; '.join(strictly)})" if strictly else ""
+        verdicts = [f"{count(self.failing, 'document')} {verb} not pass{why}"] if self.failing else []
         if self.unable:
             verdicts.append(f"{self.unable} could not be checked")
-        return [*lines, "; ".join(verdicts) or "everything passes"]
+        if self.undecided and not why:
+            verdicts.append(str(self.undecided))
+        return "; ".join(verdicts)
+
+    @property
+    def decides_all(self) -> bool:
+        """Whether there are claims, and each is decided."""
+        return self.claims and not self.undecided
+
+    @property
+    def _nothing_wrong(self) -> str:
+        if self.undecided:
+            return f"nothing wrong found; {self.undecided}"
+        return "everything passes" if self.decides_all else "no claim was found"
+
+    def _fails_strictly(self) -> list[str]:
+        """Return what fails documents with `--strict` alone."""
+        found = [str(self.undecided)] if self.undecided else []
+        if self.without_claim:
+            found.append(f"no claim was found in {', '.join(self.without_claim)}")
+        return found
 
 
 def passes(result: DocumentResult, strict: bool) -> bool:

@@ -271,6 +271,24 @@ def test_the_documents_of_a_folder_are_found_in_order(folder: Path):
     assert found == ["a/c.ipynb", "a/lesson.py", "arm.md", "b.md"]
 
 
+CELL = "# %% [markdown]\n# $$ a = b $$\n"
+
+
+def test_what_stands_in_a_programs_strings_makes_it_no_document(tmp_path: Path):
+    texts = {
+        "lesson.py": CELL,
+        "lesson_with_string.py": 'text = "a"\n' + CELL,
+        "unfinished.py": "x = (\n" + CELL,
+        "marker_in_string.py": f'LESSON = """\n{CELL}"""\n',
+        "marker_behind_code.py": 'LESSON = "# %% [markdown]\\n# $$ a = b $$"\n',
+    }
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    found = find_documents([tmp_path])
+    assert [path.name for path in found] == ["lesson.py", "lesson_with_string.py", "unfinished.py"]
+    assert all(len(read_document(path).displays) == 1 for path in found)
+
+
 def test_a_file_named_is_a_document_whatever_it_holds(folder: Path):
     paths = [folder / "notes.md", folder / "b.md", folder / "notes.md"]
     assert find_documents(paths) == paths[:2]

@@ -18,9 +18,9 @@ from armproof.verification.report.html import prose
 from armproof.verification.report.html.card import arm_card
 from armproof.verification.report.html.figures import painter_of
 from armproof.verification.report.html.items import Item, ItemWriter
-from armproof.verification.report.html.states import STATES, answer, count_states, state_of
+from armproof.verification.report.html.states import STATES, count_states, state_of
 from armproof.verification.report.html.templating import REPORT, versions
-from armproof.verification.report.totals import passes
+from armproof.verification.report.totals import Totals
 from armproof.verification.verdict import DocumentResult, Record
 
 
@@ -61,10 +61,9 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         path=name,
         index=index,
         result=result,
-        passed=passes(result, strict),
+        totals=Totals.of([result], strict),
         counts=counts,
         states=STATES,
-        answer=answer(counts),
         wrong=wrong,
         unsettled=[item for item, record in pairs if _is_unsettled(record)],
         errata=errata,

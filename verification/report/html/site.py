@@ -11,11 +11,10 @@ from unicodedata import combining, normalize
 
 from armproof.verification.document import Document
 from armproof.verification.report.html import prose
-from armproof.verification.report.html.states import STATES, answer, count_states, records_of
+from armproof.verification.report.html.states import STATES, count_states, records_of
 from armproof.verification.report.html.templating import REPORT, versions
 from armproof.verification.report.json_ import json_report
-from armproof.verification.report.text import describe_total
-from armproof.verification.report.totals import passes
+from armproof.verification.report.totals import Totals, passes
 from armproof.verification.verdict import DocumentResult, Failure
 
 INDEX, VERDICTS = "index.html", "verdicts.json"
@@ -67,11 +66,10 @@ def render_index(names: dict[str, str], results: Sequence[DocumentResult | Failu
     documents = [result for result in results if isinstance(result, DocumentResult)]
     rows = [_row(result, names[result.path], strict) for result in documents]
     counts = count_states(records_of(documents))
+    totals = Totals.of(results, strict)
     return REPORT.render(
         "index.html",
-        passed=len(documents) == len(results) and all(row.passed for row in rows),
-        verdict=describe_total(results, strict=strict)[-1].capitalize(),
-        answer=answer(counts, len(documents)),
+        totals=totals,
         counts=counts,
         states=STATES,
         rows=rows,

@@ -27,6 +27,7 @@ STATES = {
         State("proved", "✓", "proved"),
         State("confirmed", "≈", "confirmed"),
         State("defined", "≔", "defined"),
+        State("beyond", "·", "remark"),
         State("erratum", "†", "erratum, refuted"),
     )
 }
@@ -38,7 +39,7 @@ def state_of(record: Record) -> State:
         return STATES["erratum"]
     if record.erratum and record.verdict not in (Verdict.UNREADABLE, Verdict.UNCHECKED):
         return State("refuted", "✗", f"erratum, but {record.verdict.value}")
-    return STATES[record.verdict.value]
+    return STATES["beyond" if record.is_remark else record.verdict.value]
 
 
 def count_states(records: Iterable[Record]) -> dict[str, int]:
@@ -50,29 +51,3 @@ def count_states(records: Iterable[Record]) -> dict[str, int]:
 def records_of(results: Sequence[DocumentResult]) -> list[Record]:
     """Return all that has a verdict."""
     return [record for result in results for record in result.records]
-
-
-def counted(number: int, noun: str) -> str:
-    """Return "1 equation" or "3 equations"; "1 erratum" or "3 errata"."""
-    plural = {"erratum": "errata"}.get(noun, f"{noun}s")
-    return f"{number:,} {noun if number == 1 else plural}"
-
-
-def answer(counts: dict[str, int], documents: int = 0) -> str:
-    """Return the answer in a sentence: how many are proved, and what there is to correct."""
-    total = sum(counts.values()) - counts.get("erratum", 0)
-    where = f" in {counted(documents, 'document')}" if documents else ""
-    sure = [f"{counts[key]:,} {word}" for key, word in _SURE if counts.get(key)]
-    said = f"{counted(total, 'equation')}{where}: {', '.join(sure) or 'none decided'}."
-    wrong = counts.get("refuted", 0)
-    return f"{said} {counted(wrong, 'equation')} to correct." if wrong else f"{said} Nothing to correct."
-
-
-_SURE = (
-    ("proved", "proved"),
-    ("confirmed", "confirmed"),
-    ("defined", "give a name its meaning"),
-    ("refuted", "refuted"),
-    ("unchecked", "unchecked"),
-    ("unreadable", "unreadable"),
-)
