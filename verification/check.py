@@ -16,7 +16,7 @@ from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import DocumentError, ReadError, TooComplex
+from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
@@ -60,12 +60,21 @@ def verify_text(
     )
 
 
-def check_document(document: Document, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
+def check_document(
+    document: Document, *, confirm: bool = True, correct: bool = False, arm: Arm | None = None, samples: bool = True
+) -> DocumentResult:
     """Return the verdicts of a document.
 
-    `confirm` also evaluates each proved equation on the double plant; `correct` also seeks what mends each refuted one.
+    Args:
+        document: what was read.
+        confirm: also evaluate each proved equation on the double plant.
+        correct: also seek what mends each refuted one.
+        arm: the document's arm, such as one read from a value; by default the one that its front matter names.
+        samples: whether samples may be taken. Without them neither NumPy nor Drake is needed, and what they alone
+            decide is unchecked.
     """
-    return DocumentChecker(document, load_arm_of(document), confirm, correct).run()
+    arm = arm if arm is not None else load_arm_of(document)
+    return DocumentChecker(document, arm, confirm and samples, correct and samples, samples).run()
 
 
 def load_arm_of(document: Document) -> Arm | None:
@@ -88,6 +97,7 @@ class DocumentChecker:
         arm: Arm | None,
         confirm: bool = True,
         correct: bool = False,
+        samples: bool = True,
     ) -> None:
         self.document = document
         self.arm = arm
@@ -101,9 +111,12 @@ class DocumentChecker:
         self.checker.confirm = confirm
         self.statements = Statements(self.checker)
         self.correct = correct
+        self.samples = samples
 
     def sampled(self) -> SampledAlgebra:
-        """The double plant at the configurations of the six families."""
+        """The double plant at the configurations of the six families; raises NotSampled where none may be taken."""
+        if not self.samples:
+            raise NotSampled(say(Kind.NOT_SAMPLED))
         return self._samples
 
     # What samples, explains or corrects is loaded where there is something to sample, to explain, to correct.
@@ -121,7 +134,11 @@ class DocumentChecker:
         with self.ring.budget.paused():
             from armproof.verification.diagnosis.diagnosis import Diagnostician
 
-            return Diagnostician(self.checker)
+            if not self.samples:
+                return Diagnostician(self.checker)
+            from armproof.verification.diagnosis.by_samples import BySamples
+
+            return Diagnostician(self.checker, BySamples(self.checker))
 
     @cached_property
     def corrector(self) -> Corrector:
@@ -153,6 +170,10 @@ class DocumentChecker:
     def _inverse(self) -> Record | None:
         if "inverse" not in self.document.front:
             return None
+        if not self.samples:
+            line = self.document.lines.get("inverse", 1)
+            left_open = (say(Kind.NOT_SAMPLED),)
+            return Record(line, "", Verdict.UNCHECKED, section="Inverse kinematics", findings=left_open)
         from armproof.verification.inverse.record import check_inverse
 
         return check_inverse(self.document, self.arm)
@@ -185,6 +206,8 @@ class DocumentChecker:
                 return self._judge(record, display, self.names.reader.read(display.latex))
         except ReadError as error:
             return replace(record, findings=(_unreadable(display, error),))
+        except NotSampled as error:
+            return replace(record, verdict=Verdict.UNCHECKED, findings=(finding_of(error),))
         except TooComplex as error:
             return replace(
                 record, verdict=Verdict.UNCHECKED, findings=(say(Kind.TOO_LARGE, problem=finding_of(error)),)

@@ -72,6 +72,12 @@ class ShapeError(NoValue):
     kind: ClassVar[Kind] = Kind.SIZES_DO_NOT_FIT
 
 
+class NotSampled(ArmproofError):
+    """A formula is decided on samples, and the check takes none; no other reading of it may be tried instead."""
+
+    kind: ClassVar[Kind] = Kind.NOT_SAMPLED
+
+
 class TooComplex(EvaluationError):
     """A formula exceeds the bounds on terms or time that keep every display under two seconds."""
 

@@ -11,10 +11,8 @@ import itertools
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from math import pi
 
-import numpy as np
-
-from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
@@ -26,12 +24,9 @@ from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
-from armproof.verification.singularities.points import Sampler, unknowns_of
 from armproof.verification.singularities.variety import Variety
 from armproof.verification.verdict import Verdict
 
-TRIED = 32
-CLEARLY = 1e-6  # what an equation must be off at a counterexample, relative to the size of its terms
 MOST_PRODUCTS = 32
 MOST_QUARTERS = 4  # joints of which quarter turns are tried
 SCALES = (1.0, 4.0, 0.25)  # of the lengths: what holds for an arm of any size is refuted by one
@@ -161,12 +156,23 @@ class Entailment:
         Raises:
             Undecided: none was found.
         """
-        found = self._quarter_turns()
-        for scale in SCALES:
-            found = found or self._sampled(variety, premise, conclusion, scale)
+        found = self._quarter_turns() or self._drawn(variety, premise, conclusion)
         if not found:
             raise Undecided(say(Kind.NOT_SHOWN))
         return found
+
+    def _drawn(self, variety: Variety, premise: _System, conclusion: list[_System]) -> dict[str, float] | None:
+        """Return a configuration drawn on a set, for an arm of any size."""
+        if any(kind not in ("symbol", "sqrt") for kind, _ in self.half.others):
+            return None
+        self.checker.sampled()  # raises where nothing may be drawn
+        with self.checker.exact.budget.paused():
+            from armproof.verification.conditions.drawn_points import DrawnPoints
+
+        drawn = DrawnPoints(self.half, self.checker.names.arm, self.positive, self._named)
+        others = [(system.zero, system.not_all_zero) for system in conclusion]
+        points = (drawn.point(variety, premise.not_all_zero, others, scale) for scale in SCALES)
+        return next((point for point in points if point), None)
 
     @cached_property
     def _named(self) -> tuple[set[str], set[str]]:
@@ -178,7 +184,7 @@ class Entailment:
         arm = self.checker.names.arm
         if arm is None:
             return None
-        ring, pi = self.checker.exact.ring, self.checker.exact.pi()
+        ring, half_turn = self.checker.exact.ring, self.checker.exact.pi()
         angles, symbols = self._named
         joints = [joint for joint in arm.joints if joint.symbol in angles | symbols]
         if len(joints) > MOST_QUARTERS:
@@ -186,61 +192,15 @@ class Entailment:
         quarters = [Fraction(k, 2) for k in (0, 2, 1, -1)]
         for choice in itertools.product(quarters, repeat=len(joints)):
             values = {
-                joint.symbol: pi * ring.rational(turn) if joint.kind == "revolute" else ring.rational(turn)
+                joint.symbol: half_turn * ring.rational(turn) if joint.kind == "revolute" else ring.rational(turn)
                 for joint, turn in zip(joints, choice, strict=True)
             }
             holds = any(_holds(system, lambda s, v=values: substitute(s, v)) for system in self.premise)
             if holds and not any(_holds(system, lambda s, v=values: substitute(s, v)) for system in self.conclusion):
-                scale = {joint.symbol: np.pi if joint.kind == "revolute" else 1.0 for joint in joints}
+                scale = {joint.symbol: pi if joint.kind == "revolute" else 1.0 for joint in joints}
                 pairs = zip(joints, choice, strict=True)
                 return {joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in pairs}
         return None
-
-    def _sampled(
-        self, variety: Variety, premise: _System, conclusion: list[_System], scale: float
-    ) -> dict[str, float] | None:
-        """Return a configuration drawn on a set at which the conclusion is clearly off, the lengths being scaled."""
-        if any(kind not in ("symbol", "sqrt") for kind, _ in self.half.others):
-            return None
-        rng = np.random.default_rng(2019)
-        sampler = self._sampler(variety, scale)
-        q = sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
-        if not len(q):
-            return None
-        off = np.ones(len(q), dtype=bool)
-        for excluded in premise.not_all_zero:
-            off &= self._clearly_off(sampler, excluded, q)
-        for system in conclusion:
-            fails = self._clearly_off(sampler, system.zero, q)
-            for excluded in system.not_all_zero:
-                fails |= (np.abs(sampler.values(excluded, q)) < 1e-12).all(axis=1)
-            off &= fails
-        if not off.any():
-            return None
-        place = int(np.argmax(off))
-        angles, symbols = self._named
-        point = {u.name: float(q[place, k]) for k, u in enumerate(sampler.unknowns) if u.name in angles | symbols}
-        tells = bool(variety.lengths) or scale != 1.0
-        special = {name: value for name, value in sampler.constants.items() if tells and name in symbols}
-        return {**point, **special}
-
-    def _clearly_off(self, sampler: Sampler, polynomials: tuple[Polynomial, ...], q: np.ndarray) -> np.ndarray:
-        if not polynomials:
-            return np.zeros(len(q), dtype=bool)
-        return (np.abs(sampler.values(polynomials, q)) > CLEARLY * sampler.sizes(polynomials, q)).any(axis=1)
-
-    def _sampler(self, variety: Variety, scale: float) -> Sampler:
-        """The unknowns of the conditions, with lengths, scaled, that meet those on them."""
-        arm = self.checker.names.arm
-        constants = {**trace_of(arm).constants, **arm.lengths} if arm is not None else {}
-        for place, name in enumerate(sorted(self.positive - set(constants))):
-            constants[name] = 0.5 + 0.3 * place
-        constants |= {name: scale * constants[name] for name in self.positive & set(constants)}
-        sampler = Sampler(self.half, unknowns_of(self.half, arm, constants), constants)
-        if variety.lengths:
-            special = sampler.solved_constants(variety.values)
-            sampler = Sampler(self.half, sampler.unknowns, {**constants, **special})
-        return sampler
 
 
 def _scalars(system: System) -> list[Scalar]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
+from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import as_scalar
+from armproof.verification.algebra.values import Identity, as_scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
@@ -41,6 +44,26 @@ class Probe:
             q = np.array(columns).T if columns else np.zeros((PROBES, 0))
             self._samples = SampledAlgebra(self.checker.exact, np.where(np.abs(q) < 0.05, 0.3, q), SEED)
         return self._samples
+
+    def agreement(self, true: Scalar) -> Callable[[n.Node], bool] | None:
+        """Return whether trees have the value of a scalar at these configurations; None where it has none itself."""
+        try:
+            with np.errstate(all="ignore"):  # what has no value at a probe agrees with nothing there
+                target = self.samples.from_exact(true)
+        except EvaluationError:
+            return None
+        tolerance = 1e-7 * (1.0 + np.abs(target))
+
+        def agrees(node: n.Node) -> bool:
+            try:
+                with np.errstate(all="ignore"):
+                    value = as_scalar(Evaluator(self.names, self.samples).evaluate(node))
+                    is_number = not isinstance(value, Matrix | Identity | list)
+                    return is_number and bool(np.all(np.abs(value - target) < tolerance))
+            except (ArmproofError, TypeError):
+                return False
+
+        return agrees
 
     def counterexample(self, outcome: Outcome, best: int) -> dict[str, float]:
         """Return the values of joints, lengths and letters (rad, m) at the worst sample."""

@@ -4,18 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import consequence_of, printed_error
-from armproof.verification.diagnosis.causes.case import Explanation
-from armproof.verification.diagnosis.causes.display import display_case
-from armproof.verification.diagnosis.causes.find import find_other, find_slip
-from armproof.verification.diagnosis.counterexample import Probe
-from armproof.verification.diagnosis.discrepancy import discrepancy_of
 from armproof.verification.diagnosis.learnt_notation import LearntNotation
 from armproof.verification.diagnosis.mend import Mender
 from armproof.verification.diagnosis.places import find_cell, moved_cell
@@ -29,17 +22,20 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation
 from armproof.verification.verdict import Record, WrongEntry
 
+if TYPE_CHECKING:
+    from armproof.verification.diagnosis.by_samples import BySamples
+
 MAX_MENDED = 6  # of so many wrong entries the change is sought; beyond, the cause lies elsewhere
 
 
 class Diagnostician:
-    """Turns refuted outcomes into wrong entries, findings and a counterexample."""
+    """Turns refuted outcomes into wrong entries, findings and, where samples may be taken, a counterexample."""
 
-    def __init__(self, checker: ChainChecker) -> None:
+    def __init__(self, checker: ChainChecker, by_samples: BySamples | None = None) -> None:
         self.checker = checker
-        self._probe = Probe(checker)
         self.learnt = LearntNotation(checker.names)
-        self._mender = Mender(checker, self._probe, self.learnt)
+        self._by_samples = by_samples
+        self._mender = Mender(checker, self.learnt, by_samples.probe.agreement if by_samples is not None else None)
 
     def diagnose(self, record: Record, latex: str, outcomes: list[Outcome]) -> Record:
         """Return the record with wrong entries, why they are wrong, and a counterexample."""
@@ -57,10 +53,8 @@ class Diagnostician:
                 why.append(consequence)
             findings.extend(finding.at(outcome.equation) for finding in why)
             entries.extend(found)
-            if not counterexample:
-                sample = self._probe.worst_sample(outcome)
-                counterexample = self._probe.counterexample(outcome, sample)
-                discrepancy = discrepancy_of(self.checker, self._probe, outcome, sample)
+            if not counterexample and self._by_samples is not None:
+                counterexample, discrepancy = self._by_samples.counterexample(outcome)
             error = printed_error(self.checker, record.line, outcome, found)
             if error is not None:
                 self.checker.names.state.errors.append(error)
@@ -75,26 +69,19 @@ class Diagnostician:
     def _explained(self, latex: str, outcome: Outcome) -> tuple[list[Finding], list[WrongEntry]]:
         """Return why an equation is wrong, as a whole or entry by entry, and its wrong entries."""
         notation = self.learnt.learn(latex, outcome)
-        cause = self._cause(outcome) if len(outcome.wrong) > 1 else Explanation()
+        cause, is_whole = self._cause(outcome) if len(outcome.wrong) > 1 else (None, False)
         entries = self._entries(latex, outcome, notation)
-        if cause.finding is not None and (cause.is_whole or not all(entry.finding for entry in entries)):
-            hint = self._other_direction(outcome, cause.finding)
-            return [cause.finding, *hint], [replace(entry, finding=None) for entry in entries]
+        if cause is not None and (is_whole or not all(entry.finding for entry in entries)):
+            return [cause, *self._other_direction(outcome, cause)], [replace(entry, finding=None) for entry in entries]
         return list(outcome.findings if outcome.sampled_only else _summary(entries)), entries
 
-    def _cause(self, outcome: Outcome) -> Explanation:
-        """Return what a matrix is as a whole, or else the mistake that was made in it or in a part of it."""
-        if (case := display_case(self.checker, outcome)) is None:
-            return Explanation(self._whole(outcome))
-        try:
-            with np.errstate(all="ignore"):
-                other = find_other(case)
-                if other.is_whole:
-                    return other
-                whole = self._whole(outcome)
-                return Explanation(whole) if whole is not None else find_slip(case, other)
-        except ArmproofError:
-            return Explanation()
+    def _cause(self, outcome: Outcome) -> tuple[Finding | None, bool]:
+        """Return the mistake that was made in a matrix, and whether it was made in all of it."""
+        found = self._by_samples.cause(outcome, self._whole) if self._by_samples is not None else None
+        if found is not None:
+            return found.finding, found.is_whole
+        whole = self._whole(outcome)
+        return whole, whole is not None
 
     def _whole(self, outcome: Outcome) -> Finding | None:
         """Return what a matrix is as a whole, as far as that is decided exactly."""

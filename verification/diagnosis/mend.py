@@ -3,65 +3,56 @@
 from __future__ import annotations
 
 import re
-
-import numpy as np
+from collections.abc import Callable
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import Identity, as_scalar
+from armproof.verification.algebra.values import as_scalar
 from armproof.verification.algebra.written import write_bounded
-from armproof.verification.diagnosis.counterexample import Probe
 from armproof.verification.diagnosis.learnt_notation import LearntNotation
-from armproof.verification.diagnosis.slips import Edit, single_edits
+from armproof.verification.diagnosis.slips import single_edits
 from armproof.verification.equations.alignment import exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
-from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation, Writer
 
 MAX_EDITS = 600
 
+Agreement = Callable[[Scalar], Callable[[n.Node], bool] | None]  # whether trees may have a value, as samples tell
+
 
 class Mender:
     """Seeks the change of a printed cell after which it is proved; what it offers has been read again and verified."""
 
-    def __init__(self, checker: ChainChecker, probe: Probe, learnt: LearntNotation) -> None:
+    def __init__(self, checker: ChainChecker, learnt: LearntNotation, agreement: Agreement | None) -> None:
         self.names = checker.names
         self.exact = checker.exact
-        self.probe = probe
+        self.agreement = agreement or (lambda _true: lambda _node: True)
         self.learnt = learnt
 
     def mend(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, Finding | None]:
         """Return the cell with the one small change that makes it right, and that change; else an empty text and None.
 
-        The edits are tried on the probe's samples first; what agrees there is decided exactly.
+        The edits are tried on samples first, where some may be taken; what agrees there is decided exactly.
         """
-        probe = self.probe.samples
-        try:
-            with np.errstate(all="ignore"):  # what has no value at a probe agrees with nothing there
-                target = probe.from_exact(true)
-        except EvaluationError:
+        if (agrees := self.agreement(true)) is None:
             return "", None
-        scale = 1.0 + np.abs(target)
-        letters = self.learnt.letters(cell)
-        with np.errstate(all="ignore"):
-            for count, edit in enumerate(single_edits(cell, letters)):
-                if count > MAX_EDITS or self.exact.budget.is_spent:
-                    break
-                if not self._agrees(edit, target, scale, probe):
-                    continue
-                try:
-                    value = as_scalar(Evaluator(self.names, self.exact).evaluate(edit.node))
-                    if isinstance(value, Scalar) and exactly_equal(true, value):
-                        text = Writer(latex, cell, notation).write(edit.node)
-                        if self._reads_as(text, true):
-                            return text, edit.finding
-                except (ArmproofError, NotImplementedError):
-                    continue
+        for count, edit in enumerate(single_edits(cell, self.learnt.letters(cell))):
+            if count > MAX_EDITS or self.exact.budget.is_spent:
+                break
+            if not agrees(edit.node):
+                continue
+            try:
+                value = as_scalar(Evaluator(self.names, self.exact).evaluate(edit.node))
+                if isinstance(value, Scalar) and exactly_equal(true, value):
+                    text = Writer(latex, cell, notation).write(edit.node)
+                    if self._reads_as(text, true):
+                        return text, edit.finding
+            except (ArmproofError, NotImplementedError):
+                continue
         return self._missing_term(latex, cell, true, notation)
 
     def _missing_term(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, Finding | None]:
@@ -78,13 +69,6 @@ class Mender:
         text = latex[cell.span[0] : cell.span[1]].strip()
         joined = f"{text} - {missing[1:]}" if missing.startswith("-") else f"{text} + {missing}"
         return (joined, say(Kind.MISSING_TERM, term=missing)) if self._reads_as(joined, true) else ("", None)
-
-    def _agrees(self, edit: Edit, target: np.ndarray, scale: np.ndarray, probe: SampledAlgebra) -> bool:
-        try:
-            value = as_scalar(Evaluator(self.names, probe).evaluate(edit.node))
-        except (ArmproofError, TypeError):
-            return False
-        return not isinstance(value, Matrix | Identity | list) and bool(np.all(np.abs(value - target) < 1e-7 * scale))
 
     def _reads_as(self, text: str, true: Scalar) -> bool:
         """Whether the corrected LaTeX, read again, is right: what the report offers must verify."""

@@ -66,12 +66,11 @@ def at_a_configuration(members: Members, true: Member, printed: Member, outcome:
         return None
     if not depends_on_joints(true.value, {joint.symbol for joint in arm.joints}):
         return None
+    sampled = members.sampled()
     with members.exact.budget.paused():
         from armproof.verification.equations.sampled_errors import compare_numbers
 
-    found = compare_numbers(
-        true.value, printed.value, printed.node, members.sampled(), members.names.state.configuration
-    )
+    found = compare_numbers(true.value, printed.value, printed.node, sampled, members.names.state.configuration)
     outcome.pair = Pair(true.value, printed.value)
     if found.wrong and len(found.wrong) <= FEW:
         outcome.wrong, outcome.findings, outcome.sampled_only = found.wrong, (say(Kind.WRONG_THERE),), True

@@ -1,4 +1,4 @@
-"""Relations other than equality: sizes, inequalities and approximations, decided exactly or on samples."""
+"""Relations other than equality: sizes, and what is never equal, decided exactly; inequalities on samples."""
 
 from __future__ import annotations
 
@@ -6,10 +6,9 @@ from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import Identity, as_scalar, is_zero
+from armproof.verification.algebra.values import as_scalar, is_zero
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
@@ -38,11 +37,14 @@ def check_relation(checker: ChainChecker, chain: n.Chain, equation: int) -> Outc
         return outcome
     if isinstance(left, n.Name) or isinstance(right, n.Name):
         return outcome  # a bound on a variable: a condition
-    if relation in ("≤", "<", "≥", ">"):
-        return _sampled_inequality(checker, chain, outcome)
-    if relation == "≈":
-        return _sampled_approximation(checker, chain, outcome)
-    return outcome
+    if relation not in ("≤", "<", "≥", ">", "≈"):
+        return outcome
+    sampled = checker.sampled()
+    with checker.exact.budget.paused():
+        from armproof.verification.equations.sampled_relations import check_approximation, check_inequality
+
+    check = check_approximation if relation == "≈" else check_inequality
+    return check(checker, chain, outcome, sampled.samples)
 
 
 def _identical(a: Any, b: Any) -> bool:
@@ -69,45 +71,3 @@ def _size_of_space(node: n.Node) -> tuple[int, int] | None:
         sizes = [int(f.value) for f in exponent.factors if isinstance(f, n.Number)]
         return (sizes[0], sizes[1]) if len(sizes) == 2 else None
     return None
-
-
-def _sampled_inequality(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
-    with checker.exact.budget.paused():
-        import numpy as np
-
-    holds = {"≤": lambda a, b: a <= b + 1e-9, "<": lambda a, b: a < b + 1e-9, "≥": lambda a, b: a >= b - 1e-9,
-             ">": lambda a, b: a > b - 1e-9, "=": lambda a, b: np.abs(a - b) < 1e-9}  # fmt: skip
-    try:
-        with np.errstate(all="ignore"):
-            values = [as_scalar(checker.sampled_value(node)) for node in chain.members]
-            if any(isinstance(value, Matrix | Identity | list) for value in values):
-                return outcome
-            good = np.ones(checker.sampled().samples, dtype=bool)
-            for relation, a, b in zip(chain.relations, values, values[1:], strict=False):
-                good &= holds[relation](a, b) | ~np.isfinite(a) | ~np.isfinite(b)
-    except (EvaluationError, KeyError):
-        return outcome
-    outcome.samples = int(good.size)
-    if good.all():
-        outcome.verdict, outcome.findings = Verdict.CONFIRMED, (say(Kind.INEQUALITY_HOLDS),)
-    else:
-        outcome.verdict, outcome.findings = Verdict.REFUTED, (say(Kind.INEQUALITY_FAILS),)
-    return outcome
-
-
-def _sampled_approximation(checker: ChainChecker, chain: n.Chain, outcome: Outcome) -> Outcome:
-    with checker.exact.budget.paused():
-        import numpy as np
-
-    try:
-        with np.errstate(all="ignore"):
-            first, *others = [as_scalar(checker.sampled_value(node)) for node in chain.members]
-            if not all(isinstance(value, np.ndarray) for value in (first, *others)):
-                return outcome
-            close = all(np.allclose(first, other, rtol=1e-2, atol=1e-3) for other in others)
-    except EvaluationError:
-        return outcome
-    outcome.samples = checker.sampled().samples
-    outcome.verdict = Verdict.CONFIRMED if close else Verdict.REFUTED
-    outcome.findings = (say(Kind.APPROXIMATION),)
-    return outcome

@@ -145,11 +145,12 @@ class SecondRoute:
 
     def sampled_errors(self, outcome: Outcome, branches: bool, *, other_lengths: bool = False) -> SampledErrors | None:
         """Return the errors of an equation on the double plant; None where a side cannot be evaluated there."""
+        assert outcome.true is not None and outcome.printed is not None
+        sampled = self.sampled()
         with self.exact.budget.paused():
             from armproof.verification.equations.sampled_errors import errors_between, with_other_lengths
 
-        assert outcome.true is not None and outcome.printed is not None
-        sampled = with_other_lengths(self.sampled()) if other_lengths else self.sampled()
+        sampled = with_other_lengths(sampled) if other_lengths else sampled
         return errors_between(self.names, sampled, outcome.true.node, outcome.printed.node, outcome.pair, branches)
 
 

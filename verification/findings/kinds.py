@@ -37,6 +37,7 @@ class Kind(StrEnum):
     UNREADABLE = "unreadable", "line {line}, column {at} of the display: {problem}"
     UNREADABLE_IN_CELL = "unreadable_in_cell", "cell {cell}, line {line}, column {at} of the display: {problem}"
     TOO_LARGE = "too_large", "too large to decide: {problem}"
+    NOT_SAMPLED = "not_sampled", "only samples of the arm decide this, and none are taken"
     NESTED_TOO_DEEPLY = "nested_too_deeply", "too large to decide: nested too deeply"
     TOO_LARGE_TO_TELL = "too_large_to_tell", "the two sides differ; what is wrong is too large to tell", ""
     NO_EQUATION = "no_equation", "states no equation"

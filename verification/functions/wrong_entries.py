@@ -64,7 +64,7 @@ class EntryWriter:
     @cached_property
     def _mender(self) -> Mender:
         learnt = LearntNotation(self.bench.names)
-        return Mender(self.bench.checker, Probe(self.bench.checker), learnt)
+        return Mender(self.bench.checker, learnt, Probe(self.bench.checker).agreement)
 
     def describe(self, value: Scalar, true: Scalar, mend: bool) -> tuple[str, str, Finding | None]:
         """Return the formula obtained, the right one, and the change where it is a small one."""

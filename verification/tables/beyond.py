@@ -25,10 +25,12 @@ def check_beyond_frames(
             proved = replace(unchecked, verdict=Verdict.PROVED, findings=(moves, reason, *reading.notes))
             if not checker.confirm:
                 return proved
+            sampled = checker.sampled()
             with checker.exact.budget.paused():
                 from armproof.verification.tables.plant import confirm_tool
 
-            return confirm_tool(reading, tool, proved, checker.sampled())
+            return confirm_tool(reading, tool, proved, sampled)
+    checker.sampled()  # raises where none may be taken
     with checker.exact.budget.paused():
         from armproof.verification.tables.mend import single_mends
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from armproof.verification.document import Display, Table
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.errors import EvaluationError, NotSampled, TooComplex
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.tables.cells import UnreadableCell
 from armproof.verification.tables.columns import read_columns
@@ -136,7 +136,7 @@ def _check_upright(checker: ChainChecker, table: Table) -> Record | None:
         return replace(record, verdict=Verdict.UNREADABLE, findings=(finding_of(problem),))
     except (TooComplex, RecursionError) as problem:
         return replace(record, findings=(say(Kind.TOO_LARGE, problem=finding_of(problem)),))
-    except EvaluationError as problem:
+    except (EvaluationError, NotSampled) as problem:
         return replace(record, findings=(finding_of(problem),))
 
 

@@ -10,6 +10,7 @@ from armproof.models.arm import Arm
 from armproof.models.exact.numbers import exact_number
 from armproof.verification.document import Table
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.errors import NotSampled
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.tables.beyond import check_beyond_frames
 from armproof.verification.tables.cells import Cell, UnreadableCell, read_cell
@@ -122,15 +123,12 @@ class DHTableCheck:
         if faults:
             more = [say(Kind.AND_MORE, count=len(single) - MOST_WORDS)] if len(single) > MOST_WORDS else []
             findings = [fault.finding for fault in faults[: MOST_WORDS + bool(whole)]]
-            with self.checker.exact.budget.paused():
-                from armproof.verification.tables.plant import counterexample
-
             return replace(
                 self.unchecked,
                 verdict=Verdict.REFUTED,
                 findings=(*findings, *more, *self._remarks(found)),
                 entries=tuple(entry for fault in faults for entry in fault.entries),
-                counterexample=counterexample(found.otherwise if found.is_right and whole else found),
+                counterexample=self._counterexample(found.otherwise if found.is_right and whole else found),
             )
         if left_open := self._left_open(found, wrong):
             return replace(self.unchecked, findings=(*left_open, *self._remarks(found)))
@@ -138,10 +136,21 @@ class DHTableCheck:
         proved = replace(self.unchecked, verdict=Verdict.PROVED, findings=holds)
         if not self.checker.confirm:
             return proved
+        sampled = self.checker.sampled()
         with self.checker.exact.budget.paused():
             from armproof.verification.tables.plant import confirm_rows
 
-        return confirm_rows(found, proved, self.checker.sampled())
+        return confirm_rows(found, proved, sampled)
+
+    def _counterexample(self, found: TableReading) -> dict[str, float]:
+        try:
+            self.checker.sampled()
+        except NotSampled:
+            return {}
+        with self.checker.exact.budget.paused():
+            from armproof.verification.tables.plant import counterexample
+
+        return counterexample(found)
 
     def _convention(self, found: TableReading) -> Iterator[Finding]:
         if self.columns.stated:

@@ -1,0 +1,88 @@
+"""Configurations drawn on the set of a condition, at one of which another condition is clearly off."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from armproof.models.arm import Arm
+from armproof.models.exact.trace import trace_of
+from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.points import Sampler, unknowns_of
+from armproof.verification.singularities.variety import Variety
+
+TRIED = 32
+CLEARLY = 1e-6  # what an equation must be off at a counterexample, relative to the size of its terms
+
+Polynomials = tuple[Polynomial, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnPoints:
+    """Draws configurations.
+
+    Attributes:
+        positive: the symbols taken as positive.
+        named: the angles and the symbols that occur.
+    """
+
+    half: HalfAngles
+    arm: Arm | None
+    positive: frozenset[str]
+    named: tuple[set[str], set[str]]
+
+    def point(
+        self,
+        variety: Variety,
+        left_out: Sequence[Polynomials],
+        conclusion: Sequence[tuple[Polynomials, Sequence[Polynomials]]],
+        scale: float,
+    ) -> dict[str, float] | None:
+        """Return a configuration drawn on a set, less what is left out, at which the conclusion is clearly off.
+
+        Args:
+            left_out: of each of these polynomials not all vanish.
+            conclusion: systems of polynomials that vanish, and of such as `left_out`.
+            scale: what the lengths are multiplied by.
+        """
+        rng = np.random.default_rng(2019)
+        sampler = self._sampler(variety, scale)
+        q = sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
+        if not len(q):
+            return None
+        off = np.ones(len(q), dtype=bool)
+        for excluded in left_out:
+            off &= _clearly_off(sampler, excluded, q)
+        for zero, not_all_zero in conclusion:
+            fails = _clearly_off(sampler, zero, q)
+            for excluded in not_all_zero:
+                fails |= (np.abs(sampler.values(excluded, q)) < 1e-12).all(axis=1)
+            off &= fails
+        if not off.any():
+            return None
+        angles, symbols = self.named
+        place = int(np.argmax(off))
+        point = {u.name: float(q[place, k]) for k, u in enumerate(sampler.unknowns) if u.name in angles | symbols}
+        tells = bool(variety.lengths) or scale != 1.0
+        special = {name: value for name, value in sampler.constants.items() if tells and name in symbols}
+        return {**point, **special}
+
+    def _sampler(self, variety: Variety, scale: float) -> Sampler:
+        """The unknowns of the conditions, with lengths, scaled, that meet those on them."""
+        constants = {**trace_of(self.arm).constants, **self.arm.lengths} if self.arm is not None else {}
+        for place, name in enumerate(sorted(self.positive - set(constants))):
+            constants[name] = 0.5 + 0.3 * place
+        constants |= {name: scale * constants[name] for name in self.positive & set(constants)}
+        sampler = Sampler(self.half, unknowns_of(self.half, self.arm, constants), constants)
+        if variety.lengths:
+            special = sampler.solved_constants(variety.values)
+            sampler = Sampler(self.half, sampler.unknowns, {**constants, **special})
+        return sampler
+
+
+def _clearly_off(sampler: Sampler, polynomials: Polynomials, q: np.ndarray) -> np.ndarray:
+    if not polynomials:
+        return np.zeros(len(q), dtype=bool)
+    return (np.abs(sampler.values(polynomials, q)) > CLEARLY * sampler.sizes(polynomials, q)).any(axis=1)
