@@ -341,11 +341,11 @@ def test_a_letter_may_vanish_where_a_length_does_not(check: Check) -> None:
     ],
 )
 def test_no_display_takes_longer_than_its_bound(judge: Judge, latex: str, arm: str | None) -> None:
-    started = time.perf_counter()
+    started = time.process_time()
     assert judge(latex, arm=arm).verdict in (Verdict.REFUTED, Verdict.UNCHECKED)
-    assert time.perf_counter() - started < 2 * (
+    assert time.process_time() - started < 2 * (
         SECONDS_TO_DECIDE + SECONDS_TO_EXPLAIN
-    )  # a loaded machine is granted as much again
+    )  # a slow machine is granted as much again
 
 
 # -- records -------------------------------------------------------------------------------------------------------------
