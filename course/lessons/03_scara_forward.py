@@ -18,12 +18,12 @@
 #   theta_i: free
 #   "q_1": theta_1
 #   "q_2": theta_2
-#   "q_3": d_2
 #   "q_4": theta_4
 #   "l_12": a_2
 #   "l_23": a_3
 # quantities:
 #   "{}^{i-1}T_i": {link: modified}
+#   "q_3": {origin: 3, in: 2, component: z}
 #   "U_4": {pose: 4, in: 4}
 #   "U_3": {pose: 4, in: 3}
 #   "U_2": {pose: 4, in: 2}
@@ -210,14 +210,10 @@ lesson.listing.check(third)
 #
 # $$\mathrm{OC} = l_{12} \sin(q_1) \qquad \mathrm{OD} = y = l_{12} \sin(q_1) + l_{23} \sin(q_1 + q_2)$$
 #
-# $$z = -q_3$$
+# $$z = q_3 = -d_2$$
 #
-# and $\theta = q_1 + q_2 + q_4$.
-#
-# > **Erratum** (slide "MGD robot SCARA – Vérification géométrique", as printed, against $z = -d_2$ on the slide before)
-# > $$z = q_3$$
-#
-# A view from above says nothing about heights: that is where the slip could hide.
+# and $\theta = q_1 + q_2 + q_4$. The third variable is the offset of the table's row 3, $q_3 = -d_2$. Whoever takes $d_2$ itself for it has the
+# wrong sign, and a view from above does not show it: it says nothing about heights.
 #
 # ### Task: the distance from axis 1
 #
