@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar, cast
 
 from armproof.models.dh.table import DHTable
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 T = TypeVar("T")
 
@@ -78,7 +78,7 @@ class Arm:
         symbols = [joint.symbol for joint in self.joints] + [*self.lengths, *self.angles]
         twice = sorted({symbol for symbol in symbols if symbols.count(symbol) > 1})
         if twice:
-            raise ModelError(f"arm '{self.name}': the symbol '{twice[0]}' stands for two things; each needs its own")
+            raise ModelError(Fault.SYMBOL_TWICE, arm=self.name, symbol=twice[0])
 
     def frame_names(self, *names: str | int | None) -> tuple[str, ...]:
         """Return frame names as texts, the base frame for None.
@@ -89,8 +89,7 @@ class Arm:
         checked = tuple(self.frames[0] if name is None else str(name) for name in names)
         for name in checked:
             if name not in self.frames:
-                frames = ", ".join(self.frames)
-                raise ModelError(f"no frame '{name}' on arm '{self.name}'; its frames are {frames}")
+                raise ModelError(Fault.NO_FRAME, frame=name, arm=self.name, frames=list(self.frames))
         return checked
 
     def joint(self, symbol: str) -> Joint:
@@ -102,8 +101,8 @@ class Arm:
         for joint in self.joints:
             if joint.symbol == symbol:
                 return joint
-        symbols = ", ".join(joint.symbol for joint in self.joints)
-        raise ModelError(f"no joint variable '{symbol}' on arm '{self.name}'; its joint variables are {symbols}")
+        symbols = [joint.symbol for joint in self.joints]
+        raise ModelError(Fault.NO_JOINT_VARIABLE, symbol=symbol, arm=self.name, symbols=symbols)
 
 
 def once_per_arm(compute: Callable[[Arm], T]) -> Callable[[Arm], T]:

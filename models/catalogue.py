@@ -10,7 +10,7 @@ from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.models.dh.table import read_table
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.loading.card import CARD_NAME, read_card
 from armproof.models.loading.reader import SUFFIXES
 
@@ -37,12 +37,12 @@ def load_arm(spec: str | Path | Mapping[str, Any], base_dir: Path | str = ".") -
         try:
             return _load_table(json.dumps(spec, default=_reject))
         except (TypeError, ValueError, RecursionError) as error:
-            raise ModelError(f"a DH table holds numbers and texts only: {error}") from None
+            raise ModelError(Fault.TABLE_OF_OBJECTS, reason=str(error)) from None
     if not isinstance(spec, str | Path) or not str(spec):
         what = f"a {type(spec).__name__}" if isinstance(spec, list | dict) else repr(spec)[:40]
-        raise ModelError(f"an arm is a name, a path or a DH table, not {what}; the arms are {', '.join(arm_names())}")
+        raise ModelError(Fault.NOT_AN_ARM, given=what, arms=list(arm_names()))
     if len(str(spec)) > 1000 or "\0" in str(spec):
-        raise ModelError(f"an arm is a name, a path or a DH table, not a text of {len(str(spec))} characters")
+        raise ModelError(Fault.ARM_TOO_LONG, count=len(str(spec)))
     if str(spec) in arm_names():
         return _load_file(*_stamped(_MODELS / str(spec) / CARD_NAME))
     path = Path(base_dir) / spec
@@ -52,12 +52,10 @@ def load_arm(spec: str | Path | Mapping[str, Any], base_dir: Path | str = ".") -
             return _load_file(*_stamped(card))
         if path.is_file():
             return _load_file(*_stamped(path))
-        raise ModelError(f"{path}: no such model file")
+        raise ModelError(Fault.NO_MODEL_FILE, path=path)
     if (path / CARD_NAME).is_file():
         return _load_file(*_stamped(path / CARD_NAME))
-    raise ModelError(
-        f"no arm '{spec}'; an arm is one of {', '.join(arm_names())}, a path to a {', '.join(SUFFIXES)} or a DH table"
-    )
+    raise ModelError(Fault.NO_ARM, arm=str(spec), arms=list(arm_names()), suffixes=list(SUFFIXES))
 
 
 def _stamped(path: Path) -> tuple[Path, tuple[int, ...]]:

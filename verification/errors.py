@@ -6,7 +6,6 @@ Each is raised with a finding, or with a text that is said under the kind of its
 from __future__ import annotations
 
 from pathlib import Path
-from typing import ClassVar
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.findings import Finding, Kind, say
@@ -20,7 +19,7 @@ def located(path: Path | str | None, line: int | None, reason: str) -> str:
 class ReadError(ArmproofError):
     """A formula cannot be read: says what was met, where in the LaTeX, and what was expected."""
 
-    kind: ClassVar[Kind] = Kind.NOT_READ
+    kind = Kind.NOT_READ
 
     def __init__(self, message: str | Finding, offset: int = 0) -> None:
         super().__init__(message)
@@ -33,7 +32,7 @@ class DocumentError(ArmproofError):
     `key` is the front-matter key at fault; `path` and `line`, as far as they are known, say where it is.
     """
 
-    kind: ClassVar[Kind] = Kind.DOCUMENT_AT_FAULT
+    kind = Kind.DOCUMENT_AT_FAULT
 
     def __init__(
         self, reason: str | Finding, key: str = "", *, path: Path | None = None, line: int | None = None
@@ -48,7 +47,7 @@ class DocumentError(ArmproofError):
 class EvaluationError(ArmproofError):
     """A formula was read but has no value: shapes that do not fit, a singular matrix, too many terms."""
 
-    kind: ClassVar[Kind] = Kind.NOT_EVALUATED
+    kind = Kind.NOT_EVALUATED
 
 
 class UnboundName(EvaluationError):
@@ -63,22 +62,22 @@ class UnboundName(EvaluationError):
 class NoValue(EvaluationError):
     """A formula that has no value at any configuration, such as 1/0: it is wrong as it stands."""
 
-    kind: ClassVar[Kind] = Kind.NO_VALUE
+    kind = Kind.NO_VALUE
 
 
 class ShapeError(NoValue):
     """Sizes that can never fit."""
 
-    kind: ClassVar[Kind] = Kind.SIZES_DO_NOT_FIT
+    kind = Kind.SIZES_DO_NOT_FIT
 
 
 class NotSampled(ArmproofError):
     """A formula is decided on samples, and the check takes none; no other reading of it may be tried instead."""
 
-    kind: ClassVar[Kind] = Kind.NOT_SAMPLED
+    kind = Kind.NOT_SAMPLED
 
 
 class TooComplex(EvaluationError):
     """A formula exceeds the bounds on terms or time that keep every display under two seconds."""
 
-    kind: ClassVar[Kind] = Kind.MORE_THAN_IS_COMPUTED
+    kind = Kind.MORE_THAN_IS_COMPUTED

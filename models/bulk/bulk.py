@@ -22,7 +22,7 @@ from armproof.models.bulk.inputs import JointInputs
 from armproof.models.bulk.jacobian_part import JacobianPart, read_part
 from armproof.models.bulk.minors import maximal_minors
 from armproof.models.bulk.program import Program
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.chain import ChainKinematics, traced_link
 from armproof.models.exact.constants import constant_value
 from armproof.models.exact.polynomial import Generator
@@ -246,9 +246,9 @@ def _read_values(arm: Arm, values: Mapping[str, float]) -> dict[str, float]:
     known = (*arm.lengths, *arm.angles)
     for name, value in values.items():
         if name not in known:
-            raise ModelError(f"no length or angle '{name}' on arm '{arm.name}'; it has {', '.join(known) or 'none'}")
+            raise ModelError(Fault.NO_LENGTH_OR_ANGLE, name=name, arm=arm.name, known=list(known) or "none")
         if isinstance(value, bool) or not isinstance(value, Real) or not isfinite(value):
-            raise ModelError(f"'{name}' of arm '{arm.name}' is a finite number, not {value!r}")
+            raise ModelError(Fault.VALUE_NOT_FINITE, name=name, arm=arm.name, value=repr(value))
     return {name: float(value) for name, value in values.items()}
 
 

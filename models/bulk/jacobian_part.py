@@ -11,7 +11,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.bulk.graph import Matrix
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 
 @dataclass(frozen=True)
@@ -68,5 +68,5 @@ def _indices(what: str, indices: Sequence[int] | None, most: int) -> tuple[int, 
     except TypeError:
         chosen = []
     if not chosen or len(set(chosen)) < len(chosen) or min(chosen) < 0 or max(chosen) >= most:
-        raise ModelError(f"{what} are different whole numbers from 1 to {most}, not {indices!r}")
+        raise ModelError(Fault.NOT_DIFFERENT_NUMBERS, what=what, most=most, given=repr(indices))
     return tuple(chosen)

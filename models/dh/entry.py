@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import isfinite, pi
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 FORMS = "0, 0.75, 3/4, pi/2, -pi, 90deg, l_1, -d_2, d_1 + d_4, theta_2 - pi/2"
 _TOKEN = re.compile(
@@ -57,7 +57,7 @@ def read_entry(value: object) -> LinearForm:
     """
     finite = isinstance(value, str) or (isinstance(value, int | float) and isfinite(value))
     if isinstance(value, bool) or not finite:
-        raise ModelError(f"{value!r} is not a finite number or a text; an entry reads {FORMS}")
+        raise ModelError(Fault.ENTRY_NOT_FINITE, value=repr(value), forms=FORMS)
     return _Reader(repr(value) if isinstance(value, float) else str(value)).read()
 
 
@@ -73,20 +73,20 @@ class _Reader:
         while text[end:].strip():
             match = _TOKEN.match(text, end)
             if not match:
-                raise self.error(f"'{text[end:].strip()[0]}' is not understood")
+                raise self.error(Fault.NO_CHARACTER, found=text[end:].strip()[0])
             self.tokens.append(next(group for group in match.groups() if group is not None))
             end = match.end()
 
-    def error(self, message: str) -> ModelError:
+    def error(self, kind: Fault, **terms: str) -> ModelError:
         text = self.text if len(self.text) <= _LONGEST else f"{self.text[:_LONGEST]}…"
-        return ModelError(f"'{text}' is unreadable: {message}; an entry reads {FORMS}")
+        return ModelError(Fault.ENTRY_UNREADABLE, text=text, reason=ModelError(kind, **terms), forms=FORMS)
 
     def read(self) -> LinearForm:
         if not self.tokens:
-            raise self.error("it is empty")
+            raise self.error(Fault.ENTRY_EMPTY)
         form = self.sum()
         if self.peek():
-            raise self.error(f"'{self.peek()}' is not expected here")
+            raise self.error(Fault.UNEXPECTED_HERE, found=self.peek())
         return form
 
     def peek(self) -> str:
@@ -111,20 +111,20 @@ class _Reader:
                 self.next()
                 divisor = self.factor()
                 if not divisor.is_number or not divisor.number:
-                    raise self.error("only a number other than 0 divides")
+                    raise self.error(Fault.NO_DIVISOR)
                 product = _scale(product, 1 / divisor.number)
                 continue
             if self.peek() == "*":
                 self.next()
             elif self.peek()[0].isdigit() or self.peek()[0] == ".":
-                raise self.error(f"'{self.peek()}' is not expected here")
+                raise self.error(Fault.UNEXPECTED_HERE, found=self.peek())
             right = self.factor()
             if product.is_number:
                 product = _scale(right, product.number)
             elif right.is_number:
                 product = _scale(product, right.number)
             else:
-                raise self.error("a product of two symbols is not linear")
+                raise self.error(Fault.PRODUCT)
         return product
 
     def factor(self) -> LinearForm:
@@ -132,11 +132,11 @@ class _Reader:
         if token in ("+", "-", "("):
             self.depth += 1
             if self.depth > _MAX_DEPTH:
-                raise self.error("it is nested too deeply")
+                raise self.error(Fault.TOO_DEEP)
             form = self.sum() if token == "(" else _scale(self.factor(), Fraction(-1 if token == "-" else 1))
             self.depth -= 1
             if token == "(" and self.next() != ")":
-                raise self.error("a ')' is missing")
+                raise self.error(Fault.NOT_CLOSED)
         elif token in ("pi", "π"):
             form = LinearForm(pi=Fraction(1))
         elif token and (token[0].isdigit() or token[0] == "."):
@@ -144,10 +144,10 @@ class _Reader:
         elif token and token[0].isalpha() and token != "deg":
             form = LinearForm(symbols=((token, Fraction(1)),))
         else:
-            raise self.error(f"a number or a symbol is expected, not '{token}'" if token else "it breaks off")
+            raise self.error(Fault.TERM_EXPECTED if token else Fault.BREAKS_OFF, found=token)
         if self.peek() in ("deg", "°"):
             if not form.is_number:
-                raise self.error("degrees follow a number")
+                raise self.error(Fault.NO_DEGREES)
             self.next()
             form = LinearForm(pi=form.number / 180)
         return form
@@ -155,7 +155,7 @@ class _Reader:
     def number(self, token: str) -> Fraction:
         mantissa, _, exponent = token.lower().partition("e")
         if len(mantissa) > 40 or abs(int(exponent or 0)) > 30:
-            raise self.error("a number is out of range")
+            raise self.error(Fault.OUT_OF_RANGE)
         return Fraction(token)
 
 

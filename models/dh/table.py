@@ -14,7 +14,7 @@ from math import pi
 from typing import Any, Literal
 
 from armproof.models.dh.entry import FORMS, LinearForm, read_entry
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 KEYS = ("dh", "rows", "joints")
 COLUMNS = ("a", "alpha", "d", "theta")
@@ -77,26 +77,26 @@ def read_table(spec: Mapping[str, Any]) -> DHTable:
     """
     for key in spec:
         if key not in KEYS:
-            raise ModelError(f"DH table: unknown key '{key}'; the keys are {', '.join(KEYS)}")
+            raise ModelError(Fault.UNKNOWN_TABLE_KEY, key=key, keys=list(KEYS))
     convention = spec.get("dh")
     if convention not in ("classic", "modified"):
-        raise ModelError(f"DH table: dh is classic or modified, not {convention!r}")
+        raise ModelError(Fault.NO_CONVENTION, given=repr(convention))
     raw = spec.get("rows")
     if not isinstance(raw, Sequence) or isinstance(raw, str) or not raw:
-        raise ModelError(f"DH table: rows is a list of rows, one a joint, not {raw!r}")
+        raise ModelError(Fault.NO_ROWS, given=repr(raw))
     entries = [_read_row(number, row) for number, row in enumerate(raw, start=1)]
     joints = spec.get("joints")
     if joints is None:
         joints = [_guess_joint(number, row) for number, row in enumerate(entries, start=1)]
     elif not isinstance(joints, Sequence) or isinstance(joints, str) or not all(isinstance(j, str) for j in joints):
-        raise ModelError(f"DH table: joints is a list of joint variables, not {joints!r}")
+        raise ModelError(Fault.NO_JOINTS, given=repr(joints))
     if len(joints) != len(entries):
-        raise ModelError(f"DH table: {len(entries)} rows but {len(joints)} joints ({', '.join(joints)}); one a row")
+        raise ModelError(Fault.ROWS_AND_JOINTS, rows=len(entries), count=len(joints), joints=list(joints))
     rows = tuple(_make_row(number, row, joints) for number, row in enumerate(entries, start=1))
     table = DHTable(convention, rows)
     both = set(table.length_symbols) & set(table.angle_symbols)
     if both:
-        raise ModelError(f"DH table: '{min(both)}' stands in a length and in an angle; a symbol is one or the other")
+        raise ModelError(Fault.LENGTH_AND_ANGLE, symbol=min(both))
     return table
 
 
@@ -109,32 +109,31 @@ def write_table(table: DHTable) -> dict[str, Any]:
 def _read_row(number: int, row: object) -> dict[str, LinearForm]:
     if not isinstance(row, Mapping) or set(row) != set(COLUMNS):
         given = ", ".join(map(str, row)) or "none" if isinstance(row, Mapping) else repr(row)
-        raise ModelError(f"DH table, row {number}: a row has the keys {', '.join(COLUMNS)}, not {given}")
+        raise ModelError(Fault.ROW_KEYS, number=number, keys=list(COLUMNS), given=given)
     entries = {}
     for column in COLUMNS:
         try:
             entries[column] = read_entry(row[column])
         except ModelError as error:
-            raise ModelError(f"DH table, row {number}, {column}: {error}") from None
+            raise ModelError(Fault.IN_TABLE, number=number, column=column, reason=error) from None
         _check_unit(number, column, row[column], entries[column])
     return entries
 
 
 def _check_unit(number: int, column: str, text: object, form: LinearForm) -> None:
     """Refuse an angle where a length stands, and an angle that must have been meant otherwise."""
-    where = f"DH table, row {number}, {column}: '{text}'"
     if column not in _ANGLES:
         if form.pi:
-            raise ModelError(f"{where} is an angle; {column} is a length and reads 0, 0.75, 3/4, l_1, d_1 + d_4")
+            raise ModelError(Fault.ANGLE_AS_LENGTH, number=number, column=column, text=text)
         return
     radians = float(form.number)
     if abs(radians) > 2 * pi:
-        raise ModelError(f"{where} is more than a turn in radians; write {form.number}deg or a multiple of pi")
+        raise ModelError(Fault.MORE_THAN_A_TURN, number=number, column=column, text=text, degrees=form.number)
     quarters = round(radians / (pi / 4))
     if quarters and form.number and abs(radians - quarters * pi / 4) < 2e-3:
         multiple = Fraction(quarters, 4)
         name = f"{multiple.numerator}*pi/{multiple.denominator}".replace("1*pi", "pi").removesuffix("/1")
-        raise ModelError(f"{where} is nearly {name}, which no equation can match; write {name}")
+        raise ModelError(Fault.NEARLY, number=number, column=column, text=text, multiple=name)
 
 
 def _guess_joint(number: int, row: Mapping[str, LinearForm]) -> str:
@@ -144,8 +143,9 @@ def _guess_joint(number: int, row: Mapping[str, LinearForm]) -> str:
         in_d = [symbol for symbol, _ in row["d"].symbols]
         named = in_d if len(in_d) == 1 else [symbol for symbol in in_d if _PRISMATIC_NAME.match(symbol)]
     if len(named) != 1:
-        found = f"could be {' or '.join(named)}" if named else "is neither in theta (theta_i, q_i) nor in d"
-        raise ModelError(f"DH table, row {number}: the joint variable {found}; list them: joints: [theta_1, ...]")
+        raise ModelError(
+            Fault.JOINT_UNCLEAR if named else Fault.JOINT_NOWHERE, number=number, joints=" or ".join(named)
+        )
     return named[0]
 
 
@@ -155,9 +155,7 @@ def _make_row(number: int, row: Mapping[str, LinearForm], joints: Sequence[str])
     column = _joint_column(number, row, joint)
     coefficient = row[column].coefficient(joint)
     if abs(coefficient) != 1:
-        raise ModelError(
-            f"DH table, row {number}: '{joint}' has the factor {coefficient}; a joint variable enters as {joint} or -{joint}"
-        )
+        raise ModelError(Fault.JOINT_FACTOR, number=number, joint=joint, factor=coefficient)
     _check_factors(number, row)
     return DHRow(**row, joint=joint, kind="revolute" if column == "theta" else "prismatic", sign=int(coefficient))
 
@@ -169,23 +167,22 @@ def _check_one_row_a_joint(number: int, row: Mapping[str, LinearForm], joints: S
         columns = _columns_with(row, symbol)
         if symbol != joint and columns:
             raise ModelError(
-                f"DH table, row {number}: {columns[0]} holds '{symbol}', the joint variable of row "
-                f"{joints.index(symbol) + 1}; a joint variable stands in one row"
+                Fault.JOINT_OF_ANOTHER_ROW,
+                number=number,
+                column=columns[0],
+                symbol=symbol,
+                other=joints.index(symbol) + 1,
             )
     if joints.index(joint) != number - 1:
-        raise ModelError(
-            f"DH table, row {number}: '{joint}' is the joint variable of row {joints.index(joint) + 1} already"
-        )
+        raise ModelError(Fault.JOINT_TAKEN, number=number, joint=joint, other=joints.index(joint) + 1)
 
 
 def _joint_column(number: int, row: Mapping[str, LinearForm], joint: str) -> str:
     """Return the column, theta or d, that holds the joint variable of a row."""
     columns = _columns_with(row, joint)
     if columns not in (["theta"], ["d"]):
-        found = f"in {' and '.join(columns)}" if columns else "nowhere"
-        raise ModelError(
-            f"DH table, row {number}: its joint variable '{joint}' stands {found}; it stands in theta or in d"
-        )
+        kind = Fault.JOINT_ELSEWHERE if columns else Fault.JOINT_NOT_IN_ROW
+        raise ModelError(kind, number=number, joint=joint, columns=" and ".join(columns))
     return columns[0]
 
 
@@ -195,8 +192,13 @@ def _check_factors(number: int, row: Mapping[str, LinearForm]) -> None:
         for symbol, factor in row[column].symbols:
             if factor.denominator != 1 or abs(factor) > _MOST_TIMES:
                 raise ModelError(
-                    f"DH table, row {number}, {column}: '{symbol}' has the factor {factor}; "
-                    f"an angle takes each symbol a whole number of times, at most {_MOST_TIMES}; an entry reads {FORMS}"
+                    Fault.ANGLE_FACTOR,
+                    number=number,
+                    column=column,
+                    symbol=symbol,
+                    factor=factor,
+                    most=_MOST_TIMES,
+                    forms=FORMS,
                 )
 
 

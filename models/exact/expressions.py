@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Joint
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.polynomial import Entry, Generator, Monomial, Rows, normal_form
 
 
@@ -76,7 +76,7 @@ class Expressions:
         for drake_monomial, expression in polynomial.monomial_to_coefficient_map().items():
             value = expression.Evaluate()
             if value != round(value):
-                raise ModelError(f"arm '{self._name}': {value} in the symbolic trace is not exact")
+                raise ModelError(Fault.TRACE_NOT_EXACT, arm=self._name, value=value)
             coefficient = Fraction(round(value))
             powers: dict[Generator, int] = {}
             for variable, power in drake_monomial.get_powers().items():

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import isfinite, isqrt, pi, sqrt
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.polynomial import (
     ONE,
     ZERO,
@@ -48,7 +48,7 @@ def exact_number(value: float) -> Fraction:
         ModelError: the value is not finite.
     """
     if not isfinite(value):
-        raise ModelError(f"a coordinate is {value}; coordinates are finite numbers of metres")
+        raise ModelError(Fault.COORDINATE_NOT_FINITE, value=value)
     for digits in range(10):
         if abs(value - round(value, digits)) <= TOLERANCE:
             return Fraction(f"{value:.{digits}f}")

@@ -20,7 +20,7 @@ from typing import TypeVar
 
 from flint import fmpz
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 Generator = tuple[str, str]
 Monomial = tuple[tuple[Generator, int], ...]
@@ -74,7 +74,7 @@ def _factors(number: fmpz) -> Iterator[tuple[int, int]]:
         elif half * half == factor:
             yield from ((prime, 2 * power * times) for prime, times in _factors(half))
         else:
-            raise ModelError(f"the square root of a number of {len(str(number))} digits")
+            raise ModelError(Fault.ROOT_OF_LARGE_NUMBER, digits=len(str(number)))
 
 
 def add(*entries: Entry) -> Entry:

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Protocol
 
 from armproof.models.arm import Arm, once_per_arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Entry, Generator, Rows
 
@@ -97,7 +97,7 @@ class Trace:
     def axis(self, frame: str, axis: str = "z", reference: str | None = None) -> tuple[Entry, ...]:
         """Return the unit vector of an axis, x, y or z, of a frame in the axes of the reference frame: 3 entries."""
         if axis not in AXES:
-            raise ModelError(f"no axis '{axis}'; a frame has the axes x, y, z")
+            raise ModelError(Fault.NO_SUCH_AXIS, axis=axis)
         return tuple(row[AXES[axis]] for row in self.rotation(frame, reference))
 
     def jacobian(self, frame: str, expressed_in: str | None = None, reference: str | None = None) -> Rows:
@@ -142,10 +142,7 @@ class Trace:
         if expressed_in is not None:
             growth += self._growth(depth, expressed_in) / 2
         if growth > _MOST_GROWTH:
-            raise ModelError(
-                f"arm '{self._arm.name}': too many symbolic angles between frames {', '.join(frames)} to multiply out; "
-                "choose frames nearer to each other, or make constant angles multiples of pi/2"
-            )
+            raise ModelError(Fault.TOO_MANY_ANGLES, arm=self._arm.name, frames=list(frames))
 
     def _growth(self, depth: int, frame: str) -> float:
         end = self._kinematics.depth(frame)

@@ -17,7 +17,7 @@ from typing import Any
 
 from armproof.models.arm import Arm, Joint
 from armproof.models.dh.table import read_table, write_table
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.chain import ChainKinematics, Link, traced_link
 from armproof.models.exact.polynomial import Entry, Generator, Polynomials
 from armproof.models.exact.trace import trace_of
@@ -90,7 +90,7 @@ def read_value(text: str) -> Arm:
             raise ValueError(f"its format is {value['armproof arm']!r}, not {FORMAT}")
         return _arm(value)
     except (ValueError, KeyError, TypeError, AttributeError, ZeroDivisionError, RecursionError) as error:
-        raise ModelError(f"not an arm that write_value wrote: {type(error).__name__}: {error}") from None
+        raise ModelError(Fault.NOT_A_VALUE, type=type(error).__name__, reason=str(error)) from None
 
 
 def _arm(value: Mapping[str, Any]) -> Arm:

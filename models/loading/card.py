@@ -11,7 +11,7 @@ from typing import NoReturn
 
 import yaml
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 CARD_NAME = "arm.yaml"
 KEYS = ("title", "source", "model", "joints", "lengths", "frames", "zero")
@@ -52,10 +52,10 @@ class Card:
     frames: Mapping[str, str]
     lines: Mapping[str, int]
 
-    def fail(self, entry: str, message: str) -> NoReturn:
+    def fail(self, entry: str, kind: Fault, **terms: object) -> NoReturn:
         """Raise a ModelError at the line of an entry, given as "section" or "section.key"."""
         line = self.lines.get(entry) or self.lines.get(entry.partition(".")[0], 1)
-        raise ModelError(f"{self.path}:{line}: {message}")
+        raise ModelError(Fault.IN_CARD, path=self.path, line=line, reason=ModelError(kind, **terms))
 
 
 def read_card(path: Path) -> Card:
@@ -69,11 +69,13 @@ def read_card(path: Path) -> Card:
     except (yaml.YAMLError, RecursionError) as error:
         mark = getattr(error, "problem_mark", None)
         line = f":{mark.line + 1}" if mark else ""
-        raise ModelError(f"{path}{line}: not readable as YAML: {getattr(error, 'problem', error)}") from None
+        raise ModelError(
+            Fault.CARD_NOT_YAML, path=path, line=line, reason=str(getattr(error, "problem", error))
+        ) from None
     except (OSError, UnicodeDecodeError) as error:
-        raise ModelError(f"{path}: not readable: {error}") from None
+        raise ModelError(Fault.CARD_UNREADABLE, path=path, reason=str(error)) from None
     if root is None:
-        raise ModelError(f"{path}:1: the card is empty; its keys are {', '.join(KEYS)}")
+        raise ModelError(Fault.CARD_EMPTY, path=path, keys=list(KEYS))
     return _CardReader(path).read(root)
 
 
@@ -88,16 +90,16 @@ class _CardReader:
         nodes = self.mapping(root, "the card", "")
         for key in nodes:
             if key not in KEYS:
-                self.fail(nodes[key], f"unknown key '{key}'; the keys are {', '.join(KEYS)}")
+                self.fail(nodes[key], Fault.UNKNOWN_CARD_KEY, key=key, keys=list(KEYS))
         for key in _REQUIRED:
             if key not in nodes:
-                self.fail(root, f"'{key}' is missing; a card needs {', '.join(_REQUIRED)}")
+                self.fail(root, Fault.CARD_KEY_MISSING, key=key, keys=list(_REQUIRED))
         joints = self.texts(nodes["joints"], "joints")
         for name, symbol in joints.items():
             self.symbol(nodes["joints"], symbol, f"joint '{name}'")
         frames = self.texts(nodes["frames"], "frames")
         if not frames:
-            self.fail(nodes["frames"], "'frames' is empty; it names the base frame, usually 0, first")
+            self.fail(nodes["frames"], Fault.NO_FRAMES)
         lengths = self.mapping(nodes["lengths"], "'lengths'", "lengths.") if "lengths" in nodes else {}
         for symbol in lengths:
             self.symbol(nodes["lengths"], symbol, "a length")
@@ -115,18 +117,19 @@ class _CardReader:
             lines=MappingProxyType(self.lines),
         )
 
-    def fail(self, node: yaml.Node, message: str) -> NoReturn:
-        raise ModelError(f"{self.path}:{node.start_mark.line + 1}: {message}")
+    def fail(self, node: yaml.Node, kind: Fault, **terms: object) -> NoReturn:
+        line = node.start_mark.line + 1
+        raise ModelError(Fault.IN_CARD, path=self.path, line=line, reason=ModelError(kind, **terms))
 
     def mapping(self, node: yaml.Node, what: str, prefix: str) -> dict[str, yaml.Node]:
         if not isinstance(node, yaml.MappingNode):
-            self.fail(node, f"{what} must be a mapping, not {_kind(node)}")
+            self.fail(node, Fault.NO_MAPPING_IN_CARD, what=what, found=_kind(node))
         result: dict[str, yaml.Node] = {}
         for key, value in node.value:
             if not isinstance(key, yaml.ScalarNode):
-                self.fail(key, f"a key of {what} must be a name, not {_kind(key)}")
+                self.fail(key, Fault.KEY_NO_NAME, what=what, found=_kind(key))
             if key.value in result:
-                self.fail(key, f"'{key.value}' stands twice in {what}")
+                self.fail(key, Fault.CARD_KEY_TWICE, key=key.value, what=what)
             result[key.value] = value
             self.lines[prefix + key.value] = key.start_mark.line + 1
         return result
@@ -136,24 +139,24 @@ class _CardReader:
 
     def text(self, node: yaml.Node, key: str) -> str:
         if not isinstance(node, yaml.ScalarNode) or not node.value:
-            self.fail(node, f"'{key}' must be a text, not {_kind(node)}")
+            self.fail(node, Fault.NO_TEXT, key=key, found=_kind(node))
         return str(node.value)
 
     def symbol(self, node: yaml.Node, symbol: str, what: str) -> None:
         if not _SYMBOL.fullmatch(symbol):
-            self.fail(node, f"{what} has the symbol '{symbol}'; a symbol reads like theta_1, d_3, a_2 or l")
+            self.fail(node, Fault.NO_SYMBOL, what=what, symbol=symbol)
 
     def places(self, node: yaml.Node, symbol: str) -> tuple[Place, ...]:
         items = node.value if isinstance(node, yaml.SequenceNode) else [node]
         if not items:
-            self.fail(node, f"'{symbol}' is bound to no place; write joint.x, joint.y or joint.z")
+            self.fail(node, Fault.NO_PLACES, symbol=symbol)
         return tuple(self.place(item, symbol) for item in items)
 
     def place(self, node: yaml.Node, symbol: str) -> Place:
         text = self.text(node, symbol)
         joint, _, axis = text.removeprefix("-").rpartition(".")
         if not joint or axis not in _AXES:
-            self.fail(node, f"'{symbol}' is bound to '{text}'; a place reads joint.x, joint.y or joint.z, or -joint.z")
+            self.fail(node, Fault.NO_PLACE, symbol=symbol, text=text)
         return Place(joint, _AXES.index(axis), -1 if text.startswith("-") else 1)
 
 

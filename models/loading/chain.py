@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 KINDS = {"revolute": "revolute", "prismatic": "prismatic"}
 _FIXED = "weld"
@@ -37,21 +37,19 @@ def find_chain(plant: Any, source: str) -> Chain:
     """
     inboard = _joint_to_each_body(plant, source)
     if plant.num_constraints():
-        raise ModelError(
-            f"{source}: joints coupled by <mimic> or constraints are not supported; each joint moves freely"
-        )
+        raise ModelError(Fault.COUPLED_JOINTS, source=source)
     bodies = [body for body in _bodies(plant) if body.index() != plant.world_body().index()]
     roots = [body for body in bodies if body.index() not in inboard]
     if len(roots) > 1:
-        names = ", ".join(body.name() for body in roots)
-        raise ModelError(f"{source}: an arm has one base; bodies without a joint to a parent: {names}")
+        names = [body.name() for body in roots]
+        raise ModelError(Fault.SEVERAL_BASES, source=source, names=names)
     for root in roots:
         plant.WeldFrames(plant.world_frame(), root.body_frame())
     joints = _serial_joints(plant, bodies, inboard, source)
     try:
         plant.Finalize()
     except RuntimeError as error:
-        raise ModelError(f"{source}: {error}") from None
+        raise ModelError(Fault.IN_MODEL, source=source, reason=str(error)) from None
     base = joints[0].parent_body()
     while base.index() in inboard and _parent(base, inboard).index() != plant.world_body().index():
         base = _parent(base, inboard)
@@ -74,17 +72,11 @@ def _joint_to_each_body(plant: Any, source: str) -> dict[Any, Any]:
     for index in plant.GetJointIndices():
         joint = plant.get_joint(index)
         if joint.type_name() not in (*KINDS, _FIXED):
-            raise ModelError(
-                f"{source}: joint '{joint.name()}' is {joint.type_name()}; "
-                "an arm has revolute, continuous, prismatic and fixed joints"
-            )
+            raise ModelError(Fault.JOINT_TYPE, source=source, joint=joint.name(), type=joint.type_name())
         child = joint.child_body()
         if child.index() in inboard:
             first = inboard[child.index()].name()
-            raise ModelError(
-                f"{source}: joints '{first}' and '{joint.name()}' both carry '{child.name()}'; "
-                "an arm is a serial chain without closed loops"
-            )
+            raise ModelError(Fault.CLOSED_LOOP, source=source, joint=first, other=joint.name(), body=child.name())
         inboard[child.index()] = joint
     return inboard
 
@@ -98,7 +90,7 @@ def _serial_joints(plant: Any, bodies: list[Any], inboard: dict[Any, Any], sourc
         while body.index() in inboard:
             joint = inboard[body.index()]
             if body.index() in visited:
-                raise ModelError(f"{source}: joint '{joint.name()}' closes a loop; an arm is a serial chain")
+                raise ModelError(Fault.LOOP, source=source, joint=joint.name())
             visited.add(body.index())
             if joint.type_name() in KINDS:
                 chain.append(joint)
@@ -106,14 +98,11 @@ def _serial_joints(plant: Any, bodies: list[Any], inboard: dict[Any, Any], sourc
         chains.append(tuple(reversed(chain)))
     longest: tuple[Any, ...] = max(chains, key=len, default=())
     if not longest:
-        raise ModelError(f"{source}: no moving joint; an arm has at least one revolute or prismatic joint")
+        raise ModelError(Fault.NO_MOVING_JOINT, source=source)
     on_chain = {joint.index() for joint in longest}
     for moving in chains:
         branch = [joint.name() for joint in moving if joint.index() not in on_chain]
         if branch:
-            trunk = ", ".join(joint.name() for joint in longest)
-            raise ModelError(
-                f"{source}: more than one moving branch: {trunk} and, off it, {', '.join(branch)}; "
-                "an arm is one serial chain (make a gripper's joints fixed)"
-            )
+            trunk = [joint.name() for joint in longest]
+            raise ModelError(Fault.BRANCHES, source=source, trunk=trunk, branch=branch)
     return longest

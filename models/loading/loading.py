@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 from armproof.models.arm import Arm, Joint
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.numbers import TOLERANCE
 from armproof.models.exact.offset import Offset, exact_offset, frame_at, nearly_right_angles
 from armproof.models.exact.polynomial import generator, scale
@@ -70,7 +70,7 @@ def load_card(card: Card, name: str) -> Arm:
     warnings += nearly_right_angles(plant, str(card.model))
     names = [joint.name() for joint in chain.joints]
     if list(card.joints) != names:
-        card.fail("joints", f"joints are {', '.join(card.joints)}; the model has, base to tool, {', '.join(names)}")
+        card.fail("joints", Fault.JOINTS_OF_CARD, joints=list(card.joints), names=names)
     lengths, offsets = _bind_lengths(card, plant)
     frames = {frame: _find_frame(card, plant, frame, place) for frame, place in card.frames.items()}
     joints = _joints(chain, list(card.joints.values()))
@@ -92,7 +92,7 @@ def load_card(card: Card, name: str) -> Arm:
             warnings=warnings,
         )
     except ModelError as error:
-        raise ModelError(f"{card.path}: {error}") from None
+        raise ModelError(Fault.IN_MODEL, source=card.path, reason=error) from None
 
 
 def _digest(*files: Path) -> str:
@@ -128,20 +128,18 @@ def _bind_lengths(card: Card, plant: Any) -> tuple[dict[str, float], dict[int, O
             entry = f"lengths.{symbol}"
             text = _text(place)
             if place.joint not in joints:
-                card.fail(entry, f"'{symbol}' is bound to {text}; the joints of the model are {', '.join(joints)}")
+                card.fail(entry, Fault.BOUND_TO_NO_JOINT, symbol=symbol, place=text, joints=list(joints))
             if (place.joint, place.axis) in bound:
                 other = bound[place.joint, place.axis]
-                card.fail(
-                    entry, f"'{symbol}' and '{other}' are both bound to {text.lstrip('-')}; a place has one symbol"
-                )
+                card.fail(entry, Fault.BOUND_TWICE, symbol=symbol, other=other, place=text.lstrip("-"))
             bound[place.joint, place.axis] = symbol
             frame = joints[place.joint].frame_on_parent()
             X_PF = None if frame.is_body_frame() else frame.GetPoseInParentFrame(context)
             value = 0.0 if X_PF is None else place.sign * float(X_PF.translation()[place.axis])
             if X_PF is None or abs(value) <= TOLERANCE:
-                card.fail(entry, f"'{symbol}' is bound to {text}, which is 0 in {card.model.name}")
+                card.fail(entry, Fault.BOUND_TO_ZERO, symbol=symbol, place=text, model=card.model.name)
             if abs(lengths.setdefault(symbol, value) - value) > TOLERANCE:
-                card.fail(entry, f"'{symbol}' is {lengths[symbol]} at its first place and {value} at {text}")
+                card.fail(entry, Fault.BOUND_DIFFERENTLY, symbol=symbol, first=lengths[symbol], value=value, place=text)
             index = int(frame.index())
             offset = offsets.get(index) or exact_offset(X_PF)
             translation = list(offset.translation)
@@ -163,8 +161,5 @@ def _find_frame(card: Card, plant: Any, name: str, place: str) -> Any:
     frames = {frame.name(): frame for frame in _frames(plant)}
     if place in frames:
         return frames[place]
-    links = ", ".join(frame.name() for frame in frames.values() if frame.is_body_frame())
-    card.fail(
-        f"frames.{name}",
-        f"frame {name} is put at '{place}'; a place is a link ({links}) or <joint>.parent ({', '.join(joints)})",
-    )
+    links = [frame.name() for frame in frames.values() if frame.is_body_frame()]
+    card.fail(f"frames.{name}", Fault.FRAME_NOWHERE, frame=name, place=place, links=links, joints=list(joints))

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 from xml.parsers import expat
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 SUFFIXES = (".urdf", ".sdf", ".dmd.yaml")
 
@@ -36,9 +36,9 @@ def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
         ModelError: the file is missing, of an unknown kind, or rejected by Drake's parser.
     """
     if not path.name.endswith(SUFFIXES):
-        raise ModelError(f"{path}: a model file ends in {', '.join(SUFFIXES)}")
+        raise ModelError(Fault.MODEL_SUFFIX, path=path, suffixes=list(SUFFIXES))
     if not path.is_file():
-        raise ModelError(f"{path}: no such model file")
+        raise ModelError(Fault.NO_MODEL_FILE, path=path)
     from pydrake.multibody.parsing import Parser
     from pydrake.multibody.plant import MultibodyPlant
 
@@ -53,7 +53,7 @@ def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
     try:
         parser.AddModels(path.resolve())
     except (RuntimeError, ValueError) as error:
-        raise ModelError(_parser_message(path, str(error))) from None
+        raise _parser_error(path, str(error)) from None
     finally:
         logger.removeHandler(collector)
         logger.propagate = propagate
@@ -74,12 +74,12 @@ def _check_markup(path: Path) -> None:
         except (KeyError, ValueError):  # what is missing or not a number, Drake's parser reports
             return
         if wrong:
-            raise ModelError(f"{path}:{parser.CurrentLineNumber}: the lower limit of a joint is above its upper limit")
+            raise ModelError(Fault.LIMITS_REVERSED, path=path, line=parser.CurrentLineNumber)
 
     def start(tag: str, attributes: dict[str, str]) -> None:
         text.clear()
         if tag.startswith("xacro:"):
-            raise ModelError(f"{path}:{parser.CurrentLineNumber}: <{tag}> is a macro; expand the file with xacro first")
+            raise ModelError(Fault.MACRO, path=path, line=parser.CurrentLineNumber, tag=tag)
         if tag == "limit":
             bounds.clear()
             if path.suffix == ".urdf":
@@ -95,16 +95,16 @@ def _check_markup(path: Path) -> None:
     try:
         parser.Parse(path.read_bytes(), True)
     except expat.ExpatError as error:
-        raise ModelError(f"{path}:{error.lineno}: not well-formed XML: {expat.ErrorString(error.code)}") from None
+        raise ModelError(Fault.NOT_XML, path=path, line=error.lineno, reason=expat.ErrorString(error.code)) from None
 
 
-def _parser_message(path: Path, message: str) -> str:
-    """Return Drake's message with the file, and with the line of the value at fault where it names one."""
+def _parser_error(path: Path, message: str) -> ModelError:
+    """Return Drake's message as an error with the file, and with the line of the value at fault where it names one."""
     message = message.replace(":0: ", ": ")
     if path.name in message:
-        return message
+        return ModelError(Fault.DRAKE, reason=message)
     value = message.rpartition(" got ")[2]
     for line, text in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), start=1):
         if value != message and value in text:
-            return f"{path}:{line}: {message}"
-    return f"{path}: {message}"
+            return ModelError(Fault.IN_MODEL_LINE, path=path, line=line, reason=message)
+    return ModelError(Fault.IN_MODEL, source=path, reason=message)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.samples import MotionSamples
 from armproof.models.numeric.drake_arm import drake_of, plant_of
 
@@ -47,10 +47,7 @@ class InverseDynamics:
         self.torques(q, np.zeros_like(q), np.zeros_like(q))
         smallest = np.linalg.eigvalsh(self._plant.CalcMassMatrix(self._context))[0]
         if not smallest > 1e-12:
-            raise ModelError(
-                f"arm '{arm.name}' cannot be simulated: its mass matrix is singular (least eigenvalue {smallest:.1e}); "
-                "give the last links of the model file an <inertial>"
-            )
+            raise ModelError(Fault.SINGULAR_MASS, arm=arm.name, smallest=smallest)
 
     def _scale_masses(self, factor: float) -> None:
         from pydrake.multibody.tree import BodyIndex, SpatialInertia

@@ -8,7 +8,7 @@ from operator import index
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.inverse_velocity import damped_inverse
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.numeric.plant import NumericKinematics
@@ -55,7 +55,7 @@ def differential_solver(
             damping = np.sqrt(distance**2 / 2 + _SMALLEST_DAMPING**2)
             step = damped_inverse(kinematics.jacobian(name)[0][chosen], damping) @ error
             q += step * min(1.0, _LARGEST_STEP / max(float(np.abs(step).max()), 1e-300))
-        raise ModelError(f"{most_steps} steps end {distance:.2g} (m, rad) from the pose")
+        raise ModelError(Fault.SOLVER_ENDS_AWAY, steps=most_steps, distance=distance)
 
     return solve
 
@@ -71,5 +71,5 @@ def read_rows(rows: Sequence[int]) -> list[int]:
     except (TypeError, ValueError):
         chosen = []
     if not chosen or len(set(chosen)) < len(chosen) or not set(chosen) <= set(ALL_ROWS):
-        raise ModelError(f"the rows of a task are some of 1 … 6, each once: 1–3 for v, 4–6 for ω; not {rows}")
+        raise ModelError(Fault.TASK_ROWS, given=str(rows))
     return [row - 1 for row in chosen]

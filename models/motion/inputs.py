@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.numeric.joint_values import read_joint_values
 
 SHORTEST = 1e-9  # s; Drake ends the process on breaks that are nearer to each other than its rounding
@@ -25,12 +25,12 @@ def read_vector(value: object, name: str, size: int | None = None) -> np.ndarray
     try:
         vector = np.atleast_1d(np.array(value, dtype=float))
     except (TypeError, ValueError):
-        raise ModelError(f"{name}: {value!r:.60} is no vector of numbers") from None
+        raise ModelError(Fault.NOT_A_VECTOR, name=name, value=f"{value!r:.60}") from None
     if vector.ndim != 1 or (vector.size != size if size is not None else not vector.size):
         expected = "(n,)" if size is None else f"({size},)"
-        raise ModelError(f"{name}: a vector of the shape {expected} is needed, not {vector.shape}")
+        raise ModelError(Fault.VECTOR_SHAPE, name=name, expected=expected, shape=str(vector.shape))
     if not np.isfinite(vector).all():
-        raise ModelError(f"{name}: every number is finite; number {int(np.argmin(np.isfinite(vector))) + 1} is not")
+        raise ModelError(Fault.VECTOR_NOT_FINITE, name=name, number=int(np.argmin(np.isfinite(vector))) + 1)
     vector.flags.writeable = False
     return vector
 
@@ -43,7 +43,7 @@ def read_points(arm: Arm, points: object) -> np.ndarray:
     """
     configurations = read_joint_values(arm, points)
     if len(configurations) < 2:
-        raise ModelError(f"a motion goes through at least 2 configurations; {len(configurations)} given")
+        raise ModelError(Fault.ONE_CONFIGURATION, count=len(configurations))
     return configurations
 
 
@@ -55,9 +55,7 @@ def read_duration(value: object, name: str = "duration") -> float:
     """
     duration = float(read_vector(value, name, 1)[0])
     if not SHORTEST <= duration <= 1 / SHORTEST:
-        raise ModelError(
-            f"{name}: a motion takes a positive time between {SHORTEST:g} and {1 / SHORTEST:g} s, not {duration:g}"
-        )
+        raise ModelError(Fault.DURATION, name=name, shortest=SHORTEST, longest=1 / SHORTEST, duration=duration)
     return duration
 
 
@@ -71,5 +69,5 @@ def read_times(value: Sequence[float] | np.ndarray, count: int) -> np.ndarray:
     steps = np.diff(times)
     if (steps < SHORTEST).any():
         k = int(np.argmax(steps < SHORTEST))
-        raise ModelError(f"times: each is after the one before; {times[k + 1]:g} s follows {times[k]:g} s")
+        raise ModelError(Fault.TIMES, after=times[k + 1], before=times[k])
     return times

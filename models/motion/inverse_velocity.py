@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 Form = Literal["inverse", "right inverse", "left inverse", "damped"]
 
@@ -109,9 +109,7 @@ def svd_pseudo_inverse(J: np.ndarray, tolerance: float | None = None) -> np.ndar
     """
     U, singular_values, Vt = _decompose(J)
     if tolerance is not None and not 0 <= tolerance < 1:
-        raise ModelError(
-            f"a tolerance relative to the largest singular value is at least 0 and below 1, not {tolerance}"
-        )
+        raise ModelError(Fault.TOLERANCE, tolerance=tolerance)
     kept = _kept(singular_values, U.shape[-2], Vt.shape[-1], tolerance)
     return _compose(U, np.divide(1, singular_values, out=np.zeros_like(singular_values), where=kept), Vt)
 
@@ -137,9 +135,9 @@ def damped_inverse(J: np.ndarray, damping: float | np.ndarray) -> np.ndarray:
     U, singular_values, Vt = _decompose(J)
     factors = np.asarray(damping, dtype=float)
     if factors.shape not in ((), U.shape[:-2]):
-        raise ModelError(f"a damping factor is one number, or one a Jacobian; the shape {factors.shape} is neither")
+        raise ModelError(Fault.DAMPING_SHAPE, shape=str(factors.shape))
     if not (np.isfinite(factors) & (factors > 0)).all():
-        raise ModelError(f"a damping factor is positive and finite, not {damping}; for none, take pseudo_inverse")
+        raise ModelError(Fault.DAMPING, damping=str(damping))
     return _compose(U, singular_values / (singular_values**2 + factors[..., np.newaxis] ** 2), Vt)
 
 
@@ -157,9 +155,9 @@ def joint_rates(J: np.ndarray, twist: np.ndarray, *, damping: float | None = Non
     J = _matrices(J)
     v = np.asarray(twist, dtype=float)
     if v.shape != J.shape[:-1]:
-        raise ModelError(f"for Jacobians of shape {J.shape} twists have the shape {J.shape[:-1]}, not {v.shape}")
+        raise ModelError(Fault.TWIST_SHAPE, jacobians=str(J.shape), expected=str(J.shape[:-1]), shape=str(v.shape))
     if not np.isfinite(v).all():
-        raise ModelError("a twist has finite numbers only; one is NaN or infinite")
+        raise ModelError(Fault.TWIST_NOT_FINITE)
     form: Form = applicable_form(J) if damping is None else "damped"
     inverse = pseudo_inverse(J) if damping is None else damped_inverse(J, damping)
     rates = np.asarray((inverse @ v[..., np.newaxis])[..., 0])
@@ -172,11 +170,11 @@ def _matrices(J: np.ndarray) -> np.ndarray:
     try:
         matrices = np.asarray(J, dtype=float)
     except (TypeError, ValueError) as error:
-        raise ModelError(f"a Jacobian is an array of numbers: {error}") from None
+        raise ModelError(Fault.JACOBIAN_NO_NUMBERS, reason=str(error)) from None
     if matrices.ndim not in (2, 3) or 0 in matrices.shape[-2:]:
-        raise ModelError(f"a Jacobian has the shape (m, n), a batch of them (N, m, n), not {matrices.shape}")
+        raise ModelError(Fault.JACOBIAN_SHAPE, shape=str(matrices.shape))
     if not np.isfinite(matrices).all():
-        raise ModelError("a Jacobian has finite numbers only; one is NaN or infinite")
+        raise ModelError(Fault.JACOBIAN_NOT_FINITE)
     return matrices
 
 
@@ -203,13 +201,9 @@ def _require_rank(singular_values: np.ndarray, rank: int, form: str, kind: str) 
     count = singular_values.shape[-1]
     if count < rank:
         raise ModelError(
-            f"a {form} needs full {kind} rank {rank}, and a Jacobian of this shape has at most rank {count}; "
-            f"take the {'left' if kind == 'row' else 'right'} inverse"
+            Fault.RANK_OF_SHAPE, form=form, of=kind, rank=rank, count=count, side="left" if kind == "row" else "right"
         )
     ranks = np.sum(_kept(singular_values, rank, rank), axis=-1)
     if (ranks < rank).any():
-        where = f" number {int(np.argmax(ranks < rank))} of the batch" if ranks.ndim else ""
-        raise ModelError(
-            f"a {form} needs full {kind} rank {rank}; the Jacobian{where} has rank {int(ranks.min())}: "
-            "the arm is singular there; take damped_inverse or svd_pseudo_inverse"
-        )
+        fault, number = Fault.SINGULAR_IN_BATCH if ranks.ndim else Fault.SINGULAR_JACOBIAN, int(np.argmax(ranks < rank))
+        raise ModelError(fault, form=form, of=kind, rank=rank, least=int(ranks.min()), number=number)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.inputs import read_duration, read_points, read_times
 from armproof.models.motion.limits import read_rate_limits, require_within_limits
 from armproof.models.motion.quintic import quintic, shortest_duration
@@ -37,7 +37,7 @@ def point_to_point(arm: Arm, q_0: Any, q_f: Any, duration: float | None = None, 
         limits = read_rate_limits(arm, acceleration=acceleration)
         duration = shortest_duration(first, last, limits.velocity, limits.acceleration)
         if duration == 0:
-            raise ModelError("q_0 and q_f are the same configuration; to stay there, give a duration")
+            raise ModelError(Fault.SAME_ENDS)
     trajectory = quintic(first, last, duration)
     require_within_limits(arm, trajectory)
     return trajectory
@@ -90,7 +90,7 @@ def joint_path(arm: Arm, points: Any) -> Any:
     chords = np.linalg.norm(np.diff(configurations, axis=0), axis=1)
     if (chords <= 1e-9 * max(chords.max(), 1e-9)).any():
         k = int(np.argmin(chords)) + 1
-        raise ModelError(f"points {k} and {k + 1} of the path are the same configuration; a path moves on")
+        raise ModelError(Fault.SAME_POINTS, first=k, second=k + 1)
     s = np.concatenate([[0.0], np.cumsum(chords[:-1]) / chords.sum(), [1.0]])
     if len(configurations) == 2:
         path = PiecewisePolynomial.FirstOrderHold(s, configurations.T)

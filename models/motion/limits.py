@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.extremes import extremes
 from armproof.models.numeric.drake_arm import drake_of, plant_of
 
@@ -67,14 +67,11 @@ def read_limits(value: Any, name: str, default: Any) -> np.ndarray:
     try:
         limits = np.atleast_1d(np.array(default if value is None else value, dtype=float))
     except (TypeError, ValueError):
-        raise ModelError(f"{name}: {value!r:.60} is no vector of limits") from None
+        raise ModelError(Fault.NO_LIMITS, name=name, value=f"{value!r:.60}") from None
     within = (limits >= LEAST) & ((limits <= GREATEST) | np.isinf(limits))
     if limits.shape not in ((1,), (size,)) or not within.all():
-        what = f"not {value}" if value is not None else f"the model file has {limits.tolist()}"
-        raise ModelError(
-            f"{name}: one positive limit, or one for each of the {size} joints, from {LEAST:g} to {GREATEST:g}, "
-            f"is needed; {what}"
-        )
+        fault, wrong = (Fault.LIMIT_SHAPE_OF_MODEL, limits.tolist()) if value is None else (Fault.LIMIT_SHAPE, value)
+        raise ModelError(fault, name=name, size=size, least=LEAST, greatest=GREATEST, value=str(wrong))
     limits = np.array(np.broadcast_to(limits, size))
     limits.flags.writeable = False
     return limits
@@ -90,8 +87,13 @@ def require_within_limits(arm: Arm, trajectory: Any) -> None:
         if least < joint.lower - _ROUNDING or most > joint.upper + _ROUNDING:
             reached = least if least < joint.lower - _ROUNDING else most
             raise ModelError(
-                f"{joint.symbol} of arm '{arm.name}' goes to {reached:.4g} {_UNITS[joint.kind]} in this motion; "
-                f"its limits are [{joint.lower:g}, {joint.upper:g}]"
+                Fault.BEYOND_LIMITS,
+                joint=joint.symbol,
+                arm=arm.name,
+                reached=reached,
+                unit=_UNITS[joint.kind],
+                lower=joint.lower,
+                upper=joint.upper,
             )
 
 

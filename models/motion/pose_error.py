@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 _RIGID = 1e-6
 
@@ -46,13 +46,13 @@ def read_pose(X: object, name: str) -> np.ndarray:
     try:
         pose = np.array(X, dtype=float)
     except (TypeError, ValueError):
-        raise ModelError(f"{name}: {X!r:.60} is no array of numbers") from None
+        raise ModelError(Fault.NO_ARRAY, name=name, value=f"{X!r:.60}") from None
     if pose.shape != (4, 4) or not np.isfinite(pose).all():
-        raise ModelError(f"{name}: a pose is a (4, 4) array of finite numbers; the shape is {pose.shape}")
+        raise ModelError(Fault.POSE_SHAPE, name=name, shape=str(pose.shape))
     R = pose[:3, :3]
     rigid = np.allclose(R @ R.T, np.eye(3), atol=_RIGID) and np.linalg.det(R) > 0
     if not rigid or not np.allclose(pose[3], [0, 0, 0, 1], atol=_RIGID):
-        raise ModelError(f"{name}: a pose has a rotation above left, and the last row 0 0 0 1")
+        raise ModelError(Fault.POSE_FORM, name=name)
     return pose
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.inputs import SHORTEST, read_duration, read_vector
 from armproof.models.motion.limits import read_limits
 
@@ -66,7 +66,7 @@ def quintic(
     with np.errstate(over="ignore", invalid="ignore"):
         coefficients = _coefficients(first, last, rates, duration)
     if not np.isfinite(coefficients).all() or start + duration - start < SHORTEST:
-        raise ModelError("the numbers of this motion are too large, or too far apart, for double precision")
+        raise ModelError(Fault.OUT_OF_PRECISION)
     column = np.array([[Polynomial(joint)] for joint in np.ascontiguousarray(coefficients.T)])
     return PiecewisePolynomial([column], [start, start + duration])
 
@@ -94,7 +94,7 @@ def shortest_duration(q_0: Values, q_f: Values, velocity: Values, acceleration: 
     k_v = read_limits(velocity, "velocity", first)
     k_a = read_limits(acceleration, "acceleration", first)
     if (np.isinf(k_v) & np.isinf(k_a) & (distance > 0)).any():
-        raise ModelError("a joint that moves has neither a velocity nor an acceleration limit: any duration will do")
+        raise ModelError(Fault.NO_JOINT_LIMIT)
     by_speed = PEAK_SPEED * distance / k_v
     by_acceleration = np.sqrt(PEAK_ACCELERATION * distance / k_a)
     return float(max(by_speed.max(), by_acceleration.max()))

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.inputs import SHORTEST, read_vector
 
 
@@ -46,7 +46,7 @@ def sample_motion(trajectory: Any, times: np.ndarray) -> MotionSamples:
         q = np.array([trajectory.value(t)[:, 0] for t in held])
         v, w = (np.array([trajectory.EvalDerivative(t, order)[:, 0] for t in held]) for order in (1, 2))
     except (RuntimeError, ValueError) as error:
-        raise ModelError(f"the trajectory has no velocity or acceleration: {error}") from None
+        raise ModelError(Fault.NO_DERIVATIVE, reason=str(error)) from None
     v[~inside] = w[~inside] = 0.0
     for array in (q, v, w):
         array.flags.writeable = False
@@ -65,14 +65,14 @@ def interval(trajectory: Any, size: int | None = None) -> tuple[float, float]:
     from pydrake.trajectories import Trajectory
 
     if not isinstance(trajectory, Trajectory):
-        raise ModelError(f"a motion is a trajectory of pydrake.trajectories, not a {type(trajectory).__name__}")
+        raise ModelError(Fault.NO_TRAJECTORY, type=type(trajectory).__name__)
     try:
         shape = (trajectory.rows(), trajectory.cols())
         start, end = float(trajectory.start_time()), float(trajectory.end_time())
     except RuntimeError as error:
-        raise ModelError(f"the trajectory is empty: {error}") from None
+        raise ModelError(Fault.TRAJECTORY_EMPTY, reason=str(error)) from None
     if shape[1] != 1 or shape[0] == 0 or size not in (None, shape[0]):
-        raise ModelError(f"a motion has values of the shape ({'n' if size is None else size}, 1), not {shape}")
+        raise ModelError(Fault.TRAJECTORY_SHAPE, size="n" if size is None else size, shape=shape)
     if not (np.isfinite([start, end]).all() and end - start >= SHORTEST):
-        raise ModelError(f"a motion has a start and a later end, not [{start:g}, {end:g}]")
+        raise ModelError(Fault.TRAJECTORY_ENDS, start=start, end=end)
     return start, end

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.differential_solver import ALL_ROWS, Solver, differential_solver, read_rows
 from armproof.models.motion.pose_error import pose_error, read_pose
 from armproof.models.motion.spline import cubic_spline
@@ -91,12 +91,12 @@ def straight_line(
     """
     first, chosen = read_configuration(arm, q_0), read_rows(rows)
     if not isinstance(samples, Integral) or not 4 <= samples <= 100_000:
-        raise ModelError(f"samples: from 4 to 100000 poses on the line, not {samples}")
+        raise ModelError(Fault.LINE_SAMPLES, samples=samples)
     solve = solver or differential_solver(arm, frame, rows)
     X_0 = NumericKinematics(arm, first[np.newaxis]).pose(arm.frame_names(frame)[0])[0]
     poses = pose_line(X_0, X_f)
     if np.linalg.norm(pose_error(poses.GetPose(1.0).GetAsMatrix4(), X_0)[chosen]) < 1e-9:
-        raise ModelError("the straight line ends where it starts; the tool has nowhere to go")
+        raise ModelError(Fault.LINE_OF_NO_LENGTH)
     line = _Line(arm, frame, chosen, poses)
     s = np.linspace(0.0, 1.0, samples)
     q = line.solve(solve, s, first)
@@ -125,7 +125,7 @@ class _Line:
         outside = limit_notes(self.arm, q)
         if outside:
             at = next(s[k] for k in range(len(s)) if limit_notes(self.arm, q[k]))
-            raise ModelError(f"{outside[0]} on the straight line, first {self._where(at)}")
+            raise ModelError(Fault.LINE_BEYOND_LIMITS, note=outside[0], where=self._where(at))
 
     def fit(self, s: np.ndarray, q: np.ndarray, tolerance: float) -> StraightLine:
         """Join the joint values by a spline, and measure how far it is from the line."""
@@ -140,12 +140,8 @@ class _Line:
         off = np.maximum(distance, angle) > tolerance
         if off.any():
             first = int(np.argmax(off))
-            raise ModelError(
-                f"the joint path leaves the straight line by {distance[first]:.2g} m and {angle[first]:.2g} rad "
-                f"{self._where(between[first])}, where the least singular value of the Jacobian is {least[first]:.2g}: "
-                "near a singular configuration the joints would have to jump; or the solver changes branch, "
-                f"or {len(s)} samples are too few"
-            )
+            off_by = {"distance": distance[first], "angle": angle[first], "least": least[first]}
+            raise ModelError(Fault.LEAVES_LINE, **off_by, where=self._where(between[first]), count=len(s))
         lowest = int(np.argmin(least))
         return StraightLine(
             self.poses, path, float(distance.max()), float(angle.max()), float(least[lowest]), float(between[lowest])
@@ -158,20 +154,17 @@ class _Line:
         except ModelError as error:
             J = NumericKinematics(self.arm, before[np.newaxis]).jacobian(self.frame)[0][self.rows]
             least = np.linalg.svd(J, compute_uv=False)[-1]
-            raise ModelError(
-                f"no joint values {self._where(s)} on the straight line: {error}; "
-                f"just before, the least singular value of the Jacobian is {least:.2g}"
-            ) from None
+            raise ModelError(Fault.NO_SOLUTION_BECAUSE, where=self._where(s), reason=error, least=least) from None
         if q.shape != guess.shape:
-            raise ModelError(f"the solver returns joint values of the shape {q.shape}, not {guess.shape}")
+            raise ModelError(Fault.SOLVER_SHAPE, shape=str(q.shape), expected=str(guess.shape))
         if not np.isfinite(q).all():
-            raise ModelError(f"no joint values {self._where(s)} on the straight line: the solver finds none")
+            raise ModelError(Fault.NO_SOLUTION, where=self._where(s))
         return q
 
     def _nearest(self, q: np.ndarray, before: np.ndarray) -> np.ndarray:
         turns = np.round((before - q) / (2 * np.pi))
         return q + 2 * np.pi * np.where(self._revolute, turns, 0.0)
 
-    def _where(self, s: float) -> str:
+    def _where(self, s: float) -> ModelError:
         x, y, z = self.poses.GetPose(s).translation()
-        return f"at s = {s:.4g}, p = ({x:.4g}, {y:.4g}, {z:.4g}) m"
+        return ModelError(Fault.ON_LINE, s=s, x=x, y=y, z=z)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.computed_torque import InverseDynamics
 from armproof.models.motion.limits import RateLimits, read_rate_limits
 from armproof.models.motion.samples import interval, sample_motion
@@ -72,9 +72,9 @@ def time_optimal(
     """
     start, end = interval(path, len(arm.joints))
     if end - start < _SHORTEST or max(abs(start), abs(end)) > 1 / _SHORTEST:
-        raise ModelError(f"a path has s between {-1 / _SHORTEST:g} and {1 / _SHORTEST:g}, over at least {_SHORTEST:g}")
+        raise ModelError(Fault.PATH_INTERVAL, least=-1 / _SHORTEST, most=1 / _SHORTEST, shortest=_SHORTEST)
     if not isinstance(grid_points, Integral) or not 10 <= grid_points <= 100_000:
-        raise ModelError(f"grid_points: from 10 to 100000 points on the path, not {grid_points}")
+        raise ModelError(Fault.PATH_POINTS, points=grid_points)
     limits = read_rate_limits(arm, velocity=velocity, acceleration=acceleration, effort=effort)
     _require_bounds(arm, limits)
     grid = np.linspace(start, end, grid_points)
@@ -89,20 +89,14 @@ def time_optimal(
         passed = {name: np.where(use > 1 + _ROUNDING, margin * use, 1) for name, use in uses.items()}
         tightened = RateLimits(**{name: getattr(tightened, name) / passed[name] for name in uses})
     worst = max(uses, key=lambda name: float(uses[name].max()))
-    raise ModelError(
-        f"the motion along this path passes the {worst} limit of arm '{arm.name}' by a factor of {uses[worst].max():.3g}; "
-        f"take more than {grid_points} grid points, or a smoother path"
-    )
+    raise ModelError(Fault.LIMIT_PASSED, worst=worst, arm=arm.name, factor=uses[worst].max(), points=grid_points)
 
 
 def _require_bounds(arm: Arm, limits: RateLimits) -> None:
     unbounded = np.isinf(limits.acceleration) & np.isinf(limits.effort)
     if unbounded.any():
         joint = arm.joints[int(np.argmax(unbounded))]
-        raise ModelError(
-            f"{joint.symbol} of arm '{arm.name}' has neither an acceleration nor an effort limit in its model file; "
-            "give acceleration= or effort="
-        )
+        raise ModelError(Fault.NO_RATE_LIMIT, joint=joint.symbol, arm=arm.name)
 
 
 def _require_motion(arm: Arm, path: Any, grid: np.ndarray) -> None:
@@ -110,17 +104,22 @@ def _require_motion(arm: Arm, path: Any, grid: np.ndarray) -> None:
     motion = sample_motion(path, grid)
     speed = np.linalg.norm(motion.v, axis=1)
     if not all(np.isfinite(values).all() for values in (motion.q, motion.v, motion.w)):
-        raise ModelError("the path has values that are not finite")
+        raise ModelError(Fault.PATH_NOT_FINITE)
     if not (speed > _STANDING * speed.max()).all():
         at = grid[int(np.argmin(speed))]
-        raise ModelError(f"the path stands still at s = {at:.4g}; a path has dq/ds other than 0 (see joint_path)")
+        raise ModelError(Fault.PATH_STANDS, at=at)
     for joint, values in zip(arm.joints, motion.q.T, strict=True):
         beyond = (values < joint.lower - 1e-9) | (values > joint.upper + 1e-9)
         if beyond.any():
             k = int(np.argmax(beyond))
             raise ModelError(
-                f"{joint.symbol} of arm '{arm.name}' is {values[k]:.4g} at s = {grid[k]:.4g}; "
-                f"its limits are [{joint.lower:g}, {joint.upper:g}]"
+                Fault.BEYOND_LIMITS_AT,
+                joint=joint.symbol,
+                arm=arm.name,
+                value=values[k],
+                at=grid[k],
+                lower=joint.lower,
+                upper=joint.upper,
             )
 
 
@@ -137,7 +136,7 @@ def _solve(arm: Arm, path: Any, grid: Any, limits: RateLimits) -> Any:
         problem.AddJointTorqueLimit(-limits.effort, limits.effort)
     time_law = problem.SolvePathParameterization()
     if time_law is None:
-        raise ModelError(f"no motion of arm '{arm.name}' along this path respects the limits")
+        raise ModelError(Fault.NO_MOTION, arm=arm.name)
     return time_law
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.computed_torque import InverseDynamics, make_controller
 from armproof.models.motion.inputs import read_duration, read_vector
 from armproof.models.motion.limits import read_rate_limits
@@ -112,12 +112,10 @@ def _control_instants(arm: Arm, trajectory: Any, period: float) -> MotionSamples
     start, end = interval(trajectory, len(arm.joints))
     steps = max(round((end - start) / read_duration(period, "period")), 1)
     if steps > _MOST_STEPS:
-        raise ModelError(
-            f"a motion of {end - start:g} s has {steps} periods of {period:g} s; at most {_MOST_STEPS} are simulated"
-        )
+        raise ModelError(Fault.TOO_MANY_PERIODS, seconds=end - start, steps=steps, period=period, most=_MOST_STEPS)
     motion = sample_motion(trajectory, np.linspace(start, end, steps + 1))
     if not all(np.isfinite(values).all() for values in (motion.q, motion.v, motion.w)):
-        raise ModelError("the trajectory has values that are not finite")
+        raise ModelError(Fault.TRAJECTORY_NOT_FINITE)
     return MotionSamples(np.linspace(0.0, end - start, steps + 1), motion.q, motion.v, motion.w)
 
 
@@ -125,7 +123,7 @@ def _gains(value: Any, name: str, arm: Arm) -> np.ndarray:
     size = len(arm.joints)
     gains = read_vector(np.broadcast_to(value, size) if np.ndim(value) == 0 else value, name, size)
     if (gains < 0).any():
-        raise ModelError(f"{name}: gains are not negative; the least is {gains.min():g}")
+        raise ModelError(Fault.NEGATIVE_GAINS, name=name, least=gains.min())
     return gains
 
 
@@ -158,5 +156,5 @@ def _simulate(
             simulator.AdvancePendingEvents()
             torques[k] = controller.get_output_port().Eval(controller_context)
     except RuntimeError as error:
-        raise ModelError(f"the simulation of arm '{arm.name}' ended at {root.get_time():.3g} s: {error}") from None
+        raise ModelError(Fault.SIMULATION_ENDED, arm=arm.name, at=root.get_time(), reason=str(error)) from None
     return states[:, 0, order], states[:, 1, order], torques[:, order]

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ def drake_of(arm: Arm) -> DrakeArm:
         ModelError: the arm was read from a value.
     """
     if arm.drake is None:
-        raise ModelError(f"arm '{arm.name}' was read from a value and has no plant; load it from its model")
+        raise ModelError(Fault.NO_PLANT, arm=arm.name)
     drake: DrakeArm = arm.drake
     return drake
 

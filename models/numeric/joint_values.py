@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 
 _UNITS = {"revolute": "rad", "prismatic": "m"}
 
@@ -25,11 +25,8 @@ def read_joint_values(arm: Arm, q: Any) -> np.ndarray:
     values = _read_numbers(arm, q)
     n = len(arm.joints)
     if values.ndim != 2 or values.shape[1] != n:
-        hint = "; write one configuration as [q]" if values.shape == (n,) else ""
-        raise ModelError(
-            f"configurations of arm '{arm.name}' have the shape (N, {n}), not {values.shape}; "
-            f"the {n} joint values are {_joints(arm)}{hint}"
-        )
+        fault = Fault.ONE_CONFIGURATION_AS_LIST if values.shape == (n,) else Fault.CONFIGURATIONS_SHAPE
+        raise ModelError(fault, arm=arm.name, n=n, shape=str(values.shape), joints=_joints(arm))
     return _finite(arm, values)
 
 
@@ -45,10 +42,7 @@ def read_configuration(arm: Arm, q: Any) -> np.ndarray:
     values = _read_numbers(arm, q)
     n = len(arm.joints)
     if values.shape != (n,):
-        raise ModelError(
-            f"a configuration of arm '{arm.name}' has the shape ({n},), not {values.shape}; "
-            f"the {n} joint values are {_joints(arm)}"
-        )
+        raise ModelError(Fault.CONFIGURATION_SHAPE, arm=arm.name, n=n, shape=str(values.shape), joints=_joints(arm))
     return _finite(arm, values)
 
 
@@ -88,16 +82,14 @@ def limit_notes(arm: Arm, q: Any) -> tuple[str, ...]:
 def _read_numbers(arm: Arm, q: Any) -> np.ndarray:
     """Return the array of doubles that q is, of whatever shape."""
     if isinstance(q, np.ma.MaskedArray) and np.ma.is_masked(q):
-        raise ModelError(f"joint values of arm '{arm.name}' are real numbers; {q.mask.sum()} of those given are masked")
+        raise ModelError(Fault.MASKED_VALUES, arm=arm.name, count=q.mask.sum())
     try:
         values = np.asarray(q)
     except (ValueError, TypeError, OverflowError):
-        raise ModelError(
-            f"configurations of arm '{arm.name}' have equal lengths: {len(arm.joints)} joint values, {_joints(arm)}"
-        ) from None
+        raise ModelError(Fault.UNEQUAL_LENGTHS, arm=arm.name, n=len(arm.joints), joints=_joints(arm)) from None
     if values.dtype.kind not in "iuf":
         what = {"b": "booleans", "c": "complex numbers", "U": "text", "S": "text"}.get(values.dtype.kind, "objects")
-        raise ModelError(f"joint values of arm '{arm.name}' are real numbers (rad, m), not {what} ({values.dtype})")
+        raise ModelError(Fault.NOT_REAL, arm=arm.name, what=what, dtype=values.dtype)
     with np.errstate(over="ignore"):
         return values.astype(float, copy=False)
 
@@ -107,8 +99,11 @@ def _finite(arm: Arm, values: np.ndarray) -> np.ndarray:
     if len(wrong):
         place = ", ".join(str(index) for index in wrong[0])
         raise ModelError(
-            f"joint values are finite numbers; q[{place}], {arm.joints[wrong[0][-1]].symbol} of arm '{arm.name}', "
-            f"is {values[tuple(wrong[0])]}"
+            Fault.NOT_FINITE_VALUE,
+            place=place,
+            joint=arm.joints[wrong[0][-1]].symbol,
+            arm=arm.name,
+            value=str(values[tuple(wrong[0])]),
         )
     return values
 

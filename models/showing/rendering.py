@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 from armproof.models.numeric.joint_values import read_configuration
 from armproof.models.showing.viewer import add_arm
@@ -17,10 +17,6 @@ from armproof.models.showing.viewer import add_arm
 _RENDERER = "vtk"
 _NEAR, _FAR = 0.01, 200.0  # m
 _MOST = 8192  # pixels of an edge
-_NEEDS = (
-    "3D pictures need Mesa's EGL library and a driver for it ({problem}); on Debian and Ubuntu: "
-    "apt install libegl1 libgl1-mesa-dri. Everything else works without them"
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +56,7 @@ def look_at(
         ModelError: a size of no picture.
     """
     if not (1 <= width <= _MOST and 1 <= height <= _MOST):
-        raise ModelError(f"a picture is from 1 to {_MOST} pixels wide and high, not {width} × {height}")
+        raise ModelError(Fault.PICTURE_SIZE, most=_MOST, width=width, height=height)
     into = -np.asarray(toward, dtype=float) / np.linalg.norm(toward)
     up = np.array([0.0, 0.0, 1.0]) if abs(into[2]) < 1 - 1e-9 else np.array([0.0, 1.0, 0.0])
     right = np.cross(into, up)
@@ -137,7 +133,7 @@ def require_renderer() -> None:
     try:
         egl = ctypes.CDLL("libEGL.so.1")
     except OSError as error:
-        raise ModelError(_NEEDS.format(problem=error)) from None
+        raise ModelError(Fault.NO_RENDERER, problem=str(error)) from None
     egl.eglGetDisplay.restype = egl.eglGetPlatformDisplay.restype = ctypes.c_void_p
     surfaceless, device = 0x31DD, 0x313F
     displays = [egl.eglGetPlatformDisplay(kind, None, None) for kind in (surfaceless, device)]
@@ -146,7 +142,7 @@ def require_renderer() -> None:
     for display in displays:
         if display and egl.eglInitialize(ctypes.c_void_p(display), ctypes.byref(major), ctypes.byref(minor)):
             return
-    raise ModelError(_NEEDS.format(problem="EGL finds no driver"))
+    raise ModelError(Fault.NO_RENDERER, problem=ModelError(Fault.NO_DRIVER))
 
 
 def _lights() -> list[Any]:

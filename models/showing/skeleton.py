@@ -9,7 +9,7 @@ from types import MappingProxyType
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 
@@ -58,7 +58,7 @@ def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
     """
     q = np.asarray(q, dtype=float)
     if q.shape != (len(arm.joints),):
-        raise ModelError(f"a configuration of arm '{arm.name}' has {len(arm.joints)} values, not {q.shape}")
+        raise ModelError(Fault.JOINT_COUNT, arm=arm.name, n=len(arm.joints), shape=str(q.shape))
     plant, context = plant_of(arm), plant_of(arm).CreateDefaultContext()
     positions = np.zeros(plant.num_positions())
     positions[list(drake_of(arm).position_indices)] = q

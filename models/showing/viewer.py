@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.offset import frame_at
 from armproof.models.numeric.drake_arm import frame_of
 from armproof.models.numeric.plant import NumericKinematics
@@ -64,9 +64,7 @@ def add_arm(parser: Any, arm: Arm) -> None:
 
 def _model_file(arm: Arm) -> Path:
     if arm.path is None:
-        raise ModelError(
-            f"arm '{arm.name}' was given by a DH table and has no shape; name an arm that has a model file"
-        )
+        raise ModelError(Fault.NO_SHAPE, arm=arm.name)
     return arm.path.resolve()
 
 

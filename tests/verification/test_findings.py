@@ -5,8 +5,12 @@ import re
 from pathlib import Path
 from string import Formatter
 
+import pytest
+
 import armproof.course
 import armproof.verification
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import Fault, ModelError
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import Audience, Piece, pieces, write, write_all
@@ -45,6 +49,16 @@ def test_an_error_carries_its_finding() -> None:
     assert finding_of(UnboundName("x")) == say(Kind.NOT_BOUND, name="x")
     assert finding_of(EvaluationError("no value")) == Finding(Kind.NOT_EVALUATED, {"reason": "no value"})
     assert str(UnboundName("x", "why")) == "'x' is not bound: why"
+
+
+def test_an_error_of_the_models_becomes_a_finding() -> None:
+    with pytest.raises(ModelError) as caught:
+        load_arm({"dh": "classic", "rows": [{"theta": "q_1 +", "d": 0, "a": "l_1", "alpha": 0}], "joints": ["q_1"]})
+    finding = finding_of(caught.value)
+    assert finding.kind is Fault.IN_TABLE and finding.terms["reason"].kind is Fault.ENTRY_UNREADABLE
+    assert str(finding) == str(caught.value)
+    assert json.loads(json.dumps(finding.as_json()))["terms"]["reason"]["terms"]["text"] == "q_1 +"
+    assert not {kind.value for kind in Kind} & {fault.value for fault in Fault}
 
 
 def test_braces_and_marks_in_terms_are_left_alone() -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from gettext import NullTranslations
 from string import Formatter
 from typing import Any
 
+from armproof.models.errors import ArmproofError, MessageKind
+from armproof.models.errors import look_up as _
 from armproof.verification.findings.kinds import WORDS, Kind
 
-_ = NullTranslations().gettext  # the one look-up of a sentence: a catalogue is bound here
 _PARSED: dict[str, tuple[tuple[str, str | None, str], ...]] = {}
 
 
@@ -43,7 +43,7 @@ class Finding:
         equation, row, column: where, from 1, as far as it is about one equation or entry.
     """
 
-    kind: Kind
+    kind: MessageKind
     terms: Mapping[str, Any] = field(default_factory=dict, hash=False)
     equation: int | None = None
     row: int | None = None
@@ -85,16 +85,20 @@ class Finding:
         }
 
 
-def say(kind: Kind, **terms: Any) -> Finding:
+def say(kind: MessageKind, **terms: Any) -> Finding:
     """Return a finding of a kind with its terms."""
     return Finding(kind, terms)
 
 
 def finding_of(error: Exception) -> Finding:
-    """Return what an error says: the finding that it was raised with, else its text under the kind of its class."""
-    if error.args and isinstance(error.args[0], Finding):
-        return error.args[0]
-    return say(getattr(error, "kind", Kind.PROBLEM), reason=str(error))
+    """Return what an error says: what it was raised with, else its text under the kind of its class."""
+    said = error.args[0] if error.args else None
+    if isinstance(said, Finding):
+        return said
+    if isinstance(error, ArmproofError) and isinstance(said, MessageKind):
+        terms = error.terms.items()
+        return Finding(said, {name: finding_of(term) if isinstance(term, Exception) else term for name, term in terms})
+    return say(getattr(error, "kind", None) or Kind.PROBLEM, reason=str(error))
 
 
 def write(finding: Finding, audience: Audience = Audience.REPORT) -> str:

@@ -8,7 +8,9 @@ proof and not the answer.
 
 from __future__ import annotations
 
-from enum import StrEnum, unique
+from enum import unique
+
+from armproof.models.errors import MessageKind
 
 # Terms that are words of the language, not names: they are translated as the templates are.
 WORDS = frozenset(
@@ -17,17 +19,8 @@ WORDS = frozenset(
 
 
 @unique
-class Kind(StrEnum):
+class Kind(MessageKind):
     """The kind of a finding."""
-
-    template: str
-    student: str | None
-
-    def __new__(cls, name: str, template: str, student: str | None = None) -> Kind:
-        """Return the member of a name, with its sentences."""
-        kind = str.__new__(cls, name)
-        kind._value_, kind.template, kind.student = name, template, student
-        return kind
 
     # fmt: off
     # -- what became of a display ---------------------------------------------------------------------------------------

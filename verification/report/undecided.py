@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
+from armproof.models.errors import MessageKind
 from armproof.verification.findings import Finding, Kind
 from armproof.verification.verdict import EquationResult, Record, Verdict
 
 _BIND = "bind it in the front matter: quantities: …"
 _ARM = "name the arm in the front matter: arm: …"
-_EXPECTED = {
+_EXPECTED: dict[MessageKind, tuple[str, str]] = {
     Kind.NOT_BOUND: ("a name is not bound", _BIND),
     Kind.NOT_BOUND_BECAUSE: ("a name is not bound", _BIND),
     Kind.NEVER_USED: ("no decided claim uses what is defined", "bind the name in the front matter (quantities: …)"),
