@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from armproof.verification.verdict import Record, Verdict
+from armproof.verification.verdict import Record, Role, Verdict
 
 Judge = Callable[..., Record]
 
@@ -105,7 +105,7 @@ def test_a_link_of_the_arm_is_not_a_general_one(judge: Judge) -> None:
 
 def test_somebodys_own_matrix_of_that_name_is_a_definition(judge: Judge) -> None:
     own = r"A_i = \begin{bmatrix} a_i & 1 \\ 0 & 1 \end{bmatrix}"
-    assert judge(own, arm=None).verdict is Verdict.DEFINED
+    assert judge(own, arm=None).outcomes[0].role is Role.DEFINITION
     assert judge(own, r"\det A_i = a_i", arm=None).verdict is Verdict.PROVED
     assert judge(own, r"\det A_i = 1", arm=None).verdict is Verdict.REFUTED
 
