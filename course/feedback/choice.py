@@ -9,9 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback.answer import is_function
+from armproof.course.feedback.answer import is_function, read_plain
 from armproof.course.feedback.outcome import Feedback, Outcome
-from armproof.course.feedback.plain_text import read_plain
 from armproof.models.errors import ArmproofError
 
 _TOLERANCE = 1e-6

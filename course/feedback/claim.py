@@ -13,8 +13,7 @@ import numpy as np
 
 from armproof.course.feedback.answer import as_latex, is_number
 from armproof.course.feedback.errors import AnswerError, LessonError
-from armproof.course.feedback.outcome import Feedback, Outcome, Row
-from armproof.course.feedback.wording import ASKED, place, told, without_asked
+from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, place, told, without_asked
 from armproof.models.arm import Arm
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix

@@ -14,8 +14,7 @@ import numpy as np
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
 from armproof.course.feedback.errors import AnswerError, LessonError
-from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome, Row
-from armproof.course.feedback.wording import ASKED, place
+from armproof.course.feedback.outcome import ASKED, NOTHING, Feedback, Outcome, Row, place
 from armproof.models.errors import ArmproofError
 from armproof.verification.functions.guarded_call import CallError, Guard
 from armproof.verification.functions.latex import write_matrix

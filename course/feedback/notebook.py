@@ -5,18 +5,58 @@ from __future__ import annotations
 import re
 import sys
 import tempfile
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
+from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from armproof.course.feedback.html import block, captioned
+from markupsafe import Markup
+
 from armproof.verification.report.html.figures import Figure as Picture
+from armproof.verification.report.html.sketch import sketch_style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 ENLARGED = 1.3  # on a screen, beside the size at which it is printed
 _SIZE = re.compile(r'\b(width|height)="([\d.]+)pt"')
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+
+def block(kind: str, *parts: Markup) -> Markup:
+    """Return a block of the given kind (right, wrong, open, error, hint) with its style."""
+    return Markup('<style>{}</style><div class="armproof ap-{}">{}</div>').format(
+        Markup(_style()), kind, Markup("").join(parts)
+    )
+
+
+def small_print(text: str) -> Markup:
+    """Return a sentence in small print."""
+    return Markup('<p class="ap-note">{}</p>').format(text)
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Markup:
+    """Return a table; the first cell of each row is its head."""
+    cells = Markup("").join(Markup('<th scope="col">{}</th>').format(name) for name in head)
+    lines = Markup("").join(
+        Markup('<tr><th scope="row">{}</th>{}</tr>').format(
+            first, Markup("").join(Markup("<td>{}</td>").format(cell) for cell in rest)
+        )
+        for first, *rest in rows
+    )
+    return Markup("<table><thead><tr>{}</tr></thead><tbody>{}</tbody></table>").format(cells, lines)
+
+
+def captioned(figure: Picture) -> Markup:
+    """Return a picture with its caption."""
+    return Markup("<figure>{}<figcaption>{}</figcaption></figure>").format(figure.svg, figure.caption)
+
+
+@cache
+def _style() -> str:
+    own = resources.files("armproof.course.feedback").joinpath("feedback.css").read_text(encoding="utf-8")
+    return own + sketch_style()
 
 
 @dataclass(frozen=True)

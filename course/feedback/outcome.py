@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
 from markupsafe import Markup
 
-from armproof.course.feedback.html import block, captioned, small_print, table
-from armproof.verification.findings import Finding
+from armproof.course.feedback.notebook import block, captioned, small_print, table
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError
 from armproof.verification.latex.greek import GREEK, one_of
 from armproof.verification.report.html.figures import Figure
+from armproof.verification.verdict import WrongEntry
 
+ASKED = r"\Xi"  # the name that what is asked has in a claim; no course uses it
+MOST_PLACES = 4
+GENERAL = (Kind.UNEQUAL, Kind.ONLY_WRONG_ENTRY)  # what is said where no mistake is recognised
 MOST_ROWS = 8
 _NOTHING = 1e-12
 _COLUMNS = ("entry", "expected", "obtained", "unit")
@@ -198,3 +202,27 @@ def _aligned(rows: list[tuple[str, str, str, str]]) -> list[str]:
     widths = [max(len(line[k]) for line in cells) for k in range(len(_COLUMNS))]
     lines = ["    " + "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)) for line in cells]
     return [line.rstrip() for line in lines]
+
+
+def told(findings: Sequence[Finding], entries: Sequence[WrongEntry]) -> tuple[Finding, ...]:
+    """Return what is wrong, without the right term and without our proof's own concerns; else where it is wrong."""
+    if said := [finding for finding in findings if finding.is_told]:
+        return without_asked(said)
+    places = [(entry.row, entry.column) for entry in entries]
+    if not places or places == [(None, None)]:
+        return (say(Kind.UNEQUAL),)
+    if len(places) == 1:
+        return (say(Kind.ONLY_WRONG_ENTRY).at(row=places[0][0], column=places[0][1]),)
+    if len(places) <= MOST_PLACES:
+        return (say(Kind.FEW_WRONG_ENTRIES, places=[place(row, column) for row, column in places]),)
+    return (say(Kind.WRONG_ENTRIES, count=len(places)),)
+
+
+def place(row: int | None, column: int | None) -> str:
+    """Return an entry's place (from 1) as the student reads it."""
+    return "value" if row is None or column is None else f"({row}, {column})"
+
+
+def without_asked(findings: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Return findings without the name that a claim gives to what is asked."""
+    return tuple(finding.renamed(ASKED, "what is asked").renamed("Xi", "what is asked") for finding in findings)

@@ -13,9 +13,8 @@ from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import Claim, judge_formula
 from armproof.course.feedback.errors import AnswerError
 from armproof.course.feedback.notebook import Portrait, Shown
-from armproof.course.feedback.outcome import OF_FUNCTION, Feedback, Row
+from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, place, told
 from armproof.course.feedback.picture import call_at, draw_answer
-from armproof.course.feedback.wording import ASKED, place, told
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError

@@ -11,8 +11,7 @@ from markupsafe import Markup
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_missing
-from armproof.course.feedback.html import block
-from armproof.course.feedback.notebook import Shown
+from armproof.course.feedback.notebook import Shown, block
 from armproof.course.links import shift, turn
 
 ARM = "planar_2r"

@@ -7,8 +7,8 @@ from enum import Enum
 import numpy as np
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.values import Identity, as_scalar, identity
+from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
+from armproof.verification.algebra.protocol import identity
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n

@@ -21,8 +21,8 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.report.github import github_report
 from armproof.verification.report.json_ import json_report
 from armproof.verification.report.text import text_report, to_ascii
-from armproof.verification.running import batch, processes
-from armproof.verification.running.batch import check_each
+from armproof.verification.running import processes
+from armproof.verification.running.processes import check_each
 from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict, WrongEntry
 
 ARMPROOF = Path(sys.executable).with_name("armproof")
@@ -343,15 +343,15 @@ def test_several_processes_give_the_results_of_one_in_the_same_order(write, tmp_
 
 def test_a_document_that_ends_its_process_fails_alone(write, monkeypatch: pytest.MonkeyPatch):
     paths = [write(RIGHT, name=f"{k}.md") for k in range(4)]
-    check = batch.check_one
+    check = processes.check_one
 
     def check_one(path: Path, **options: object) -> DocumentResult | Failure:
         if path == paths[1]:
             os._exit(134)  # as Drake does when it aborts
         return check(path)
 
-    check_one.__module__, check_one.__qualname__ = "armproof.verification.running.batch", "check_one"
-    monkeypatch.setattr(batch, "check_one", check_one)
+    check_one.__module__, check_one.__qualname__ = "armproof.verification.running.processes", "check_one"
+    monkeypatch.setattr(processes, "check_one", check_one)
     results = list(check_each(paths, workers=2))
     assert [isinstance(result, Failure) for result in results] == [False, True, False, False]
     assert results[1].message == f"{paths[1]}: the process that checked it ended; Drake may have aborted on its arm"
@@ -380,7 +380,7 @@ def test_the_default_is_the_installed_course_elsewhere(armproof, tmp_path: Path,
         lambda paths, jobs: [Failure(str(path), say(Kind.PROBLEM, reason="seen")) for path in paths],
     )
     report = json.loads(armproof("verify", "--format", "json").stdout)
-    assert [Path(error["path"]) for error in report["errors"]] == [Path(batch.__file__).parents[2] / "course"]
+    assert [Path(error["path"]) for error in report["errors"]] == [Path(processes.__file__).parents[2] / "course"]
 
 
 def test_a_report_that_nobody_takes_ends_without_a_traceback(write):
@@ -393,15 +393,15 @@ def test_a_report_that_nobody_takes_ends_without_a_traceback(write):
 
 def test_documents_that_end_processes_fail_alone_among_many(write, monkeypatch: pytest.MonkeyPatch):
     paths = [write(RIGHT, name=f"{k}.md") for k in range(40)]
-    check = batch.check_one
+    check = processes.check_one
 
     def check_one(path: Path, **options: object) -> DocumentResult | Failure:
         if path in (paths[3], paths[37]):
             os._exit(134)
         return check(path)
 
-    check_one.__module__, check_one.__qualname__ = "armproof.verification.running.batch", "check_one"
-    monkeypatch.setattr(batch, "check_one", check_one)
+    check_one.__module__, check_one.__qualname__ = "armproof.verification.running.processes", "check_one"
+    monkeypatch.setattr(processes, "check_one", check_one)
     monkeypatch.setattr(processes, "AHEAD", 2)
     results = list(check_each(paths, workers=2))
     assert [result.path for result in results] == [str(path) for path in paths]
@@ -410,8 +410,8 @@ def test_documents_that_end_processes_fail_alone_among_many(write, monkeypatch: 
 
 def test_results_come_one_by_one_and_no_more_are_begun_than_are_needed(write, monkeypatch: pytest.MonkeyPatch):
     begun: list[Path] = []
-    check = batch.check_one
-    monkeypatch.setattr(batch, "check_one", lambda path, **options: begun.append(path) or check(path))
+    check = processes.check_one
+    monkeypatch.setattr(processes, "check_one", lambda path, **options: begun.append(path) or check(path))
     paths = [write(RIGHT, name=f"{k}.md") for k in range(4)]
     results = check_each(paths, 1)
     assert next(results).path == str(paths[0])

@@ -1,4 +1,4 @@
-"""Matrices of any scalar that adds and multiplies: exact scalars in a proof, arrays of samples in a confirmation."""
+"""Matrices of any scalar that adds and multiplies, exact or sampled; lists that stand for columns, identities without a size."""
 
 from __future__ import annotations
 
@@ -156,3 +156,41 @@ def exact_rank(matrix: Matrix) -> int:
             break
         rows, columns = bordered
     return len(rows)
+
+
+@dataclass(frozen=True)
+class Identity:
+    """An identity matrix times a scalar, as in λ²I, whose size is left to its surroundings."""
+
+    scale: Any
+
+
+def no_size() -> Any:
+    """Refuse an identity matrix of unknown size where the size matters."""
+    raise EvaluationError(say(Kind.IDENTITY_OF_NO_SIZE))
+
+
+def stacked(value: Any) -> Any:
+    """Return a list of values as the column that it stands for."""
+    if not isinstance(value, list):
+        return value
+    if any(isinstance(cell, Matrix | Identity | list) for cell in value):
+        raise EvaluationError(say(Kind.MATRICES_FOR_VALUE))
+    return column(value)
+
+
+def sized(value: Any) -> Any:
+    """Return a value of which the size is known."""
+    return no_size() if isinstance(value, Identity) else stacked(value)
+
+
+def as_scalar(value: Any) -> Any:
+    """Return the entry of a 1×1 matrix, anything else as it is."""
+    return value.rows[0][0] if isinstance(value, Matrix) and value.shape == (1, 1) else value
+
+
+def is_zero(value: Any) -> bool:
+    """Whether a scalar of either algebra vanishes everywhere."""
+    if hasattr(value, "is_zero"):
+        return bool(value.is_zero())
+    return bool((value == 0).all()) if hasattr(value, "all") else value == 0

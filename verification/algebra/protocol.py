@@ -95,6 +95,12 @@ class Algebra(Protocol):
         ...
 
 
+def identity(algebra: Algebra, size: int, scale: Any = None) -> Matrix:
+    """Return the identity matrix of a size, times a scalar if one is given."""
+    one, zero = algebra.rational(Fraction(1)) if scale is None else scale, algebra.rational(Fraction(0))
+    return Matrix(tuple(tuple(one if r == c else zero for c in range(size)) for r in range(size)))
+
+
 def elementary(algebra: Algebra, function: str, axis: str, amount: Any) -> Matrix:
     """Return Rot(axis, θ) or Trans(axis, d), 4×4."""
     one, zero = algebra.rational(Fraction(1)), algebra.rational(Fraction(0))

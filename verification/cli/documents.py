@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.findings import Kind, say
-from armproof.verification.running.batch import check_each
+from armproof.verification.running.processes import check_each
 from armproof.verification.verdict import DocumentResult, Failure
 
 if TYPE_CHECKING:
-    from armproof.verification.running.batch import After
+    from armproof.verification.running.processes import After
 
 
 WIDTH = 30

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from armproof.verification.algebra.angles import has_arcs
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import as_scalar
 from armproof.verification.equations.alignment import align
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError

@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Identity, Matrix, stacked
 from armproof.verification.algebra.protocol import Value
-from armproof.verification.algebra.values import Identity, stacked
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.correction.record import ELLIPSIS
 from armproof.verification.equations.outcome import Outcome

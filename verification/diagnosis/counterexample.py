@@ -7,9 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import Identity, as_scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from armproof.verification.algebra.angles import cos_sin, has_arcs
-from armproof.verification.algebra.matrix import Matrix, column
-from armproof.verification.algebra.protocol import Algebra, Value
+from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar, column, is_zero
+from armproof.verification.algebra.protocol import Algebra, Value, identity
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import Identity, as_scalar, identity, is_zero
 from armproof.verification.errors import EvaluationError, ShapeError
 from armproof.verification.findings import Finding, Kind, say
 

@@ -7,10 +7,9 @@ from math import prod
 from typing import Any
 
 from armproof.verification.algebra.angles import cos_sin, has_arcs
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Identity, Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import Identity
 from armproof.verification.equations.alignment import (
     HOMOGENEOUS,
     ROTATION,

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.values import as_scalar, is_zero
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say

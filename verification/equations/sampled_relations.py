@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.values import Identity, as_scalar
+from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError

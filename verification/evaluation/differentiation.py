@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from armproof.verification.algebra.matrix import Matrix, column
+from armproof.verification.algebra.matrix import Matrix, column, sized
 from armproof.verification.algebra.protocol import Value
-from armproof.verification.algebra.values import sized
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say

@@ -5,21 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar, sized
 from armproof.verification.algebra.protocol import Algebra, Value
-from armproof.verification.algebra.values import Identity, as_scalar, sized
 from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
-from armproof.verification.evaluation.arithmetic import ambiguous, power_value, product_value, quotient_value, sum_value
-from armproof.verification.evaluation.calls import call_value
-from armproof.verification.evaluation.differentiation import derivative_value
-from armproof.verification.evaluation.matrices import matrix_value, postfix_value
-from armproof.verification.evaluation.names_and_numbers import (
+from armproof.verification.evaluation.arithmetic import (
+    ambiguous,
+    matrix_value,
+    postfix_value,
+    power_value,
+    product_value,
+    quotient_value,
+    sum_value,
+)
+from armproof.verification.evaluation.calls import (
+    call_value,
     ellipsis,
     joint_angle_sum,
     layout,
     name_value,
     number_value,
 )
+from armproof.verification.evaluation.differentiation import derivative_value
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names

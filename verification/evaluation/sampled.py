@@ -20,8 +20,7 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import EvaluationError
-from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.evaluation.of_arm import ArmAlgebra
+from armproof.verification.evaluation.exact import ArmAlgebra, ExactAlgebra
 
 SAMPLES = 1000
 SEED = 2019

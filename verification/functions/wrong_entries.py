@@ -9,8 +9,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.counterexample import Probe
-from armproof.verification.diagnosis.learnt_notation import LearntNotation
-from armproof.verification.diagnosis.mend import Mender
+from armproof.verification.diagnosis.mend import LearntNotation, Mender
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.bench import Bench

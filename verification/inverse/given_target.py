@@ -11,7 +11,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
-from armproof.verification.evaluation.of_arm import ArmAlgebra
+from armproof.verification.evaluation.exact import ArmAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.target import Target
 

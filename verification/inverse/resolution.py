@@ -6,9 +6,9 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from armproof.verification.algebra.matrix import as_scalar
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.values import as_scalar
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, say

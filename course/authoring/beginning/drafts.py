@@ -127,6 +127,6 @@ def _wrong_answers(task: Task, draft: Draft, arm: Arm) -> Iterator[tuple[str, st
 
 def _is_general(feedback: Feedback) -> bool:
     """Whether a mistake was not recognised: only where the answer is wrong is said."""
-    from armproof.course.feedback.wording import GENERAL
+    from armproof.course.feedback.outcome import GENERAL
 
     return any(finding.kind in GENERAL for finding in feedback.findings)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from armproof.course.feedback import Lesson, LessonError, Number, Outcome, Quantity, Task, Wrong, open_lesson
-from armproof.course.feedback.progress import VARIABLE, read_progress
+from armproof.course.feedback.lesson import VARIABLE, read_progress
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
 

@@ -15,9 +15,9 @@ from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.matrix import Matrix, column, exact_rank
+from armproof.verification.algebra.protocol import identity
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring, Scalar
-from armproof.verification.algebra.values import identity
 from armproof.verification.errors import EvaluationError, ShapeError
 from armproof.verification.evaluation.exact import ExactAlgebra
 

@@ -11,9 +11,8 @@ import pytest
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.calculus import substitute
-from armproof.verification.algebra.protocol import OutsideAlgebra, elementary, link_matrix
+from armproof.verification.algebra.protocol import OutsideAlgebra, elementary, identity, link_matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.values import identity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.sampled import SampledAlgebra
 

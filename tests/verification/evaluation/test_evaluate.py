@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.algebra.values import Identity, is_zero
+from armproof.verification.algebra.matrix import Identity, Matrix, is_zero
 from armproof.verification.errors import EvaluationError, NoValue, ShapeError, UnboundName
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.latex import nodes as n

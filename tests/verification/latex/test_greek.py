@@ -6,8 +6,8 @@ import io
 
 import pytest
 
+from armproof.course.feedback.answer import read_plain
 from armproof.course.feedback.outcome import pretty
-from armproof.course.feedback.plain_text import read_plain
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, CAPITAL, GREEK, LONG, NAMES, NUMBERS, SMALL, VARIANTS
 from armproof.verification.latex.plain import plain_text
