@@ -122,4 +122,4 @@ class InverseKinematics:
     @cached_property
     def proof(self) -> Proof:
         """What is proved of it, by substitution on every branch."""
-        return prove(self)
+        return prove(self.derivation, self.compiled)

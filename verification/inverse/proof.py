@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial, reduce
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,15 +18,12 @@ from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.completeness import find_lost_step
 from armproof.verification.inverse.conditions import Conditions, read_conditions
 from armproof.verification.inverse.derivation import Derivation, Signs
-from armproof.verification.inverse.refutation import refute, refute_for_other_lengths
+from armproof.verification.inverse.refutation import ForLengths, refute, refute_for_other_lengths
 from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.inverse.substitution import returns_target
 from armproof.verification.inverse.target_values import TargetValues, any_target, target_of_a_configuration
 from armproof.verification.inverse.trial import try_branches
 from armproof.verification.verdict import Verdict
-
-if TYPE_CHECKING:
-    from armproof.verification.inverse.kinematics import InverseKinematics
 
 SECONDS = 10.0  # for each of the two parts of a proof
 
@@ -66,18 +62,17 @@ class Proof:
         return write_all(self.findings)
 
 
-def prove(inverse: InverseKinematics) -> Proof:
-    """Return the proof of a solution, or what refutes it."""
-    derivation = inverse.derivation
-    conditions = read_conditions(inverse.compiled())
-    trial = try_branches(inverse.compiled())
+def prove(derivation: Derivation, compiled: ForLengths) -> Proof:
+    """Return the proof of a solution, or what refutes it; `compiled` gives its formulas for a choice of lengths."""
+    conditions = read_conditions(compiled(None))
+    trial = try_branches(compiled(None))
     error = float(np.nanmax(trial.error)) if np.isfinite(trial.error).any() else None
     refuted = partial(Proof, Verdict.REFUTED, derivation.branches, False, False, False, conditions)
     if (wrong := refute(derivation, trial)) is not None:
         return refuted(*wrong, len(trial.q), error)
-    sound, general, unsound = _prove_soundness(derivation, inverse.compiled())
+    sound, general, unsound = _prove_soundness(derivation, compiled(None))
     complete, incomplete = _prove_completeness(derivation)
-    if not (sound and complete) and (wrong := refute_for_other_lengths(inverse)) is not None:
+    if not (sound and complete) and (wrong := refute_for_other_lengths(derivation, compiled)) is not None:
         return refuted(*wrong, len(trial.q), error)
     problems = (problem for problem in (unsound, incomplete) if problem is not None)
     findings = (*_describe(derivation, conditions, sound, complete), *problems)

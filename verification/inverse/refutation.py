@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import reduce
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.trial import TOLERANCE, Trial, try_branches
 
-if TYPE_CHECKING:
-    from armproof.verification.inverse.kinematics import InverseKinematics
-
+ForLengths = Callable[[Mapping[str, float] | None], Compiled]
 OTHER_LENGTHS = 4  # choices of lengths that are tried where the proof is not exact
 
 
@@ -48,12 +46,16 @@ def refute(derivation: Derivation, trial: Trial) -> tuple[tuple[Finding, ...], d
     return tuple(found), {joint.symbol: float(value) for joint, value in zip(arm.joints, trial.q[row], strict=True)}
 
 
-def refute_for_other_lengths(inverse: InverseKinematics) -> tuple[tuple[Finding, ...], dict[str, float]] | None:
+def refute_for_other_lengths(
+    derivation: Derivation, compiled: ForLengths
+) -> tuple[tuple[Finding, ...], dict[str, float]] | None:
     """Return what is wrong for other lengths than the model's, and where, or None."""
-    generator = np.random.default_rng(len(inverse.arm.lengths))
-    for _ in range(OTHER_LENGTHS if inverse.arm.lengths else 0):
-        lengths = {name: float(generator.uniform(0.2, 1.2)) for name in inverse.arm.lengths}
-        wrong = refute(inverse.derivation, try_branches(inverse.compiled(lengths), by_plant=False))
+    arm = derivation.names.arm
+    assert arm is not None
+    generator = np.random.default_rng(len(arm.lengths))
+    for _ in range(OTHER_LENGTHS if arm.lengths else 0):
+        lengths = {name: float(generator.uniform(0.2, 1.2)) for name in arm.lengths}
+        wrong = refute(derivation, try_branches(compiled(lengths), by_plant=False))
         if wrong is not None:
             first, *others = wrong[0]
             return (say(Kind.INVERSE_FOR_THESE_LENGTHS, others=first), *others), {**wrong[1], **lengths}
