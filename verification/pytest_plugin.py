@@ -32,6 +32,7 @@ SUFFIXES = (
     ".tex",
     ".rst",
 )  # as armproof.verification.document has them, without its imports
+OURS = ("arm:", "quantities:", "transforms:", "symbols:")  # in the front matter
 RESULTS = pytest.StashKey[dict[Path, "DocumentResult | ArmproofError"]]()
 
 
@@ -46,53 +47,64 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
     if file_path.suffix not in SUFFIXES or not parent.config.getini("armproof"):
         return None
     named = file_path.suffix != ".py" and parent.session.isinitpath(file_path)
-    if not named and not _has_front_matter(file_path):
+    if not named and not _may_be_ours(file_path):
         return None
-    return DocumentFile.from_parent(parent, path=file_path)
+    from armproof.verification.document import read_document
+
+    found: Document | ArmproofError
+    try:
+        found = read_document(file_path)
+    except ArmproofError as problem:
+        found = problem
+    if not named and not _is_ours(file_path, found):
+        return None
+    return DocumentFile.from_parent(parent, path=file_path, found=found)
 
 
-def _has_front_matter(path: Path) -> bool:
-    """Whether a file is a document of ours: its front matter holds one of the keys that only we give a meaning."""
+def _may_be_ours(path: Path) -> bool:
+    """Whether a file is worth reading as a document: of most files neither YAML nor Markdown is loaded."""
     try:
         head = path.read_bytes()
     except OSError:
         return False
-    if not any(key in head for key in (b"arm:", b"quantities:", b"transforms:", b"symbols:")):
-        return False  # most files: neither YAML nor Markdown is loaded for them
-    if path.suffix == ".py" and not head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"#"):
-        return False  # a lesson begins with a comment, its header or first cell; a program may hold one in its strings
-    from armproof.verification.document import read_document
+    if not any(key.encode() in head for key in OURS):
+        return False
+    # a lesson begins with a comment, its header or first cell; a program may hold one in its strings
+    return path.suffix != ".py" or head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"#")
 
-    try:
-        front = read_document(path).front
-    except ArmproofError:
-        return path.suffix != ".py" and head.lstrip(b"\xef\xbb\xbf%. \t\r\n").startswith((b"---", b"arm:"))
-    return not front.keys().isdisjoint(("arm", "quantities", "transforms", "symbols"))
+
+def _is_ours(path: Path, found: Document | ArmproofError) -> bool:
+    """Whether a file is a document of ours: its front matter holds one of the keys that only we give a meaning."""
+    if isinstance(found, ArmproofError):
+        head = path.read_bytes().lstrip(b"\xef\xbb\xbf%. \t\r\n")
+        return path.suffix != ".py" and head.startswith((b"---", b"arm:"))
+    return not found.front.keys().isdisjoint(key.removesuffix(":") for key in OURS)
 
 
 class DocumentFile(pytest.File):
     """A document: its equations and tables are its tests."""
 
+    def __init__(self, *, found: Document | ArmproofError, **options: Any) -> None:
+        super().__init__(**options)
+        self.found = found
+
     def collect(self) -> Iterator[pytest.Item]:
         """Yield a test for each display and each table of the document; one that fails where it cannot be read."""
-        from armproof.verification.document import read_document
-
-        try:
-            document = read_document(self.path)
-        except ArmproofError as problem:
-            yield FaultItem.from_parent(self, name=self.path.name, problem=problem)
+        if isinstance(self.found, ArmproofError):
+            yield FaultItem.from_parent(self, name=self.path.name, problem=self.found)
             return
-        for name, kind, index, cell, line in _places(document):
+        for name, kind, index, cell, line in _places(self.found):
             yield EquationItem.from_parent(self, name=name, kind=kind, index=index, cell=cell, line=line)
 
     def result(self) -> DocumentResult:
         """Return the verdicts of the document; raises ArmproofError where it cannot be checked as a whole."""
         results = self.config.stash.setdefault(RESULTS, {})
         if self.path not in results:
-            from armproof.verification.check import verify
+            from armproof.verification.check import check_document
 
+            assert not isinstance(self.found, ArmproofError)
             try:
-                results[self.path] = verify(self.path)
+                results[self.path] = check_document(self.found)
             except ArmproofError as problem:
                 results[self.path] = problem
         found = results[self.path]

@@ -115,8 +115,9 @@ def test_a_document_is_verified_once(pytester: pytest.Pytester, run, monkeypatch
     import armproof.verification.check
 
     verified = []
-    verify = armproof.verification.check.verify
-    monkeypatch.setattr(armproof.verification.check, "verify", lambda path: verified.append(path.name) or verify(path))
+    check = armproof.verification.check.check_document
+    spy = lambda document: verified.append(document.path.name) or check(document)  # noqa: E731
+    monkeypatch.setattr(armproof.verification.check, "check_document", spy)
     write(pytester, a_md=FRONT + RIGHT + RIGHT + WRONG, b_md=FRONT + RIGHT)
     run().assert_outcomes(passed=3, failed=1)
     assert verified == ["a.md", "b.md"]
