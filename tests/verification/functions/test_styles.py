@@ -17,6 +17,6 @@ def test_a_right_function_is_proved(name: str, style: str) -> None:
         pytest.skip("the arm's frames follow no Denavit–Hartenberg convention")
     frame = last_frame(load_arm(name))
     for function, kind in zip(functions, ("pose", "jacobian"), strict=True):
-        check = check_function(name, function, {kind: frame})
+        check = check_function(name, function, {kind: frame}, seconds=30)  # a busy machine changes no verdict
         assert check.verdict is FunctionVerdict.PROVED, check
         assert check.exact and check.samples >= 6 and check.max_error < 1e-12
