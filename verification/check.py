@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import Outcome, new_one
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
@@ -260,13 +260,14 @@ class DocumentChecker:
     ) -> tuple[list[Outcome], dict[str, float]]:
         """Return the outcomes; a name may be defined after its use in the display ("…, where D = …")."""
         known = len(self.names.state.definitions)
-        outcomes, extra = self.statements.check(statements, display.line, define=not display.erratum)
+        check = partial(
+            self.statements.check, statements, display.line, define=not display.erratum,
+            latex=normalise_unicode(display.latex),
+        )  # fmt: skip
+        outcomes, extra = check()
         if len(self.names.state.definitions) > known and any(o.verdict is Verdict.UNCHECKED for o in outcomes):
-            again, extra = self.statements.check(statements, display.line, define=not display.erratum)
-            if len(again) == len(outcomes):
-                outcomes = [
-                    new if old.verdict is Verdict.UNCHECKED else old for old, new in zip(outcomes, again, strict=True)
-                ]
+            again, extra = check()
+            outcomes = [new_one(old, outcomes, again) if old.verdict is Verdict.UNCHECKED else old for old in outcomes]
         return outcomes, extra
 
 

@@ -10,15 +10,23 @@ from armproof.verification.conditions.system import is_condition, is_rank_condit
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.equations.given_values import Given
-from armproof.verification.equations.inequalities import check_relation
+from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.roles import with_role
+from armproof.verification.equations.understanding import counted, without_misreading
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.signs import named_sign
 from armproof.verification.verdict import DECIDED, Role, Verdict
+
+CHANGES = re.compile(
+    r"\b(?:not|never|cannot|no longer|except|unless|only if|otherwise|false|wrong|sauf|ne|n'|pas|jamais|faux|non|sinon)\b",
+    re.I,
+)
+FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
 class Statements:
@@ -32,12 +40,18 @@ class Statements:
         self.given = Given(checker)
 
     def check(
-        self, statements: list[n.Statement], line: int, *, define: bool = True
+        self, statements: list[n.Statement], line: int, *, define: bool = True, latex: str = ""
     ) -> tuple[list[Outcome], dict[str, float]]:
-        """Return the outcomes of a display's statements and, for a refuted condition, its counterexample."""
+        """Return the outcomes of a display's statements and, for a refuted condition, its counterexample.
+
+        `latex` is the display in which the nodes have their places, to quote what is left out.
+        """
         statements = [
-            part for statement in statements for part in _without_vanishing_end(self._resolve_subject(statement))
+            part
+            for statement in self._without_for_all(statements)
+            for part in _without_vanishing_end(self._resolve_subject(statement))
         ]
+        asked = [_asked(statement) for statement in statements]
         outcomes: list[Outcome] = []
         extra: dict[str, float] = {}
         equation = 1
@@ -48,10 +62,11 @@ class Statements:
             if isinstance(statement, n.Connective):
                 index += 1
                 continue
-            implication = find_implication(statements, index)
+            implication = find_implication(asked, index)
             if implication is None:
                 found = self._chain(statement, equation, line, define)
                 outcomes.extend(with_role(outcome, statement, self.names) for outcome in found)
+                self._tell_what_is_left_out(statement, statements, found, latex)
                 equation += len(statement.relations)
                 index += 1
                 continue
@@ -71,18 +86,43 @@ class Statements:
             extra.update(judged[1])
             equation += sum(len(chain.relations) for chain in implication.chains)
             index = implication.after
-        self._tell_what_is_left_out(statements, outcomes)
+        _tell_words_that_change(statements, outcomes)
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return outcomes, extra
 
-    def _tell_what_is_left_out(self, statements: list[n.Statement], outcomes: list[Outcome]) -> None:
+    def _tell_what_is_left_out(
+        self, statement: n.Statement, statements: list[n.Statement], outcomes: list[Outcome], latex: str
+    ) -> None:
         """An expression beside an equation is part of no claim, and what was meant by it is not known."""
-        if any(isinstance(statement, n.Chain) and statement.relations for statement in statements):
+        if any(isinstance(each, n.Chain) and each.relations for each in statements):
             for outcome in outcomes:
                 if any(finding.kind is Kind.NO_EQUATION for finding in outcome.findings):
-                    outcome.role, outcome.findings = Role.CLAIM, (say(Kind.LEFT_OUT),)
+                    text = latex[statement.span[0] : statement.span[1]].strip()
+                    outcome.role, outcome.findings = Role.CLAIM, (say(Kind.LEFT_OUT, text=text),)
+
+    def _without_for_all(self, statements: list[n.Statement]) -> list[n.Statement]:
+        """Leave out "for all θ_1, θ_2", which every equation says without it."""
+        kept: list[n.Statement] = []
+        index = 0
+        while index < len(statements):
+            after = index + 1
+            statement = statements[index]
+            if isinstance(statement, n.Connective) and statement.text.strip(" .,;:").lower() in FOR_ALL:
+                while after < len(statements) and self._is_any_configuration(statements[after]):
+                    after += 1
+            if after == index + 1:
+                kept.append(statement)
+            index = after
+        return kept
+
+    def _is_any_configuration(self, statement: n.Statement) -> bool:
+        node = statement.members[0] if isinstance(statement, n.Chain) and not statement.relations else None
+        if self.names.arm is None or not isinstance(node, n.Name):
+            return False
+        joints = {joint.symbol for joint in self.names.arm.joints}
+        return node.key in ("q", "theta") or self.names.known_symbol(node.key) in joints
 
     def _implication(
         self, implication: Implication, steps: list[Outcome], equation: int
@@ -165,14 +205,25 @@ class Statements:
                 self.names.state.signs.name(sign, line)
             return [Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))]
         if any(relation != "=" for relation in chain.relations):
-            return [check_relation(self.checker, chain, equation)]
+            return [
+                outcome
+                for at, part in parts_of(chain)
+                for outcome in (
+                    self._clear_chain(part, equation + at, line, define)
+                    if part.relations[0] == "="
+                    else [check_relation(self.checker, part, equation + at)]
+                )
+            ]
+        if (doubt := counted(chain, self.names)) is not None:
+            return [Outcome(Verdict.UNCHECKED, (doubt,), equation)]
         if self.given.is_configuration(chain):
             return [Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation)]
         if any(isinstance(member, n.Cases) for member in chain.members):
             return self._cases(chain, equation, line, define)
-        general = self.general.check(chain, equation, line, define)
-        if general is not None:
-            return general
+        outcomes = self.general.check(chain, equation, line, define) or self._decided(chain, equation, line, define)
+        return [without_misreading(outcome, chain, self.names) for outcome in outcomes]
+
+    def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         outcomes = self.checker.check(chain, equation, line, define)
         if (
             self.names.arm is not None
@@ -222,6 +273,21 @@ def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
         return [statement]
     claim = replace(statement, members=tuple(first), relations=statement.relations[:-1])
     return [claim, replace(statement, members=(first[0], last), relations=("=",))]
+
+
+def _tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
+    """Beside "not", "except" or "unless" nothing is decided but what is so without it."""
+    words = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words" and CHANGES.search(s.text)]
+    for outcome in outcomes if words else ():
+        if outcome.verdict in DECIDED:
+            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
+
+
+def _asked(statement: n.Statement) -> n.Statement:
+    """What is asked for, by an = with a mark above it, is a condition beside an arrow."""
+    if not isinstance(statement, n.Chain):
+        return statement
+    return replace(statement, relations=tuple("=" if r == ASKED else r for r in statement.relations))
 
 
 def _is_label(chain: n.Chain) -> bool:

@@ -151,8 +151,14 @@ def test_a_quantity_of_the_arm_may_be_met_in_a_smaller_shape(judge: Judge, latex
     ],
 )
 def test_sizes_that_differ_are_wrong_and_named(judge: Judge, latex: str, message: str) -> None:
-    record = judge(latex)
+    bound = {"p_4": {"origin": 4}, "T^0_1": {"pose": 1}, "J_v": {"jacobian": 4, "rows": [1, 2, 3]}}
+    record = judge(latex, quantities=bound)
     assert record.verdict is Verdict.REFUTED and message in record.message
+
+
+def test_sizes_of_a_name_by_convention_refute_nothing(judge: Judge) -> None:
+    for latex in (r"T^0_1 = a_1", r"p_4 = a_1 + a_2", r"p_4 = (J_v)^{-1}"):
+        assert judge(latex).verdict is Verdict.UNCHECKED
 
 
 # -- beyond polynomials ----------------------------------------------------------------------------------------------------

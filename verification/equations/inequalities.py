@@ -1,40 +1,57 @@
-"""Relations other than equality: sizes, and what is never equal, decided exactly; inequalities on samples."""
+"""Relations other than equality: sizes, groups, inequalities and approximations; what is open is a condition."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import groupby
 from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
+from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import Verdict, worst
+
+GROUPS = ("SO", "SE")
+
+
+def parts_of(chain: n.Chain) -> Iterator[tuple[int, n.Chain]]:
+    """Yield the equations of a chain and what stands between them, each with the number of its first relation."""
+    numbered = enumerate(chain.relations)
+    for _, run in groupby(numbered, key=lambda each: each[1] == "="):
+        numbers = [number for number, _ in run]
+        members = chain.members[numbers[0] : numbers[-1] + 2]
+        span = (members[0].span[0], members[-1].span[1])
+        relations = chain.relations[numbers[0] : numbers[-1] + 1]
+        yield numbers[0], replace(chain, members=members, relations=relations, span=span)
 
 
 def check_relation(checker: ChainChecker, chain: n.Chain, equation: int) -> Outcome:
-    """Return the verdict of a chain with ≤, <, ≠, ≈, ∈: sizes and inequalities on samples, conditions as definitions."""
-    relation = next(r for r in chain.relations if r != "=")
-    left, right = chain.members[0], chain.members[-1]
+    """Return the verdict of a chain with ≤, <, ≠, ≈, ∈ and no =: the worst of its relations."""
+    pairs = zip(chain.members, chain.relations, chain.members[1:], strict=False)
+    found = [_check(checker, left, relation, right, equation) for left, relation, right in pairs]
+    verdicts = [outcome.verdict for outcome in found]
+    if Verdict.REFUTED not in verdicts and Verdict.DEFINED in verdicts:  # one that is open leaves the chain open
+        return found[verdicts.index(Verdict.DEFINED)]
+    return found[verdicts.index(worst(verdicts))]
+
+
+def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, equation: int) -> Outcome:
     outcome = Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
     if relation == "∈":
-        size = _size_of_space(right)
-        member = checker.member(left)
-        if size is None or not member.known or not isinstance(member.value, Matrix):
-            return outcome
-        if member.value.shape == size:
-            outcome.verdict, outcome.findings = Verdict.PROVED, (say(Kind.IN_SPACE),)
-        else:
-            other = say(Kind.NOT_IN_SPACE, size=member.value.size, space=f"{size[0]}×{size[1]}")
-            outcome.verdict, outcome.findings = Verdict.REFUTED, (other,)
-        return outcome
-    members = [checker.member(node) for node in chain.members]
+        return _membership(checker, left, right, outcome)
+    sides = checker.member(left), checker.member(right)
+    known = all(side.known for side in sides)
     if relation == "≠":
-        if all(m.known for m in members) and _identical(members[0].value, members[-1].value):
-            outcome.verdict, outcome.findings = Verdict.REFUTED, (say(Kind.ALWAYS_EQUAL),)
+        if known and _identical(sides[0].value, sides[1].value):
+            return replace(outcome, verdict=Verdict.REFUTED, findings=(say(Kind.ALWAYS_EQUAL),))
         return outcome
-    if isinstance(left, n.Name) or isinstance(right, n.Name):
+    constant = known and all(_is_constant(side.value) for side in sides)
+    if (isinstance(left, n.Name) or isinstance(right, n.Name)) and not constant:
         return outcome  # a bound on a variable: a condition
     if relation not in ("≤", "<", "≥", ">", "≈"):
         return outcome
@@ -42,8 +59,9 @@ def check_relation(checker: ChainChecker, chain: n.Chain, equation: int) -> Outc
     with checker.exact.budget.paused():
         from armproof.verification.equations.sampled_relations import check_approximation, check_inequality
 
-    check = check_approximation if relation == "≈" else check_inequality
-    return check(checker, chain, outcome, sampled.samples)
+    if relation == "≈":
+        return check_approximation(checker, sampled, (left, right), constant, outcome)
+    return check_inequality(checker, sampled, (left, right), relation, outcome)
 
 
 def _identical(a: Any, b: Any) -> bool:
@@ -57,6 +75,61 @@ def _identical(a: Any, b: Any) -> bool:
     if isinstance(a, Matrix) and isinstance(b, Scalar):
         return b.is_zero() and all(is_zero(x) for row in a.rows for x in row)
     return False
+
+
+def _is_constant(value: Value) -> bool:
+    """Whether a value holds no joint variable and no length: π and roots of numbers may stand in it."""
+    if not isinstance(value, Scalar):
+        return False
+    parts = (value.numerator, value.denominator)
+    kinds = {kind for part in parts for powers, _ in value.ring.terms(part) for kind, _ in powers}
+    return kinds <= {"pi", "sqrt"}
+
+
+# -- sets ---------------------------------------------------------------------------------------------------------------
+
+
+def _membership(checker: ChainChecker, left: n.Node, right: n.Node, outcome: Outcome) -> Outcome:
+    """ℝ^n by size, a group of rotations or of poses by its law; other sets leave a condition."""
+    member = checker.member(left)
+    if not member.known:
+        return outcome
+    value = as_scalar(member.value)
+    if isinstance(right, n.Name) and "mathbb" in right.text and right.key == "R" and isinstance(value, Scalar):
+        return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.IN_SPACE),))
+    if not isinstance(value, Matrix):
+        return outcome
+    if (size := _size_of_space(right)) is not None:
+        if value.shape == size:
+            return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.IN_SPACE),))
+        other = say(Kind.NOT_IN_SPACE, size=value.size, space=f"{size[0]}×{size[1]}")
+        return replace(outcome, verdict=Verdict.REFUTED, findings=(other,))
+    group = _group(right)
+    rows = group[1] + (group[0] == "SE") if group is not None else 0
+    if group is None or value.shape != (rows, rows):
+        return outcome
+    inside = _is_rotation(value.block(range(group[1]), range(group[1])))
+    if group[0] == "SE":
+        last = value.rows[-1]
+        inside = inside and all(is_zero(cell) for cell in last[:-1]) and is_zero(last[-1] - 1)
+    name = f"{group[0]}({group[1]})"
+    if inside:
+        return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.IN_GROUP, group=name),))
+    return replace(outcome, verdict=Verdict.REFUTED, findings=(say(Kind.NOT_IN_GROUP, group=name),))
+
+
+def _is_rotation(matrix: Matrix) -> bool:
+    """Whether RᵀR = I and det R = 1."""
+    square = (matrix.transpose @ matrix).rows
+    orthonormal = all(is_zero(cell - int(r == c)) for r, row in enumerate(square) for c, cell in enumerate(row))
+    return orthonormal and is_zero(matrix.determinant() - 1)
+
+
+def _group(node: n.Node) -> tuple[str, int] | None:
+    """SO(3) → ("SO", 3), however it is set."""
+    letters = "".join(below.base for below in n.walk(node) if isinstance(below, n.Name))
+    sizes = [int(below.value) for below in n.walk(node) if isinstance(below, n.Number)]
+    return (letters, sizes[0]) if letters in GROUPS and len(sizes) == 1 and sizes[0] in (2, 3) else None
 
 
 def _size_of_space(node: n.Node) -> tuple[int, int] | None:

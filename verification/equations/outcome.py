@@ -60,3 +60,16 @@ class Outcome:
         return (
             self.verdict is Verdict.REFUTED and self.printed is not None and isinstance(self.printed.problem, NoValue)
         )
+
+
+def new_one(old: Outcome, before: list[Outcome], after: list[Outcome]) -> Outcome:
+    """Return what became of the same equation when its display was checked again, or the old outcome where that is not sure.
+
+    It is the only one of its number both times, or holds the same printed member.
+    """
+    same = [outcome for outcome in after if outcome.equation == old.equation]
+    if len(same) == 1 and sum(outcome.equation == old.equation for outcome in before) == 1:
+        return same[0]
+    if old.printed is None:
+        return old
+    return next((o for o in same if o.printed is not None and o.printed.node == old.printed.node), old)

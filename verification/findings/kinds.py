@@ -58,7 +58,18 @@ class Kind(MessageKind):
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
-    LEFT_OUT = "left_out", "an expression stands beside the equation and in none: what it says is not decided"
+    LEFT_OUT = "left_out", "'{text}' stands beside the equation and in none: what it says is not decided"
+    WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"
+    INDEX_OR_POWER = "index_or_power", "a script above a joint variable may count it or be a power: which is not said"
+    OWN_NAME = "own_name", "'{text}' is a sine or cosine elsewhere and may be a name of its own here"
+    SIZES_OF_CONVENTION = (
+        "sizes_of_convention",
+        "{reason}; what the name stands for is only convention: bind it in the front matter (quantities) to have it checked",
+    )
+    NO_ARM_TO_COMPARE = (
+        "no_arm_to_compare",
+        "no arm is given and nothing defined before: there is nothing to compare it with",
+    )
     NUMBER_HERE = "number_here", "`{name}` is a number here, not the arm's vector"
     VECTOR_HERE = "vector_here", "`{name}` is a vector here, a component elsewhere"
     NO_SUCH_LENGTH = "no_such_length", "the arm has no `{name}`; with `{length}` the equation holds"
@@ -177,6 +188,8 @@ class Kind(MessageKind):
     WRONG_SIZE_OF_VALUE = "wrong_size_of_value", "the printed value is {printed}, it should be {correct}"
     NOT_IN_SPACE = "not_in_space", "the matrix is {size}, not {space}"
     IN_SPACE = "in_space", "the size"
+    IN_GROUP = "in_group", "an element of {group}"
+    NOT_IN_GROUP = "not_in_group", "no element of {group}: its rotation is not orthonormal with determinant 1"
     IDENTITY_FOR_SCALAR = "identity_for_scalar", "an identity matrix stands where a scalar is expected"
     LIST_OF_MATRICES = "list_of_matrices", "a list of matrices cannot be compared"
     AS_ROW = "as_row", "the vector is printed as a row"

@@ -17,6 +17,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex.greek import LONG, one_of
 from armproof.verification.latex.vocabulary import (
+    ASKED,
     BARE_WORDS,
     CHARACTERS,
     COMMANDS,
@@ -64,7 +65,7 @@ _FACTOR = re.compile(
     r"Rightarrow|implies|iff|to|therefore|Leftrightarrow|dots|ldots|cdots)(?![A-Za-z]))[A-Za-z{]|[A-Za-z({\[^])"
 )
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
-_MARKED_RELATION = re.compile(r"\s*\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
+_MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
 _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
@@ -251,7 +252,8 @@ class _Scanner:
         if name in ("left", "right"):
             raise ReadError(say(Kind.NO_DELIMITER, name=name), start)
         if name in ("overset", "stackrel", "underset") and (marked := _MARKED_RELATION.match(self.text, end)):
-            return [self.token("REL", "=", start, marked.end())], marked.end()
+            asked = marked.group(1).strip() in ("!", "?")
+            return [self.token("REL", ASKED if asked else "=", start, marked.end())], marked.end()
         if name == "checkmark":
             return [], end
         if name in ("degree", "textdegree"):

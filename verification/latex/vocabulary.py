@@ -38,6 +38,7 @@ BARE_WORDS = sorted(
     reverse=True,
 )
 
+ASKED = "≟"  # \\overset{!}{=}, \\overset{?}{=}: what is asked for and not claimed
 RELATIONS = {
     "=": "=", "equiv": "=", "triangleq": "=", "coloneqq": "=", ":=": "=", "approx": "≈", "simeq": "≈",
     "leq": "≤", "le": "≤", "leqslant": "≤", "geq": "≥", "ge": "≥", "geqslant": "≥", "<": "<", ">": ">",

@@ -16,6 +16,8 @@ from armproof.verification.verdict import Correction, Record, Verdict
 FRONT = """---
 arm: planar_2r
 quantities:
+  p_1: {origin: 1}
+  p_2: {origin: 2}
   J_v: {jacobian: 2, rows: [1, 2]}
   J_L: {jacobian: 2, rows: [1, 2]}
   J_W: {jacobian: 2, rows: [1, 2, 6]}

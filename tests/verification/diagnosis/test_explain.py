@@ -34,7 +34,7 @@ def crossed(frames: list[int], tool: int, sliding: int | None = None) -> str:
 # display, what is said, front matter
 EXPLAINED: list[tuple[str, str, dict[str, Any]]] = [
     (r"A^0_1 = " + matrix(r"c_1 & s_1 & 0 & 0 \\ -s_1 & c_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ a_1 c_1 & a_1 s_1 & 0 & 1"), "the matrix is transposed", {}),
-    (r"J_v J_v^T = \begin{bmatrix} 1 & a_1 \\ a_2 & 1 \end{bmatrix}", "the printed matrix is 2×2, it should be 3×3", {}),
+    (r"J_v J_v^T = \begin{bmatrix} 1 & a_1 \\ a_2 & 1 \end{bmatrix}", "the printed matrix is 2×2, it should be 3×3", {"quantities": {"J_v": {"jacobian": 4, "rows": [1, 2, 3]}}}),
     (r"A^0_1 = " + matrix(r"c_1 & s_1 & 0 & -a_1 \\ -s_1 & c_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1"), "the inverse is printed: the pose of frame 0 in frame 1; if the lower index of A^0_1 names the reference frame, say 'transforms: lower' in the front matter", {}),
     (r"A_0^1 = " + matrix(r"c_1 & s_1 & 0 & -a_1 \\ -s_1 & c_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1"), "say 'transforms: upper' in the front matter", {"transforms": "lower"}),
     (r"{}^0T_1 = " + matrix(r"c_1 & s_1 & 0 & -a_1 \\ -s_1 & c_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1"), "the inverse is printed: the pose of frame 0 in frame 1", {}),

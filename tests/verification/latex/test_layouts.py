@@ -43,7 +43,7 @@ def test_every_equation_of_a_display_is_checked(judge: Judge, layout: str) -> No
 CHAINS = [
     r"{}^0T_2 = A_1 A_2 = %s", r"{}^0T_2 = A_1 A_2 \\ = %s", r"\begin{aligned} {}^0T_2 &= A_1 A_2 \\ &= %s \end{aligned}", r"A_1A_2 = %s",
     r"\begin{aligned} & A_1 A_2 \\ & = %s \end{aligned}", r"{}^0T_2 =& A_1 A_2 \\ =& %s", r"{}^0T_2 \equiv A_1 A_2 := %s", r"{}^0_2T=_1^0T_2^1T= %s",
-    r"\begin{aligned} {}^0T_2 =& A_1 A_2 \\ &= %s \end{aligned}", r"\Rightarrow {}^0T_2 = %s", r"{}^0T_2 \triangleq %s", r"{}^0T_2 \overset{!}{=} %s",
+    r"\begin{aligned} {}^0T_2 =& A_1 A_2 \\ &= %s \end{aligned}", r"\Rightarrow {}^0T_2 = %s", r"{}^0T_2 \triangleq %s", r"{}^0T_2 \overset{\text{def}}{=} %s",
     r"\to{}^0_2T = %s", r"%s = {}^0T_2",
 ]  # fmt: skip
 POSE = r"\begin{bmatrix} c_{12} & -s_{12} & 0 & a_1c_1+a_2c_{12} \\ s_{12} & c_{12} & 0 & a_1s_1 + a_2%s_{12} \\ 0&0&1&0 \\ 0&0&0&1 \end{bmatrix}"
@@ -55,6 +55,13 @@ def test_every_link_of_a_chain_is_checked(judge: Judge, chain: str) -> None:
     record = judge(chain % (POSE % "c"), arm=ARM)
     assert record.verdict is Verdict.REFUTED
     assert [(entry.row, entry.column) for entry in record.entries] == [(2, 4)]
+
+
+def test_what_is_asked_for_claims_nothing(judge: Judge) -> None:
+    for mark in "!?":
+        for entry in "sc":
+            display = rf"{{}}^0T_2 \overset{{{mark}}}{{=}} " + POSE % entry
+            assert judge(display, arm=ARM).verdict is Verdict.UNCHECKED
 
 
 def test_a_display_that_begins_with_a_relation_goes_on_with_the_one_before(judge: Judge) -> None:
