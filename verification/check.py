@@ -174,7 +174,7 @@ class DocumentChecker:
             line = self.document.lines.get("inverse", 1)
             left_open = (say(Kind.NOT_SAMPLED),)
             return Record(line, "", Verdict.UNCHECKED, section="Inverse kinematics", findings=left_open)
-        from armproof.verification.inverse.record import check_inverse
+        from armproof.verification.inverse.document import check_inverse
 
         return check_inverse(self.document, self.arm)
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -12,12 +14,15 @@ from armproof.course.grading.grading import Grades
 from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.running.protections import describe
 from armproof.course.grading.sandbox.limits import MEGABYTE
-from armproof.course.grading.tables import RESULTS, SUBMISSIONS, results_table, submissions_table
+from armproof.course.grading.text import as_cell
 from armproof.verification.report.html.folder import Kind, is_page
 from armproof.verification.report.html.site import INDEX, page_names
 from armproof.verification.report.html.states import State
 from armproof.verification.report.html.templating import Shell, versions
 
+RESULTS, SUBMISSIONS = "results.csv", "submissions.csv"
+_OF_TASKS = ("student", "file", "lesson", "task", "outcome", "message")
+_OF_SUBMISSIONS = ("student", "file", "lessons", "status", "reason", "right", "tasks", "seconds", "remarks")
 PAGES = Shell("armproof.course.grading")
 OUTCOMES = {
     "correct (proved)": State("proved", "✓", "correct (proved)"),
@@ -28,6 +33,35 @@ OUTCOMES = {
 }
 STATUSES = {status: State("proved" if status is Status.GRADED else "refuted", "✓" if status is Status.GRADED else "✗",
                           status.value) for status in Status}  # fmt: skip
+
+
+def results_table(graded: Sequence[Graded]) -> bytes:
+    """Return the outcome of each task of each submission."""
+    rows = (
+        (each.submission.student, each.submission.file, result.lesson, result.task, result.outcome, result.message)
+        for each in graded
+        for result in each.results
+    )
+    return _table(_OF_TASKS, rows)
+
+
+def submissions_table(graded: Sequence[Graded]) -> bytes:
+    """Return the status of each submission, and how many of its tasks are right."""
+    rows = (
+        (each.submission.student, each.submission.file, "; ".join(each.lessons), each.status.value, each.reason, each.right,
+         len(each.results), f"{each.seconds:.2f}", "; ".join(each.remarks))
+        for each in graded
+    )  # fmt: skip
+    return _table(_OF_SUBMISSIONS, rows)
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> bytes:
+    """Return a table in UTF-8, with the mark by which spreadsheets know it."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(head)
+    writer.writerows([as_cell(str(value)) for value in row] for row in rows)
+    return text.getvalue().encode("utf-8-sig")
 
 
 @dataclass(frozen=True)

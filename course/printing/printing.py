@@ -8,17 +8,35 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.course.printing.document import Edition, make_sheet
-from armproof.course.printing.html import write_html
 from armproof.course.printing.pdf import check_installed, write_pdf
 from armproof.course.sheet.errors import PrintError
-from armproof.course.sheet.model import Sheet
-from armproof.course.sheet.words import check_language
+from armproof.course.sheet.html import HtmlWriter
+from armproof.course.sheet.model import Sheet, plain
+from armproof.course.sheet.proof import proof_line
+from armproof.course.sheet.words import check_language, say
 from armproof.verification.cli.application import complain
 from armproof.verification.document import Document
+from armproof.verification.report.html.templating import Shell
 from armproof.verification.running.atomic import write_atomically
 from armproof.verification.verdict import DocumentResult
 
+PAPER = Shell("armproof.course.printing", ("sheet.css",), "", allowed="img-src data:; ", drawn=False)
 FORMATS = ("pdf", "html")
+
+
+def write_html(sheet: Sheet) -> str:
+    """Return the whole page."""
+    writer = HtmlWriter(sheet.lang)
+    return PAPER.render(
+        "sheet.html",
+        sheet=sheet,
+        say=say,
+        plain_title=plain(sheet.title),
+        title=writer.words(sheet.title),
+        source=writer.words(sheet.source),
+        body=writer.body(sheet.blocks),
+        proof=proof_line(sheet.records, sheet.lang, sheet.arm),
+    )
 
 
 @dataclass(frozen=True)

@@ -3,19 +3,49 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import groupby
 from unicodedata import combining, normalize
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from armproof.course.sheet import model as s
 from armproof.course.sheet.html import HtmlWriter
-from armproof.course.site.code import highlight
 from armproof.course.site.reading import unlinked
 
+_KINDS = (  # of Pygments, the first that holds; the others are plain
+    ("Comment", "comment"),
+    ("Literal.String", "string"),
+    ("Literal.Number", "number"),
+    ("Keyword", "keyword"),
+    ("Operator.Word", "keyword"),
+    ("Name.Function", "name"),
+    ("Name.Class", "name"),
+    ("Name.Decorator", "name"),
+)
+_MARKERS = re.compile(r"^[ \t]*### (?:BEGIN|END) SOLUTION[ \t]*\n?", re.MULTILINE)
 _TAG = re.compile(r"\\tag\*?\{([^{}$\\]{1,20})\}")  # by which words refer to a display
 _NARROW = 16.0  # em that fit on a phone
 _LONGEST = 60  # characters of an anchor
+
+
+def highlight(source: str) -> Markup:
+    """Return Python source as the inside of a <code> element, without the lines that mark a solution."""
+    parts = []
+    for kind, words in groupby(_words(_MARKERS.sub("", source).strip("\n")), key=lambda pair: pair[0]):
+        text = "".join(word for _, word in words)
+        parts.append(Markup('<span class="py-{}">{}</span>').format(kind, text) if kind else escape(text))
+    return Markup("").join(parts)
+
+
+def _words(source: str) -> Iterable[tuple[str, str]]:
+    from pygments.lexers.python import PythonLexer  # type: ignore[import-untyped]
+
+    lexer = PythonLexer(stripnl=False, ensurenl=False)
+    for token, word in lexer.get_tokens(source):
+        name = str(token).removeprefix("Token.")
+        yield next((kind for prefix, kind in _KINDS if name.startswith(prefix)), ""), word
 
 
 @dataclass(frozen=True)

@@ -19,8 +19,7 @@ import numpy as np
 from armproof.models.arm import Arm, once_per_arm
 from armproof.models.bulk.graph import Graph, Matrix, Term
 from armproof.models.bulk.inputs import JointInputs
-from armproof.models.bulk.jacobian_part import JacobianPart, read_part
-from armproof.models.bulk.minors import maximal_minors
+from armproof.models.bulk.jacobian_part import JacobianPart, maximal_minors, read_part
 from armproof.models.bulk.program import Program
 from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.chain import ChainKinematics, traced_link

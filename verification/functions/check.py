@@ -14,13 +14,12 @@ from armproof.models.catalogue import load_arm
 from armproof.verification.diagnosis.causes.probes import probes
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.functions.arguments import ArgumentError, read_layout
-from armproof.verification.functions.asked import Asked, QuestionError, read_asked
+from armproof.verification.functions.asked import Asked, Part, QuestionError, read_asked, read_part
 from armproof.verification.functions.caller import FunctionCaller, Stopped, at_definition
 from armproof.verification.functions.explanation import explain
 from armproof.verification.functions.function_check import FunctionCheck, FunctionVerdict
 from armproof.verification.functions.guarded_call import Guard
 from armproof.verification.functions.judgement import judge
-from armproof.verification.functions.part import Part, read_part
 from armproof.verification.functions.proof import Proof, prove
 
 UNSTEADY = say(Kind.UNSTEADY)

@@ -12,9 +12,9 @@ from armproof.models.numeric.configurations import FAMILIES
 from armproof.verification.diagnosis.causes.probes import Configurations, samples
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.arguments import constants_of
+from armproof.verification.functions.asked import Part, read_part, scaled_errors, wrong_entries
 from armproof.verification.functions.caller import FunctionCaller, Stopped
 from armproof.verification.functions.function_check import FunctionCheck, FunctionVerdict
-from armproof.verification.functions.part import Part, read_part, scaled_errors, wrong_entries
 from armproof.verification.functions.proof import Proof
 
 FEW = 12  # configurations at which a function that is proved is called as well

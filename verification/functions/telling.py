@@ -10,9 +10,9 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.diagnosis.causes.probes import probes, simple
+from armproof.verification.functions.asked import TOLERANCE, Part, read_part, scaled_errors, wrong_entries
 from armproof.verification.functions.caller import FunctionCaller, Stopped
 from armproof.verification.functions.function_check import TableRow
-from armproof.verification.functions.part import TOLERANCE, Part, read_part, scaled_errors, wrong_entries
 
 SECONDS_TO_TRY = 0.02
 VISIBLE = 1e-3  # a difference that one sees in three decimals

@@ -12,9 +12,8 @@ from armproof.verification.diagnosis.counterexample import Probe
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.functions.bench import Bench
-from armproof.verification.functions.part import Part
-from armproof.verification.functions.proof import Proof
+from armproof.verification.functions.asked import Part
+from armproof.verification.functions.proof import Bench, Proof
 from armproof.verification.latex.writer import Notation
 from armproof.verification.verdict import WrongEntry
 

@@ -18,10 +18,8 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.inverse.branch_graph import BranchGraph
 from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.formulas import Formula
-from armproof.verification.inverse.forward import forward_values
-from armproof.verification.inverse.numeric_algebra import NumericAlgebra
-from armproof.verification.inverse.numeric_scalar import NumericScalar
-from armproof.verification.inverse.resolution import Resolution, solve_branch
+from armproof.verification.inverse.numeric_algebra import NumericAlgebra, NumericScalar
+from armproof.verification.inverse.resolution import Resolution, forward_values, solve_branch
 from armproof.verification.inverse.rounding import CarefulValues, evaluate_carefully
 from armproof.verification.inverse.symbolic_algebra import free_algebra, is_angle
 from armproof.verification.inverse.target import Target

@@ -1,9 +1,11 @@
-"""From a document to its inverse kinematics."""
+"""The inverse kinematics that a document states: read from its front matter and displays, and its record."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
+from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
@@ -14,13 +16,16 @@ from armproof.verification.inverse.branch_graph import BranchGraph
 from armproof.verification.inverse.claim import read_claim
 from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.formulas import read_formulas
-from armproof.verification.inverse.forward import forward_values
 from armproof.verification.inverse.kinematics import InverseKinematics
 from armproof.verification.inverse.numeric_algebra import NumericAlgebra
-from armproof.verification.inverse.planning import plan
+from armproof.verification.inverse.planning import NoDerivation, plan
+from armproof.verification.inverse.resolution import forward_values
 from armproof.verification.inverse.symbolic_algebra import free_algebra
 from armproof.verification.inverse.target import read_target
 from armproof.verification.naming.names import Names, read_names
+from armproof.verification.verdict import Record, Verdict
+
+LATEX = r"\mathrm{FK}(\mathrm{IK}(x)) = x"
 
 
 def read_inverse(source: Path | str | Document) -> InverseKinematics:
@@ -61,3 +66,33 @@ def _check_target(derivation: Derivation) -> None:
         forward_values(derivation, free_algebra(Ring(), arm))
     except EvaluationError as error:
         raise DocumentError(say(Kind.OF_INVERSE, problem=finding_of(error)), "inverse") from None
+
+
+def check_inverse(document: Document, arm: Arm | None) -> Record:
+    """Return the verdict of the solution that a document's front matter announces.
+
+    Raises:
+        DocumentError: the front matter's `inverse` cannot be read.
+    """
+    record = Record(document.lines.get("inverse", 1), LATEX, Verdict.UNCHECKED, section="Inverse kinematics")
+    try:
+        inverse = InverseKinematics(read_derivation(document, read_names(arm, document.front)))
+    except NoDerivation as error:
+        return replace(record, findings=(finding_of(error),))
+    except DocumentError as error:
+        raise document.fault(error.key or "inverse", error) from None
+    try:
+        proof = inverse.proof
+    except EvaluationError as error:
+        return replace(record, findings=(finding_of(error),))
+    except Exception as error:  # a fault of ours must not cost the displays their verdicts
+        fault = say(Kind.INTERNAL_ERROR, type=type(error).__name__, reason=str(error))
+        return replace(record, verdict=Verdict.UNREADABLE, findings=(fault,))
+    return replace(
+        record,
+        verdict=proof.verdict,
+        findings=proof.findings,
+        counterexample=proof.counterexample,
+        samples=proof.samples,
+        max_error=proof.max_error,
+    )

@@ -12,10 +12,9 @@ from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import read_joint_values
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.derivation import Derivation
-from armproof.verification.inverse.marks import judge, same_configuration
+from armproof.verification.inverse.marks import judge, returns, same_configuration, sees_every_number
 from armproof.verification.inverse.proof import Proof, prove
 from armproof.verification.inverse.reading import read_lengths, read_targets
-from armproof.verification.inverse.returning import returns, sees_every_number
 from armproof.verification.inverse.solutions import Mark, Solutions
 
 MOST_COMPILED = 16  # choices of lengths that are kept

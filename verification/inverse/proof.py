@@ -18,11 +18,14 @@ from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.completeness import find_lost_step
 from armproof.verification.inverse.conditions import Conditions, read_conditions
 from armproof.verification.inverse.derivation import Derivation, Signs
-from armproof.verification.inverse.refutation import ForLengths, refute, refute_for_other_lengths
+from armproof.verification.inverse.refutation import ForLengths, refute, refute_for_other_lengths, try_branches
 from armproof.verification.inverse.roots import SubstitutionRoots
-from armproof.verification.inverse.substitution import returns_target
-from armproof.verification.inverse.target_values import TargetValues, any_target, target_of_a_configuration
-from armproof.verification.inverse.trial import try_branches
+from armproof.verification.inverse.substitution import (
+    TargetValues,
+    any_target,
+    returns_target,
+    target_of_a_configuration,
+)
 from armproof.verification.verdict import Verdict
 
 SECONDS = 10.0  # for each of the two parts of a proof

@@ -14,6 +14,7 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.derivation import Derivation, Meaning, Signs, SolvingAlgebra, UnsolvedJoint
 from armproof.verification.inverse.formulas import Formula, joint_function_key
+from armproof.verification.inverse.target import Slot, Target
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
@@ -148,3 +149,26 @@ def with_named_sign(node: n.Node, sign: str) -> n.Node:
             )
             node = n.substitute(node, below, n.Sum(terms, span=below.span))
     return node
+
+
+def forward_values(derivation: Derivation, algebra: SolvingAlgebra) -> list[Any]:
+    """Return each slot of the target as a value of the algebra, in which every joint must have one.
+
+    Raises:
+        EvaluationError: a name of the target that no display gives a value by the joints.
+    """
+    free = replace(derivation, target=Target((), (0,), ()), choice={})
+    resolution = Resolution(free, algebra, {})
+    return [_value(slot, resolution, algebra) for slot in derivation.target.slots]
+
+
+def _value(slot: Slot, resolution: Resolution, algebra: SolvingAlgebra) -> Any:
+    if not slot.is_name:
+        quantity = Quantity("pose", slot.frame, slot.reference, (slot.row + 1,), (slot.column + 1,), scalar=True)
+        return algebra.quantity(quantity)
+    try:
+        return resolution.value(slot.key)
+    except EvaluationError as error:
+        raise EvaluationError(
+            f"'{slot.label}' of the target is neither in `quantities` nor defined by a display: {error}"
+        ) from None

@@ -9,14 +9,13 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.reader import key_as_latex
-from armproof.verification.tables.cells import read_kind
+from armproof.verification.tables.angles import change_of_angle, change_of_length, letter_of, symbols_of
+from armproof.verification.tables.cells import Notation, read_kind
 from armproof.verification.tables.claim import Row, RowVerdict
 from armproof.verification.tables.columns import plain
 from armproof.verification.tables.faults import Fault, letter
-from armproof.verification.tables.notation import Notation
 from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.row import ANGLES, SCALES
-from armproof.verification.tables.words import change_of_angle, change_of_length, letter_of, symbols_of
 from armproof.verification.verdict import WrongEntry
 
 _DEGREE_SIGN = re.compile(r"\^\s*\{?\s*\\circ\s*\}?|°|\\degree")

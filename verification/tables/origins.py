@@ -16,13 +16,19 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.tables.angles import Angle, angle_as_scalar, constant_angle, roll_pitch_yaw, to_radians
-from armproof.verification.tables.cells import Cell, UnreadableCell, read_axis, read_cell, read_kind
+from armproof.verification.tables.angles import (
+    Angle,
+    angle_as_scalar,
+    change_of_angle,
+    change_of_length,
+    constant_angle,
+    roll_pitch_yaw,
+    to_radians,
+)
+from armproof.verification.tables.cells import Cell, Notation, UnreadableCell, read_axis, read_cell, read_kind
 from armproof.verification.tables.columns import read_header
-from armproof.verification.tables.notation import Notation
 from armproof.verification.tables.origin_columns import RPY, XYZ, origin_columns, spelt_name
 from armproof.verification.tables.row import SCALES, equal
-from armproof.verification.tables.words import change_of_angle, change_of_length
 from armproof.verification.verdict import Record, Verdict, WrongEntry
 
 

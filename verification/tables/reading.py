@@ -11,13 +11,12 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Finding, Kind, finding_of, say
-from armproof.verification.tables.angles import angle_as_scalar, constant_angle, to_radians
+from armproof.verification.tables.angles import angle_as_scalar, constant_angle, letter_of, symbols_of, to_radians
 from armproof.verification.tables.cells import Cell
 from armproof.verification.tables.claim import Claim, Row, RowVerdict
 from armproof.verification.tables.columns import Reading
 from armproof.verification.tables.frames import Frames
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES, is_free_of, right_row, row_matrix
-from armproof.verification.tables.words import letter_of, symbols_of
 
 
 class TableReading:

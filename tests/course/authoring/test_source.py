@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 
 from armproof.course.sources.errors import SourceError
-from armproof.course.sources.lesson_source import read_lesson_source
+from armproof.course.sources.lesson_source import parse_cells, read_lesson_source
 from armproof.course.sources.places import COURSE
-from armproof.course.sources.source import parse_cells
 from armproof.verification.document import parse_document
 from armproof.verification.document.cells import percent_cells
 

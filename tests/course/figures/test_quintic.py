@@ -9,8 +9,7 @@ from armproof.course.figures.kinds.quintic import caption, peak_times, peak_valu
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
-from armproof.models.motion.extremes import extremes
-from armproof.models.motion.limits import read_rate_limits
+from armproof.models.motion.limits import extremes, read_rate_limits
 from tests.course.figures.test_sketch import drawn
 
 

@@ -9,12 +9,11 @@ from pathlib import Path
 import pytest
 
 from armproof.course.grading.grading import Grades, mark_repeated
-from armproof.course.grading.pages import GRADES, write_grades
+from armproof.course.grading.pages import GRADES, results_table, submissions_table, write_grades
 from armproof.course.grading.results import CellError, Graded, Status, TaskResult
 from armproof.course.grading.running.protections import ATTEMPTS
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import Submission
-from armproof.course.grading.tables import results_table, submissions_table
 from armproof.verification.report.html.folder import ReportFolderError, new_report
 
 EVIL = "<script>alert(1)</script>"

@@ -6,8 +6,8 @@ import pytest
 from markupsafe import Markup
 
 from armproof.course.site.cleaning import clean
-from armproof.course.site.code import highlight
 from armproof.course.site.outputs import show_outputs
+from armproof.course.site.writer import highlight
 
 
 def shown(**data: str) -> str:

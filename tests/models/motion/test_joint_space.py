@@ -6,9 +6,8 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
-from armproof.models.motion.extremes import extremes
 from armproof.models.motion.joint_space import follow_path, joint_path, point_to_point, via_points
-from armproof.models.motion.limits import read_rate_limits
+from armproof.models.motion.limits import extremes, read_rate_limits
 from armproof.models.motion.samples import sample_motion
 
 

@@ -5,7 +5,7 @@ import pytest
 from pydrake.trajectories import PiecewisePolynomial
 
 from armproof.models.errors import ModelError
-from armproof.models.motion.extremes import extremes
+from armproof.models.motion.limits import extremes
 from armproof.models.motion.quintic import PEAK_ACCELERATION, PEAK_SPEED, quintic, shortest_duration
 from armproof.models.motion.samples import sample_motion
 

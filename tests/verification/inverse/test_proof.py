@@ -8,10 +8,9 @@ import pytest
 from armproof.course.inverse import inverse_of
 from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.ring import Ring
-from armproof.verification.inverse.configuration_roots import ConfigurationRoots, OpenSign
+from armproof.verification.inverse.completeness import ConfigurationRoots, OpenSign
 from armproof.verification.inverse.roots import SubstitutionRoots
-from armproof.verification.inverse.substitution import returns_target
-from armproof.verification.inverse.target_values import target_of_a_configuration
+from armproof.verification.inverse.substitution import returns_target, target_of_a_configuration
 from armproof.verification.verdict import Record, Verdict
 
 BRANCHES = {"planar_2r": 2, "planar_3r": 2, "polar_rp": 2, "spatial_rrr": 4, "spherical_wrist": 2, "rx90": 8, "scara_column": 2}  # fmt: skip

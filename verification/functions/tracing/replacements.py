@@ -12,8 +12,19 @@ from typing import Any
 import numpy as np
 
 from armproof.verification.functions.tracing import arrays
-from armproof.verification.functions.tracing.functions import hypot
-from armproof.verification.functions.tracing.number import METHODS, TracedNumber, as_traced, power
+from armproof.verification.functions.tracing.number import (
+    METHODS,
+    ONE,
+    ZERO,
+    TracedNumber,
+    add,
+    as_traced,
+    constant,
+    divide,
+    function,
+    multiply,
+    power,
+)
 
 _CREATE = (
     "array asarray asanyarray ascontiguousarray asfarray zeros ones empty full eye identity zeros_like ones_like empty_like"
@@ -22,6 +33,41 @@ _CREATE = (
 ).split()
 _SAME = {"acos": "arccos", "asin": "arcsin", "atan": "arctan", "atan2": "arctan2", "absolute": "fabs", "abs": "fabs"}
 _OF_MATH = "cos sin tan acos asin atan atan2 sqrt fabs radians degrees".split()
+
+
+def hypot(*legs: Any) -> TracedNumber:
+    """Return the square root of the sum of squares."""
+    total = ZERO
+    for leg in legs:
+        total = add(total, multiply(as_traced(leg), as_traced(leg)))
+    return function("sqrt", total)
+
+
+def radians(degrees: Any) -> TracedNumber:
+    """Return degrees in radians."""
+    return multiply(as_traced(degrees), constant(math.pi / 180))
+
+
+def degrees(angle: Any) -> TracedNumber:
+    """Return radians in degrees."""
+    return multiply(as_traced(angle), constant(180 / math.pi))
+
+
+METHODS |= {
+    **{name: lambda *x, _name=name: function(_name, *x) for name in ("cos", "sin", "tan", "sqrt")},
+    "arccos": lambda x: function("acos", x),
+    "arcsin": lambda x: function("asin", x),
+    "arctan": lambda x: function("atan", x),
+    "arctan2": lambda y, x: function("atan2", y, x),
+    "fabs": lambda x: function("abs", x),
+    "hypot": hypot,
+    "radians": radians,
+    "deg2rad": radians,
+    "degrees": degrees,
+    "rad2deg": degrees,
+    "square": lambda x: multiply(as_traced(x), as_traced(x)),
+    "reciprocal": lambda x: divide(ONE, as_traced(x)),
+}
 
 
 class Replacements:
