@@ -516,6 +516,10 @@ class Kind(MessageKind):
     PROVED_FOR_JOINTS = "proved_for_joints", "proved for all joint values"
     PROVED_FOR_LENGTHS = "proved_for_lengths", "proved for all joint values and all lengths"
     PROVED_AT_LENGTHS = "proved_at_lengths", "proved for all joint values, at the arm's lengths {values}"
+    RIGHT_AT_LENGTHS_ONLY = (
+        "right_at_lengths_only",
+        "right at the arm's own lengths only: with other values of the lengths that the function takes it is wrong",
+    )
     VALUE = "value", "`{name}` = {value:g}"
     EQUAL_AT = "equal_at", "equal at {count:,} configurations"
     NOT_THE_FORMULA = "not_the_formula", "not exactly the arm's formula: a rounded constant or a difference quotient"

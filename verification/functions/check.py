@@ -91,7 +91,7 @@ def _check(
     proof = None
     if steady and not any(part.mismatch for part in parts):
         traced = caller.trace()
-        proof = traced if isinstance(traced, str) else prove(arm, parts, traced, bool(caller.layout.lengths))
+        proof = traced if isinstance(traced, str) else prove(arm, parts, traced, caller.layout.lengths)
     if isinstance(proof, str):
         caller.notes[f"not traced: {proof}"] = None
         proof = None

@@ -37,6 +37,11 @@ def explain(
                 said[:1] = [say(Kind.OF_QUANTITY, label=part.asked.label, what=said[0])]
             findings.extend(said)
             entries.extend(found_entries)
+        elif proof is not None and (different := proof.different[part.number - 1]):
+            findings.extend(part.findings)
+            entries.extend(describe_entries(replace(part, wrong=list(different)), proof, mend=True))
+    if not any(part.wrong or part.mismatch for part in parts):  # nothing to see at the arm's own lengths
+        return replace(found, findings=tuple(findings), entries=tuple(entries))
     telling = most_telling(arm, caller, parts)
     outside = [
         joint.symbol for joint in arm.joints if not joint.lower <= telling.configuration[joint.symbol] <= joint.upper

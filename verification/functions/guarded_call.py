@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import io
 import linecache
+import math
 import random
 import signal
 import sys
@@ -19,14 +19,34 @@ from typing import Any
 
 import numpy as np
 
+from armproof.verification.functions.kept_state import (
+    KeptModules,
+    bound_recursion,
+    end_threads,
+    harmless_clocks,
+    raise_in,
+)
 from armproof.verification.functions.tracing.rebuild import is_library
 
 _REPEAT = 0.02  # s between alarms once the time is up, for what swallows the first
+_GRACE = 0.1  # s after which the watchdog ends what no alarm has ended
+_SET_TIMER, _SET_HANDLER = (
+    getattr(signal, "setitimer", None),
+    signal.signal,
+)  # a function may replace those of the module
 _PRINTED = 10_000  # characters
 
 
 class TimeUp(BaseException):
     """The time is up; no Exception, so that a function's own `except Exception` does not swallow it."""
+
+
+class Overtime(TimeUp):
+    """The time is up, and no alarm has rung; made in the thread that is late, where it stops every line that follows."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        _raise_at_every_line(sys._getframe(1))
 
 
 @dataclass(frozen=True)
@@ -64,7 +84,8 @@ class Guard:
 
     Inside it the standard output and error streams are kept in `printed`, warnings are silent and the standard input is empty;
     after it the random states of NumPy and `random`, NumPy's error and print settings, the recursion limit and the alarm
-    clock are what they were. KeyboardInterrupt passes through.
+    clock are what they were, after each call the names in NumPy and `math`. Threads that a function starts end with the guard.
+    KeyboardInterrupt passes through.
     """
 
     def __init__(self, seconds: float) -> None:
@@ -75,6 +96,7 @@ class Guard:
         self._buffer = _Bounded()
         self._stack = contextlib.ExitStack()
         self._by_signal = False
+        self._deadline = math.inf
 
     @property
     def printed(self) -> str:
@@ -100,9 +122,13 @@ class Guard:
         enter(np.printoptions())
         later(sys.setrecursionlimit, sys.getrecursionlimit())
         later(sys.settrace, sys.gettrace())
+        self._modules = KeptModules()
+        later(self._modules.put_back)
+        later(end_threads, set(threading.enumerate()), _GRACE)
         self._by_signal = hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
         if self._by_signal:
             self._take_alarm()
+            self._watch(threading.get_ident())
         return self
 
     def __exit__(self, *problem: object) -> None:
@@ -114,8 +140,10 @@ class Guard:
             return Call(error=self._timeout(None))
         started = time.monotonic()
         try:
-            return self._call_with_alarm(function) if self._by_signal else self._call_in_thread(function)
+            with harmless_clocks():
+                return self._call_with_alarm(function) if self._by_signal else self._call_in_thread(function)
         finally:
+            self._modules.put_back()
             self._spent += time.monotonic() - started
 
     def _call(self, function: Callable[[], Any]) -> Call:
@@ -155,24 +183,41 @@ class Guard:
 
         self._stack.callback(give_back)
         signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, self._alarm)
 
     def _call_with_alarm(self, function: Callable[[], Any]) -> Call:
-        signal.setitimer(signal.ITIMER_REAL, max(self.left, 1e-3), _REPEAT)
+        _SET_HANDLER(signal.SIGALRM, self._alarm)
+        _SET_TIMER(signal.ITIMER_REAL, max(self.left, 1e-3), _REPEAT)
+        self._deadline = time.monotonic() + max(self.left, 1e-3) + _GRACE
         try:
             return self._call(function)
+        except TimeUp as up:  # rung as the call ended
+            return Call(error=self._timeout(up.__traceback__))
         finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
+            self._deadline = math.inf
+            _SET_TIMER(signal.ITIMER_REAL, 0)
+            raise_in(threading.get_ident(), None)
+
+    def _watch(self, thread: int) -> None:
+        """Watch over a thread whose function may have stopped the alarm clock, until the guard is left."""
+        left, limit = threading.Event(), sys.getrecursionlimit()
+
+        def watch() -> None:
+            while not left.wait(_REPEAT):
+                bound_recursion(limit)
+                if self._inside and time.monotonic() > self._deadline:
+                    raise_in(thread, Overtime)
+
+        watchdog = threading.Thread(target=watch, daemon=True)
+        watchdog.start()
+        self._stack.callback(watchdog.join)
+        self._stack.callback(left.set)
 
     def _alarm(self, signum: int, frame: types.FrameType | None) -> None:
         if not self._inside:
             return
         self._alarms += 1
         if self._alarms > 1:  # `except: pass` swallowed the first: raise at the next line, in the handler itself
-            sys.settrace(_raise_at_a_line)
-            while frame is not None and frame.f_code is not Guard._call.__code__:
-                frame.f_trace = _raise_at_a_line
-                frame = frame.f_back
+            _raise_at_every_line(frame)
         raise TimeUp
 
     # -- by a watchdog, in any other thread -----------------------------------------------------------------------------
@@ -186,13 +231,20 @@ class Guard:
         late = worker.is_alive()
         for _ in range(10):
             if self._inside and worker.ident is not None:
-                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(worker.ident), ctypes.py_object(TimeUp))
+                raise_in(worker.ident, TimeUp)
             worker.join(_REPEAT)
             if not worker.is_alive():
                 break
         if done and (not late or done[0].error is not None):
             return done[0]
         return Call(error=self._timeout(None))
+
+
+def _raise_at_every_line(frame: types.FrameType | None) -> None:
+    sys.settrace(_raise_at_a_line)
+    while frame is not None and frame.f_code is not Guard._call.__code__:
+        frame.f_trace = _raise_at_a_line
+        frame = frame.f_back
 
 
 def _raise_at_a_line(frame: types.FrameType, event: str, argument: Any) -> Any:

@@ -39,6 +39,9 @@ def judge(
     for part in parts:
         if part.mismatch or part.wrong:
             continue
+        if proof is not None and proof.different[part.number - 1]:
+            part.verdict, part.findings = FunctionVerdict.REFUTED, (say(Kind.RIGHT_AT_LENGTHS_ONLY),)
+            continue
         proved = proof is not None and proof.proved[part.number - 1]
         part.verdict = FunctionVerdict.PROVED if proved else FunctionVerdict.CONFIRMED
         part.findings = (_claim(arm, caller, part, proof),) if proved else _confirmed(count, proof)

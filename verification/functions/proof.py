@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -66,9 +67,10 @@ class Bench:
             self._lengths_in[quantity] = [symbol for symbol in self.numbers if symbol in names]
         return self._lengths_in[quantity]
 
-    def at_the_lengths(self, value: Scalar) -> Scalar:
-        """Return a scalar with the arm's own numbers for its lengths and constant angles."""
-        return substitute(value, self.numbers)
+    def equal_at_the_lengths(self, one: Scalar, other: Scalar, but: Collection[str] = ()) -> bool:
+        """Whether two scalars are equal with the arm's own numbers for its lengths and constant angles, but for some."""
+        numbers = {symbol: number for symbol, number in self.numbers.items() if symbol not in but}
+        return bool(numbers) and exactly_equal(substitute(one, numbers), substitute(other, numbers))
 
 
 def _exact(exact: ExactAlgebra, value: float) -> Scalar:
@@ -101,6 +103,7 @@ class Proof:
         nodes: the traced numbers of each quantity, in its shape.
         proved: for which quantities, in their order.
         for_all_lengths: whether the lengths stayed symbols in each.
+        different: the entries of each that are right at the arm's lengths alone, though the function takes lengths.
     """
 
     bench: Bench
@@ -108,26 +111,27 @@ class Proof:
     nodes: tuple[np.ndarray, ...]
     proved: tuple[bool, ...]
     for_all_lengths: tuple[bool, ...]
+    different: tuple[tuple[tuple[int, int], ...], ...]
 
     def entry(self, number: int, row: int, column: int) -> Scalar:
         """Return the exact value of an entry (from 0) of a quantity (from 1); raises EvaluationError where it has none."""
         return self.formulas.scalar(self.nodes[number - 1][row, column])
 
 
-def prove(arm: Arm, parts: list[Part], traced: list[np.ndarray], symbolic: bool) -> Proof | str:
+def prove(arm: Arm, parts: list[Part], traced: list[np.ndarray], taken: Collection[str]) -> Proof | str:
     """Compare traced formulas with the quantities of an arm; return why it cannot be done where it cannot.
 
     Args:
-        symbolic: whether the function takes its lengths as symbols; then no number in it is taken for a length.
+        taken: the lengths that the function takes: they stay symbols, and no number in it is taken for a length.
     """
     try:
-        return _prove(bench_of(arm), parts, traced, symbolic)
+        return _prove(bench_of(arm), parts, traced, taken)
     except (EvaluationError, RecursionError) as problem:
         return str(problem)
 
 
-def _prove(bench: Bench, parts: list[Part], traced: list[np.ndarray], symbolic: bool) -> Proof | str:
-    formulas = Formulas(bench.exact, {} if symbolic else bench.lifted)
+def _prove(bench: Bench, parts: list[Part], traced: list[np.ndarray], taken: Collection[str]) -> Proof | str:
+    formulas = Formulas(bench.exact, {} if taken else bench.lifted)
     fitted = [fit(nodes, part.shape) for part, nodes in zip(parts, traced, strict=True)]
     nodes = tuple(one.values for one in fitted if one is not None)
     if len(nodes) < len(parts):
@@ -135,23 +139,31 @@ def _prove(bench: Bench, parts: list[Part], traced: list[np.ndarray], symbolic: 
     for part in parts:
         bench.true(part.asked.quantity)
     with bench.ring.budget.of(SECONDS_TO_DECIDE):
-        found = [_compare(bench, part, formulas.matrix(values)) if not part.wrong else (False, False)
-                 for part, values in zip(parts, nodes, strict=True)]  # fmt: skip
-    return Proof(bench, formulas, nodes, tuple(equal for equal, _ in found), tuple(symbols for _, symbols in found))
+        found = [
+            _compare(bench, part, formulas.matrix(values), taken) if not part.wrong else _UNEQUAL
+            for part, values in zip(parts, nodes, strict=True)
+        ]
+    return Proof(bench, formulas, nodes, *zip(*found, strict=True))
 
 
-def _compare(bench: Bench, part: Part, value: Matrix) -> tuple[bool, bool]:
-    """Return whether all entries are equal, at the arm's lengths at least, and whether for all lengths."""
-    true, everywhere = bench.true(part.asked.quantity), True
-    for true_row, row in zip(true.rows, value.rows, strict=True):
-        for a, b in zip(true_row, row, strict=True):
+_Compared = tuple[bool, bool, tuple[tuple[int, int], ...]]
+_UNEQUAL: _Compared = (False, False, ())
+
+
+def _compare(bench: Bench, part: Part, value: Matrix, taken: Collection[str]) -> _Compared:
+    """Return whether all entries are equal, whether for all lengths, and those that are so at the arm's lengths alone.
+
+    A length that the function takes stays a symbol: at its own value a wrong formula may be right by chance.
+    """
+    true, everywhere, different = bench.true(part.asked.quantity), True, []
+    for r, (true_row, row) in enumerate(zip(true.rows, value.rows, strict=True)):
+        for c, (a, b) in enumerate(zip(true_row, row, strict=True)):
             if exactly_equal(a, b):
                 continue
             everywhere = False
-            if not _equal_at_the_lengths(bench, a, b):
-                return False, False
-    return True, everywhere
-
-
-def _equal_at_the_lengths(bench: Bench, a: Scalar, b: Scalar) -> bool:
-    return bool(bench.numbers) and exactly_equal(bench.at_the_lengths(a), bench.at_the_lengths(b))
+            if bench.equal_at_the_lengths(a, b, but=taken):
+                continue
+            if not bench.equal_at_the_lengths(a, b):
+                return _UNEQUAL
+            different.append((r, c))
+    return not different, everywhere, tuple(different)

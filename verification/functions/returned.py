@@ -80,6 +80,8 @@ def _stacked(value: Any) -> np.ndarray:
         array = np.asarray(value)
     except ValueError:
         raise NotNumbers("the function returns rows of different lengths") from None
+    except OverflowError as problem:
+        raise NotNumbers(f"the function returns what is no number: {problem}") from None
     return array
 
 
@@ -89,7 +91,7 @@ def _as_floats(array: np.ndarray) -> np.ndarray:
     try:
         if array.dtype == object:
             array = np.array([_as_complex(item) for item in array.ravel()]).reshape(array.shape)
-    except (TypeError, ValueError) as problem:
+    except (TypeError, ValueError, OverflowError) as problem:
         raise NotNumbers(f"the function returns what is no number: {problem}") from None
     if array.dtype.kind == "c":
         with np.errstate(all="ignore"), warnings.catch_warnings():
@@ -97,7 +99,8 @@ def _as_floats(array: np.ndarray) -> np.ndarray:
         if largest > 1e-12:
             raise NotNumbers("the function returns complex numbers; the entries are real")
         array = array.real
-    return np.array(array, dtype=float)
+    with np.errstate(over="ignore"):  # a long double of more than a double holds
+        return np.array(array, dtype=float)
 
 
 def _as_complex(item: Any) -> complex:

@@ -78,11 +78,42 @@ def test_lengths_that_are_parameters_stay_symbols(function: Callable[..., Any]) 
     assert check(function).message == "proved for all joint values and all lengths"
 
 
-def test_a_formula_that_is_right_at_the_arms_lengths_alone_says_so() -> None:
+def test_a_formula_that_is_right_at_the_arms_lengths_alone_is_refuted() -> None:
+    def by_chance(q, l1, l2):
+        return with_lengths(q, l1, l1 - 0.1)
+
     def doubled(q, l1, l2):
         return with_lengths(q, l1 + (l1 - L1), l2)
 
-    assert check(doubled).message.startswith("proved for all joint values, at the arm's lengths")
+    assert abs(L1 - 0.1 - L2) < 1e-12
+    for function in (by_chance, doubled):
+        found = check(function)
+        assert found.verdict is REFUTED and found.message.startswith("right at the arm's own lengths only")
+        assert [(entry.row, entry.column) for entry in found.entries] == [(1, 1), (2, 1)]
+        assert all(entry.printed != entry.correct for entry in found.entries)
+
+
+@pytest.mark.parametrize("largest", [10**400, -(10**400), np.longdouble("1e4000")])
+def test_a_number_that_no_float_holds_is_an_error_and_no_crash(largest: Any) -> None:
+    assert check(lambda q: [largest, 0, 0]).verdict in (ERROR, REFUTED)
+    assert check(lambda q: [largest, 0.5, 0]).verdict in (ERROR, REFUTED)
+    assert check(lambda q: [10**400, 0, 0]).verdict is ERROR
+
+
+def test_what_a_function_makes_of_numpy_does_not_change_what_it_is_compared_with() -> None:
+    def spoils(q):
+        np.cos = np.sin
+        return [L1 * np.cos(q[0]) + L2 * np.cos(q[0] + q[1]), L1 * sin(q[0]) + L2 * sin(q[0] + q[1]), 0]
+
+    before = np.cos
+    assert check(spoils).verdict is REFUTED and np.cos is before
+    assert check(p2).verdict is PROVED
+
+
+def test_a_length_that_the_function_does_not_take_may_be_a_number() -> None:
+    found = check(lambda q, l1: with_lengths(q, l1, L2))
+    assert found.message.startswith("proved for all joint values, at the arm's lengths")
+    assert check(lambda q, l1: with_lengths(q, l1, L2 + 1e-3)).verdict is REFUTED
 
 
 def test_a_wrong_default_is_told_apart_from_a_wrong_formula() -> None:

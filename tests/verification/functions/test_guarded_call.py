@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 import signal
 import sys
@@ -79,6 +80,55 @@ def asks() -> str:
     return input("a value? ")
 
 
+SET_TIMER, SET_LIMIT = signal.setitimer, sys.setrecursionlimit  # as a function may keep them that was loaded before
+
+
+def stops_the_clock() -> None:
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    signal.alarm(0)
+    loops()
+
+
+def stops_the_clock_itself() -> None:
+    SET_TIMER(signal.ITIMER_REAL, 0)
+    swallows()
+
+
+def ignores_the_alarm() -> None:
+    signal.signal(signal.SIGALRM, signal.SIG_IGN)
+    loops()
+
+
+def blocks_the_alarm() -> None:
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])
+    loops()
+
+
+def starts_a_timer() -> None:
+    threading.Timer(0.01, lambda: SET_TIMER(signal.ITIMER_REAL, 0)).start()
+    loops()
+
+
+def recurses_deep() -> None:
+    sys.setrecursionlimit(10**9)
+    recurses()
+
+
+def recurses_deep_in_c() -> Any:
+    sys.setrecursionlimit(10**9)
+
+    class Item:
+        def __lt__(self, other: Any) -> bool:
+            return bool(sorted([Item(), Item()]))
+
+    return sorted([Item(), Item()])
+
+
+def lets_itself_recurse() -> None:
+    SET_LIMIT(10**9)
+    recurses()
+
+
 def call(function: Callable[[], Any], seconds: float = 0.3) -> Call:
     with Guard(seconds) as guard:
         return guard.call(function)
@@ -99,6 +149,92 @@ def test_what_never_ends_is_stopped(run: Callable[..., Call], function: Callable
     found = run(function)
     assert found.error is not None and found.error.is_timeout
     assert time.monotonic() - started < 2.0
+
+
+@pytest.mark.parametrize(
+    "function", [stops_the_clock, stops_the_clock_itself, ignores_the_alarm, blocks_the_alarm, starts_a_timer]
+)
+def test_no_function_stops_the_clock(function: Callable[[], Any]) -> None:
+    started = time.process_time()
+    found = call(function)
+    assert found.error is not None and found.error.is_timeout
+    assert time.process_time() - started < 2.0
+    assert call(returns) == Call(3)
+
+
+@pytest.mark.parametrize("function", [recurses_deep, recurses_deep_in_c, lets_itself_recurse])
+def test_no_function_lets_itself_recurse_without_end(function: Callable[[], Any]) -> None:
+    limit = sys.getrecursionlimit()
+    found = call(function, seconds=5.0)
+    assert found.error is not None and found.error.type == "RecursionError"
+    assert sys.getrecursionlimit() == limit
+
+
+def test_a_function_may_recurse_a_little_deeper() -> None:
+    def count(k: int) -> int:
+        return 0 if k == 0 else 1 + count(k - 1)
+
+    def deeper() -> int:
+        sys.setrecursionlimit(1_900)
+        return count(1_300)
+
+    assert call(lambda: count(1_300)).error is not None
+    assert call(deeper) == Call(1_300)
+
+
+def spoils() -> float:
+    np.cos = np.sin
+    np.linalg.inv = np.linalg.pinv
+    del math.sin  # type: ignore[attr-defined]
+    math.pi = np.array([3, 3])  # type: ignore[misc]
+    return 1.0
+
+
+def spoils_and_raises() -> None:
+    spoils()
+    raise ValueError
+
+
+def spoils_and_yields() -> Any:
+    yield spoils()
+    yield 2.0
+
+
+def spoils_in_a_thread() -> None:
+    thread = threading.Thread(target=spoils)
+    thread.start()
+    thread.join()
+
+
+def spoils_and_loops() -> None:
+    spoils()
+    loops()
+
+
+def spoils_later() -> None:
+    def later() -> None:
+        while True:
+            time.sleep(0.001)
+            np.cos = np.sin
+
+    threading.Thread(target=later, daemon=True).start()
+    time.sleep(0.01)
+
+
+@pytest.mark.parametrize(
+    "function", [spoils, spoils_and_raises, spoils_and_yields, spoils_in_a_thread, spoils_and_loops, spoils_later]
+)
+def test_modules_are_put_back_whatever_happens(function: Callable[[], Any]) -> None:
+    before = np.cos, np.linalg.inv, math.sin, math.pi, threading.active_count()
+    call(function)
+    assert (np.cos, np.linalg.inv, math.sin, math.pi, threading.active_count()) == before
+
+
+def test_between_calls_modules_are_as_they_were() -> None:
+    before = np.cos
+    with Guard(1.0) as guard:
+        seen = guard.call(lambda: (setattr(np, "cos", np.sin), np.cos is before)[1])
+        assert seen == Call(False) and np.cos is before
 
 
 @pytest.mark.parametrize("run", [call, in_a_thread])
