@@ -30,10 +30,9 @@ from armproof.verification.functions.tracing.rebuild import is_library
 
 _REPEAT = 0.02  # s between alarms once the time is up, for what swallows the first
 _GRACE = 0.1  # s after which the watchdog ends what no alarm has ended
-_SET_TIMER, _SET_HANDLER = (
-    getattr(signal, "setitimer", None),
-    signal.signal,
-)  # a function may replace those of the module
+# as they are when this is loaded: a function may replace those of the module
+_SET_TIMER: Callable[..., Any] = getattr(signal, "setitimer", signal.signal)
+_SET_HANDLER = signal.signal
 _PRINTED = 10_000  # characters
 
 
