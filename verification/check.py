@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from dataclasses import replace
 from functools import cached_property, partial
@@ -20,7 +21,8 @@ from armproof.verification.errors import DocumentError, NotSampled, ReadError, T
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.tokens import normalise_unicode, original_offset
+from armproof.verification.latex.greek import VARIANTS
+from armproof.verification.latex.tokens import Spelling, normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
 from armproof.verification.naming.uses import settle_definitions
 from armproof.verification.tables import check_array_table, check_table
@@ -105,6 +107,7 @@ class DocumentChecker:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
+        self.names.reader.spelling = spelling_of(document, self.names.reader.words)
         self.ring = Ring()
         self.exact = ExactAlgebra(self.ring, arm)
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
@@ -269,6 +272,16 @@ class DocumentChecker:
             again, extra = check()
             outcomes = [new_one(old, outcomes, again) if old.verdict is Verdict.UNCHECKED else old for old in outcomes]
         return outcomes, extra
+
+
+def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
+    """Return how a document spells: φ and ϕ are two letters where it uses both, a decimal comma is French or used before."""
+    text = "\n".join(display.latex for display in document.displays)
+    found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", text))
+    bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
+    apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
+    comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
+    return Spelling(words, frozenset(apart), comma)
 
 
 def _result(outcome: Outcome, record: Record) -> EquationResult:

@@ -132,6 +132,9 @@ class Definitions:
         outcomes: list[Outcome] = []
         for index, member in enumerate(chain.members):
             for below in n.walk(member):
+                if isinstance(below, n.Labelled) and below.unread:
+                    left_out = say(Kind.LEFT_OUT, text=below.unread)
+                    outcomes.append(Outcome(Verdict.UNCHECKED, (left_out,), first_equation + max(0, index - 1)))
                 if not isinstance(below, n.Labelled) or below.label is None:
                     continue
                 label, inner = self.members.evaluate(below.label), self.members.evaluate(below.inner)
@@ -140,6 +143,9 @@ class Definitions:
                     outcomes.append(self.equality.compare(label, inner, first_equation + max(0, index - 1), False))
                 elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
                     self.names.define(key, self.members.meaning(below.inner), self.line)
+                elif key is None and label.problem is not None:
+                    unread = (finding_of(label.problem),)
+                    outcomes.append(Outcome(Verdict.UNCHECKED, unread, first_equation + max(0, index - 1)))
         return outcomes
 
     def nothing_known(self, members: list[Member], equation: int) -> list[Outcome]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.latex import nodes as n
@@ -28,6 +30,8 @@ class Given:
         if self.names.arm is None or not isinstance(left, n.Name):
             return False
         symbol = self.names.known_symbol(left.key)
+        if left.dots and self.names.known_symbol(replace(left, dots=0).key) is not None:
+            return _is_number(right)
         if left.dots or symbol is None:
             return not left.dots and self._is_given_coordinate(left, right)
         if symbol not in {joint.symbol for joint in self.names.arm.joints}:
@@ -48,9 +52,9 @@ class Given:
         return any("." in number.text or number.value >= 2 for number in numbers)
 
     def _is_given_length(self, symbol: str, value: n.Node) -> bool:
-        """A length of a DH table set to a number is data: the table gives it none."""
+        """A length set to a number is data: its symbol stands for any."""
         arm = self.names.arm
-        if arm is None or arm.dh is None or symbol not in arm.lengths:
+        if arm is None or symbol not in arm.lengths:
             return False
         if any(isinstance(below, n.Name | n.Call | n.Matrix) for below in n.walk(value)):
             return False

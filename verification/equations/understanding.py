@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -36,11 +36,30 @@ def without_misreading(outcome: Outcome, chain: n.Chain, names: Names) -> Outcom
     """Return an outcome that refutes only what was understood."""
     if outcome.verdict is not Verdict.REFUTED:
         return outcome
-    reason = _own_name(chain, names) or _sizes_of_convention(outcome, chain, names)
+    reason = (
+        _rotation_for_pose(outcome, names) or _own_name(chain, names) or _sizes_of_convention(outcome, chain, names)
+    )
     reason = reason or _nothing_to_compare(outcome, chain, names)
     if reason is None:
         return outcome
     return replace(outcome, verdict=Verdict.UNCHECKED, findings=(reason,), wrong=[], pair=None)
+
+
+def _rotation_for_pose(outcome: Outcome, names: Names) -> Finding | None:
+    """A 3×3 matrix without a translation may be the rotation of what convention calls a pose."""
+    sides = [side.value if side is not None else None for side in (outcome.true, outcome.printed)]
+    true, printed = sides
+    if not (isinstance(true, Matrix) and isinstance(printed, Matrix) and outcome.true is not None):
+        return None
+    name = bare(outcome.true.node)
+    by_convention = isinstance(name, n.Name) and _quantity(name, names) and name.key not in names.quantities
+    if (
+        not by_convention
+        or (true.shape, printed.shape) != ((4, 4), (3, 3))
+        or not all(is_zero(printed.rows[r][2]) for r in (0, 1))
+    ):
+        return None
+    return say(Kind.SIZES_OF_CONVENTION, reason=say(Kind.WRONG_SIZE, printed=printed.size, correct=true.size))
 
 
 def _own_name(chain: n.Chain, names: Names) -> Finding | None:

@@ -37,7 +37,8 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     """Return what a name stands for; raises UnboundName where it stands for nothing."""
     algebra, names = evaluator.algebra, evaluator.names
     if node.base == "words":
-        raise UnboundName(node.text, say(Kind.WORDS_FOR_VALUE))
+        comma = node.text.replace(",", "").isdigit()
+        raise UnboundName(node.text, say(Kind.DECIMAL_COMMA if comma else Kind.WORDS_FOR_VALUE))
     if (quantity := names.quantities.get(node.key)) is not None:
         return algebra.quantity(quantity)
     if node.dots:

@@ -156,6 +156,7 @@ class Kind(MessageKind):
     SINGULAR = "singular", "the {size} matrix has no inverse: its determinant is 0 for every configuration"
     NO_SUCH_ANGLE = "no_such_angle", "the arm has no joint angle {index}"
     NO_SUCH_FRAME = "no_such_frame", "no frame '{frame}' on arm '{arm}'; its frames are {frames}"
+    DECIMAL_COMMA = "decimal_comma", "one number or two: write a point, or {{,}} for a decimal comma"
     WORDS_FOR_VALUE = "words_for_value", "words stand for a value"
     TERMS_LEFT_OUT = "terms_left_out", "an ellipsis leaves terms to the reader"
     CASES_IN_WORDS = "cases_in_words", "a value that depends on words"

@@ -152,6 +152,9 @@ class TreeBuilder(Transformer):
         token = children[0]
         if len(token.value) > 40:
             raise ReadError(say(Kind.LONG_NUMBER), token.start_pos)
+        if "," in token.value.replace("{,}", ""):  # 0,5: one number or two, by a document that does not say
+            words = n.Name("words", text=token.value, span=span_of_token(token))
+            return Item("node", words, token.start_pos, token.end_pos)
         node = n.Number(Fraction(token.value.replace("{,}", ".")), token.value, span=span_of_token(token))
         return Item("number", node, token.start_pos, token.end_pos)
 

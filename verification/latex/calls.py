@@ -9,13 +9,13 @@ from dataclasses import replace
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.greek import ANGLES, one_of
+from armproof.verification.latex.greek import ANGLES, VARIANTS, one_of
 from armproof.verification.latex.indexed import NameReader
 from armproof.verification.latex.items import Item, Script
 from armproof.verification.latex.tokens import canonical_script
 
 TRIG_LETTERS = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
-ANGLE_LETTERS = frozenset([*ANGLES, "q", "delta"])
+ANGLE_LETTERS = frozenset([*ANGLES, *VARIANTS, "q", "delta"])
 _ANGLE = r"\\(?:var)?(?:%s)" % one_of(ANGLES)
 MATRIX_FUNCTIONS = frozenset(["det", "rank", "adj", "com", "tr"])
 _JOINT_DIGITS = re.compile(r"[+-]?\d(?:,?[+-]?\d)*")

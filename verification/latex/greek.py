@@ -22,7 +22,19 @@ NAMES = {character: name for name, character in (SMALL | CAPITAL).items()} | {"Ï
 LONG = tuple(name for name in (*SMALL, *CAPITAL) if len(name) > 3 or name in ("phi", "psi"))
 
 ANGLES = ("theta", "alpha", "beta", "gamma", "phi", "psi")  # what documents call angles
-NUMBERS = (*ANGLES, "omega", "sigma", "lambda", "mu", "rho", "tau", "delta", "epsilon", "Delta")  # and numbers
+NUMBERS = (
+    *ANGLES,
+    *VARIANTS,
+    "omega",
+    "sigma",
+    "lambda",
+    "mu",
+    "rho",
+    "tau",
+    "delta",
+    "epsilon",
+    "Delta",
+)  # and numbers
 
 
 def one_of(names: Iterable[str]) -> str:

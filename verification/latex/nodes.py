@@ -159,11 +159,12 @@ class Derivative(Node):
 
 @dataclass(frozen=True, slots=True)
 class Labelled(Node):
-    """An under- or overbrace: the expression and its label, where that reads as a name or as a size such as 6×n."""
+    """An under- or overbrace: the expression and its label, where that reads as a formula or as a size such as 6×n."""
 
     inner: Node
     label: Node | None
     size: tuple[int, int] | None = None
+    unread: str = ""
 
 
 @dataclass(frozen=True, slots=True)

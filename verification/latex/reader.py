@@ -15,7 +15,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.builder import TreeBuilder
 from armproof.verification.latex.greek import GREEK, one_of
-from armproof.verification.latex.tokens import LatexLexer, normalise_unicode
+from armproof.verification.latex.tokens import LatexLexer, Spelling, normalise_unicode
 
 MAX_LENGTH = 100_000
 _READABLE = {
@@ -33,6 +33,7 @@ class Reader:
     ) -> None:
         self.is_bound = is_bound
         self.words = words
+        self.spelling = Spelling(words)
 
     def read(self, latex: str) -> list[n.Statement]:
         """Return the statements of a display; raises ReadError with the place and the token."""
@@ -53,7 +54,7 @@ class Reader:
     def _parse(self, latex: str) -> list[n.Statement]:
         text = normalise_unicode(latex)
         try:
-            tree: Tree = _grammar().parse((text, self.words))  # type: ignore[arg-type]
+            tree: Tree = _grammar().parse((text, self.spelling))  # type: ignore[arg-type]
             return TreeBuilder(text, self.is_bound, self.read_expression).transform(tree)  # type: ignore[return-value]
         except UnexpectedToken as error:
             raise _unexpected(error, text) from None

@@ -19,6 +19,8 @@ from armproof.verification.latex.items import (
 )
 from armproof.verification.latex.tokens import canonical_script
 
+_WORDS = re.compile(r"\s*\\(?:text[a-z]*|mbox|hbox|mathrm|mathit)\s*\{[^{}=\\$]*\}\s*")
+
 
 class RunReader(CallReader):
     """Reads a run of items as factors."""
@@ -61,23 +63,35 @@ class RunReader(CallReader):
                 raise ReadError(say(Kind.DERIVATIVE_OF_NOTHING), item.start)
             operand, after = self.next_factor(items, index + 1)
             return n.Derivative(operand, item.node.variable, item.node.order, span=(item.start, operand.span[1])), after
+        following = items[index + 1] if index + 1 < len(items) else None
+        if isinstance(item.node, n.Name) and not item.scripts and following is not None and following.kind == "list":
+            applied = self.application(item.node, following)  # {T_1^0}(θ_1)
+            if applied is not None:
+                return applied, index + 2
         return self.scripted(item.node, item.scripts, item.start), index + 1
 
     def _labelled(self, item: Item) -> n.Node:
         label: n.Node | None = None
         size: tuple[int, int] | None = None
+        unread = ""
         for kind, text, span in item.scripts:
             if found := re.fullmatch(r"\(?(\d+)x(\d+)\)?", canonical_script(text)):
                 size = (int(found.group(1)), int(found.group(2)))
             elif kind in ("SUB", "SUP"):
-                try:
-                    label = self.parse(text, self.text.find(text, span[0]))
-                except ReadError:
-                    label = None
-                if not isinstance(label, n.Name):
-                    label = None
+                label, unread = self._label(text, span)
         assert item.node is not None
-        return n.Labelled(item.node, label, size, span=(item.start, item.end))
+        return n.Labelled(item.node, label, size, unread, span=(item.start, item.end))
+
+    def _label(self, text: str, span: tuple[int, int]) -> tuple[n.Node | None, str]:
+        """Return what a brace's label equates to what it embraces, and the label that cannot be read; words and counts are neither."""
+        plain = re.sub(r"^\s*(?:=|\\equiv(?![A-Za-z]))\s*", "", text)
+        try:
+            label = self.parse(plain, self.text.find(plain, span[0]))
+        except ReadError:
+            return None, "" if _WORDS.fullmatch(text) else text
+        if plain == text and isinstance(n.ungrouped(label), n.Number):
+            return None, ""
+        return label, ""
 
     def _evaluated(self, item: Item) -> n.Node:
         values = tuple(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
 
 from lark import Token
@@ -17,6 +18,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex.greek import LONG, one_of
 from armproof.verification.latex.vocabulary import (
+    ACCENTS,
     ASKED,
     BARE_WORDS,
     CHARACTERS,
@@ -70,19 +72,36 @@ _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
 _REMARK = re.compile(r"\(\s*[ijkn]\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
+_DECIMAL_COMMA = re.compile(r",(\d+)(?!\s*,\s*\d)")
+_NEXT_BAR = re.compile(
+    r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
+)
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
+_UNIT_VECTOR = re.compile(r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm|omega)[\s{]*)?[a-zXYZ]?(?![A-Za-z])")
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
     ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
 )
 
 
+@dataclass(frozen=True)
+class Spelling:
+    """How a document spells: its names of several letters, letters that it tells apart from their variants, its decimal comma."""
+
+    words: frozenset[str] = frozenset()
+    told_apart: frozenset[str] = frozenset()
+    decimal_comma: bool = False
+
+
 class _Scanner:
     """One pass over a display: the state that a token's meaning may depend on."""
 
-    def __init__(self, text: str, words: frozenset[str]) -> None:
+    def __init__(self, text: str, spelling: Spelling) -> None:
         self.text = text
-        self.words = words
+        self.words = spelling.words
+        self.spelling = spelling
+        self.accent = ""  # that the next letter carries
+        self.lists = 0  # the brackets that are open: a comma in them sets entries off
         self.fences: list[str] = []
         self.transparent_braces: set[int] = set()
         self.depth = 0
@@ -91,6 +110,9 @@ class _Scanner:
 
     def token(self, kind: str, value: str, start: int, end: int) -> Token:
         self.previous = kind
+        self.lists += (kind in ("LPAR", "OPEN_SET", "OPEN_EMPTY")) - (kind in ("RPAR", "CLOSE_SET", "CLOSE_EMPTY"))
+        if kind == "LETTER" and self.accent:
+            value, self.accent = f"{self.accent} {value}", ""
         return Token(kind, value, start_pos=start, end_pos=end)
 
     def scan(self) -> Iterator[Token]:
@@ -204,6 +226,10 @@ class _Scanner:
                 self.token("NUMBER", value[0], start, start + 1),
                 self.token("NUMBER", value[1], start + 1, start + 2),
             ], start + 2
+        comma = _DECIMAL_COMMA.match(self.text, end)
+        if comma and self.previous != "COMMA" and self.previous != "FRAC" and value.isdigit() and not self.lists:
+            mark = "." if self.spelling.decimal_comma else ","
+            return [self.token("NUMBER", f"{value}{mark}{comma.group(1)}", start, comma.end())], comma.end()
         return [self.token("NUMBER", value, start, end)], end
 
     def on_bracespace(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
@@ -273,7 +299,7 @@ class _Scanner:
         if name in FUNCTIONS:
             return self._function(name, start, end)
         if name in LETTERS:
-            return self._letter(VARIANTS.get(name, name), start, end)
+            return self._letter(self._variant(name), start, end)
         if name in RELATIONS:
             return [self.token("REL", RELATIONS[name], start, end)], end
         if name in CONNECTIVES:
@@ -289,6 +315,7 @@ class _Scanner:
             if brace >= 0 and not self.text[end:brace].strip():
                 self.transparent_braces.add(self._matching_brace(brace))
                 return [], brace + 1
+        self.accent = self._accent(name, end)
         word = _STYLED_WORD.match(self.text, end)
         if word is None:
             return [], end  # the group that follows is read as it stands
@@ -300,7 +327,7 @@ class _Scanner:
         if content in FUNCTIONS:
             return self._function(content, start, after)
         if content in LETTERS:
-            return self._letter(VARIANTS.get(content, content), start, after)
+            return self._letter(self._variant(content), start, after)
         if (
             name in ("text", "textbf", "textit", "textrm", "textsf", "mbox", "hbox", "emph")
             and content not in self.words
@@ -319,6 +346,14 @@ class _Scanner:
         if re.fullmatch(r"[A-Za-z]", content):
             return self._letter(content, start, after)
         return [], end
+
+    def _accent(self, name: str, end: int) -> str:
+        """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector."""
+        accent = ACCENTS.get(name, "")
+        return "" if accent == "hat" and _UNIT_VECTOR.match(self.text, end) else accent
+
+    def _variant(self, name: str) -> str:
+        return name if name in self.spelling.told_apart else VARIANTS.get(name, name)
 
     def _function(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         if FUNCTIONS[name] in ("atan", "tan") or (name == "a"):
@@ -370,11 +405,26 @@ class _Scanner:
         ):
             argument, end = self._script_argument(script.end() - 1, script.end())  # J|_{θ_2 = 0}
             return [self.token("AT", argument, start, end)], end
-        opening = self.previous not in _ENDS_OPERAND if not self.bar_open else False
+        opening = not self.bar_open and (self.previous not in _ENDS_OPERAND or self._has_partner(start, end))
         if not opening and not self.bar_open:
             return [self.token("TEXT", "|", start, end)], end
         self.bar_open = opening
         return [self.token("OPEN_BAR" if opening else "CLOSE_BAR", "|", start, end)], end
+
+    def _has_partner(self, start: int, end: int) -> bool:
+        """Whether a bar behind a factor opens: one more follows in the same member, as in l_1 |s_2|."""
+        if self.text.startswith("\\mid", start):
+            return False
+        member = _NEXT_BAR.split(self.text[end:], maxsplit=1)[0]
+        return (
+            len(
+                re.findall(
+                    r"\||\\vert(?![A-Za-z])", re.sub(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_", "", member)
+                )
+            )
+            % 2
+            == 1
+        )
 
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if value == "|":
@@ -452,7 +502,7 @@ class LatexLexer(Lexer):
     def __init__(self, lexer_conf: object) -> None:
         """Lark hands over its configuration; nothing of it is needed."""
 
-    def lex(self, data: tuple[str, frozenset[str]]) -> Iterator[Token]:  # type: ignore[override]
-        """Yield the tokens of (display, names of several letters)."""
-        text, words = data
-        return _Scanner(text, words).scan()
+    def lex(self, data: tuple[str, Spelling]) -> Iterator[Token]:  # type: ignore[override]
+        """Yield the tokens of (display, how it spells)."""
+        text, spelling = data
+        return _Scanner(text, spelling).scan()

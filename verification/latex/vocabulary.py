@@ -60,6 +60,8 @@ LAYOUTS = {"aligned", "align", "split", "gather", "gathered", "alignat", "aligne
            "cases", "dcases", "rcases", "flalign"}  # fmt: skip
 TRANSPARENT = {"equation", "displaymath", "math", "subequations", "small", "footnotesize", "center"}
 
+# accents that make another name of a letter; vec, boldface and the like do not
+ACCENTS = {"bar": "bar", "overline": "bar", "tilde": "tilde", "widetilde": "tilde", "hat": "hat", "widehat": "hat"}
 STYLES = (
     "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
     "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"

@@ -96,7 +96,10 @@ def symbol_as_latex(name: str) -> str:
     while name.startswith("dot "):
         name, dots = name[4:], dots + 1
     base, _, index = name.partition("_")
+    accent, _, base = base.rpartition(" ")
     letter = f"\\{base}" if base in GREEK else base
+    if accent:
+        letter = f"\\{accent}{{{letter}}}"
     if dots:
         letter = f"\\{'d' * dots}ot{{{letter}}}"
     return letter + (f"_{{{index}}}" if len(index) > 1 else f"_{index}" if index else "")

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.verification.check import DocumentChecker, load_arm_of
+from armproof.verification.check import DocumentChecker, load_arm_of, spelling_of
 from armproof.verification.document import Display, Document
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import DocumentResult, Record
@@ -44,6 +44,8 @@ class IncrementalChecker:
         checker = self._checker
         # a fraction of an angle changes in which generators values are written: what follows may be written otherwise
         fresh = checker is None or bool(checker.ring.parts) or (document.front, document.lines) != self._front
+        if checker is not None and spelling_of(document, checker.names.reader.words) != checker.names.reader.spelling:
+            fresh = True
         self.result = None
         if fresh:
             self._begin(document)
