@@ -26,8 +26,7 @@ from armproof.verification.tables.angles import (
     to_radians,
 )
 from armproof.verification.tables.cells import Cell, Notation, UnreadableCell, read_axis, read_cell, read_kind
-from armproof.verification.tables.columns import read_header
-from armproof.verification.tables.origin_columns import RPY, XYZ, origin_columns, spelt_name
+from armproof.verification.tables.columns import RPY, XYZ, origin_columns, read_header, spelt_name
 from armproof.verification.tables.row import SCALES, equal
 from armproof.verification.verdict import Record, Verdict, WrongEntry
 

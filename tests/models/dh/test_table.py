@@ -11,9 +11,9 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.dh.entry import read_entry
 from armproof.models.errors import ModelError
-from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.plant import NumericKinematics
+from tests.models.evaluation import evaluate_entries
 
 ROW = {"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"}
 SCARA = {

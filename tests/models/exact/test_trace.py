@@ -9,7 +9,6 @@ from pydrake.autodiffutils import ExtractGradient, ExtractValue, InitializeAutoD
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
-from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.exact.numbers import IDENTITY
 from armproof.models.exact.polynomial import (
     ONE,
@@ -27,6 +26,7 @@ from armproof.models.exact.trace import Trace, trace_of
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 from armproof.models.numeric.plant import NumericKinematics
+from tests.models.evaluation import evaluate_entries
 
 TOLERANCE = 1e-12
 

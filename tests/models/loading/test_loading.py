@@ -10,11 +10,11 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ArmproofError, ModelError
-from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.drake_arm import frame_of
 from armproof.models.numeric.plant import NumericKinematics
 from tests.models.conftest import SLANTED, joint, link
+from tests.models.evaluation import evaluate_entries
 
 Write = Callable[..., Path]
 TWO = link("a", "b") + joint("j", "a", "b", xyz="0.1 0.2 0.33")

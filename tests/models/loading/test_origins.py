@@ -6,9 +6,9 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.loading.origins import joint_origins
 from armproof.models.numeric.drake_arm import plant_of
+from tests.models.evaluation import evaluate_entries
 
 
 def test_the_joints_of_the_chain_lead_from_link_to_link(arm: Arm) -> None:

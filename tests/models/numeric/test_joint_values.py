@@ -9,10 +9,10 @@ from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
-from armproof.models.exact.evaluation import evaluate_entries
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.joint_values import limit_notes, outside_limits, read_configuration, read_joint_values
 from armproof.models.numeric.plant import NumericKinematics
+from tests.models.evaluation import evaluate_entries
 
 ROUTES = {
     "bulk": lambda arm, q: bulk_of(arm).pose(q, arm.frames[-1]),

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.verification.functions.tracing import arrays
+import armproof.verification.functions.tracing.arrays as arrays
 from armproof.verification.functions.tracing.number import (
     METHODS,
     ONE,
