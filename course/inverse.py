@@ -23,9 +23,8 @@ def inverse_of(arm: str) -> InverseKinematics:
     """
     handouts = _handouts()
     if arm not in handouts:
-        raise InverseError(
-            f"no handout derives an inverse for the arm '{arm}'; those it has: {', '.join(sorted(handouts))}"
-        )
+        raise InverseError("no handout derives an inverse for the arm '{arm}'; those it has: {handouts}",
+            arm=arm, handouts=sorted(handouts))  # fmt: skip
     return _read(handouts[arm])
 
 

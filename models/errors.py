@@ -31,7 +31,7 @@ class ArmproofError(Exception):
     """Base of every error that Armproof raises for a user's input.
 
     Attributes:
-        kind: the kind of the message, where it has one.
+        kind: the kind of the message, where it has one; else the error is raised with a template.
         terms: what the message names: texts, numbers, lists of such, or an error within this one.
     """
 
@@ -44,8 +44,8 @@ class ArmproofError(Exception):
             self.kind = message
 
     def __str__(self) -> str:
-        said = self.args[0]
-        return _WRITER.vformat(look_up(said.template), (), self.terms) if isinstance(said, MessageKind) else str(said)
+        said = self.args[0].template if isinstance(self.args[0], MessageKind) else self.args[0]
+        return written(said, **self.terms) if isinstance(said, str) else str(said)
 
 
 class _Writer(Formatter):
@@ -55,6 +55,11 @@ class _Writer(Formatter):
 
 
 _WRITER = _Writer()
+
+
+def written(template: str, /, **terms: Any) -> str:
+    """Return a sentence of the look-up with its terms; one without terms is no template, but stands as it is."""
+    return _WRITER.vformat(look_up(template), (), terms) if terms else look_up(template)
 
 
 def _plain(term: object) -> object:

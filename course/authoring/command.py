@@ -9,8 +9,17 @@ import typer
 from typer.core import TyperGroup
 
 from armproof.course.authoring import options as o
-from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, as_command, complain, give_up
+from armproof.models.errors import ArmproofError, written
+from armproof.verification.cli.application import (
+    CANNOT_RUN,
+    FAILS,
+    INTERRUPTED,
+    PASSES,
+    as_command,
+    complain,
+    give_up,
+    tell,
+)
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
@@ -87,10 +96,10 @@ def build(
         complain([relative(str(error))])
         raise typer.Exit(CANNOT_RUN) from None
     for path in old:
-        typer.echo(relative(f"{path}: out of date" if check else str(path)))
-    complain(relative(f"{path}: no source gives this notebook; remove it") for path in lost)
+        typer.echo(relative(written("{path}: out of date" if check else "{path}", path=path)))
+    complain(relative(written("{path}: no source gives this notebook; remove it", path=path)) for path in lost)
     if not old:
-        complain([f"{len(files)} notebook{'' if len(files) == 1 else 's'} up to date"])
+        tell("1 notebook up to date" if len(files) == 1 else "{count} notebooks up to date", count=len(files))
     raise typer.Exit(FAILS if check and (old or lost) else PASSES)
 
 
@@ -129,14 +138,14 @@ def new(
 
     try:
         place = _place_for_writing(folder)
-        written = new_lesson(place, name, arm, document, title)
+        paths = new_lesson(place, name, arm, document, title)
     except ArmproofError as error:
         complain([relative(str(error))])
         raise typer.Exit(CANNOT_RUN) from None
-    for path in written:
+    for path in paths:
         typer.echo(relative(str(path)))
     more = f" --folder {folder}" if folder is not None else ""
-    complain([f"check it with: armproof lesson check {name}{more}"])
+    tell("check it with: armproof lesson check {name}{more}", name=name, more=more)
 
 
 def _place(folder: Path | None) -> Place:
@@ -174,7 +183,7 @@ def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out
     if out is None:
         raise AuthoringError("an edition with solutions is written into a folder of its own: --out DIR")
     if out.resolve() == place.notebooks.resolve():
-        raise AuthoringError(f"{out}: the students' notebooks are here; solutions are written elsewhere")
+        raise AuthoringError("{out}: the students' notebooks are here; solutions are written elsewhere", out=out)
     return (nbgrader_files if nbgrader else instructor_files)(out, place.named(names))
 
 

@@ -110,12 +110,13 @@ def _cell(value: Any) -> str:
         traced = FromSympy(_with_underscore).convert(value) if is_expression(value) else as_traced(value)
         return write_matrix(np.array(traced, dtype=object))
     except ArmproofError as problem:
-        raise AnswerError(f"the answer is no formula: {problem}") from None
+        raise AnswerError("the answer is no formula: {reason}", reason=problem) from None
 
 
 def _read_text(text: str) -> str:
     if len(text) > MOST_CHARACTERS:
-        raise AnswerError(f"the answer is too long: {len(text):,} characters, at most {MOST_CHARACTERS:,}")
+        raise AnswerError("the answer is too long: {length:,} characters, at most {most_characters:,}",
+            length=len(text), most_characters=MOST_CHARACTERS)  # fmt: skip
     if any(character in text for character in "\a\b\f\v\t\r"):
         raise AnswerError(
             'write r"…" with an r before the quotes: without it Python takes \\b, \\t, \\f, \\r for control characters'
@@ -169,7 +170,7 @@ def read_plain(text: str) -> Any:
     except (SyntaxError, ValueError, RecursionError, MemoryError, ArithmeticError, _NoPlainText):
         return None
     except ArmproofError as problem:
-        raise AnswerError(f"the answer is no formula: {problem}") from None
+        raise AnswerError("the answer is no formula: {reason}", reason=problem) from None
 
 
 class _NoPlainText(Exception):

@@ -104,7 +104,7 @@ class Claim:
         result = check_document(self._document(latex), confirm=False)
         for record in result.equations[:-1]:
             if record.verdict not in (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED):
-                raise LessonError(f"the task itself cannot be read: {record.latex}: {record.message}")
+                raise LessonError("the task itself cannot be read: {latex}: {message}", latex=record.latex, message=record.message)  # fmt: skip
         return result.equations[-1]
 
     def values(self, latex: str) -> np.ndarray:
@@ -167,7 +167,7 @@ class Claim:
         try:
             node = self._checker.names.reader.read_expression(latex)
         except ReadError as error:
-            raise AnswerError(f"the formula cannot be read at character {error.offset + 1}: {error}") from None
+            raise AnswerError("the formula cannot be read at character {at}: {reason}", at=error.offset + 1, reason=str(error)) from None  # fmt: skip
         if any(isinstance(part, n.Sum) and {"±", "∓"} & set(_signs(part)) for part in n.walk(node)):
             return "an answer has one value: which of the two signs?"
         self._refuse_unknown(latex, node)
@@ -176,7 +176,7 @@ class Claim:
                 name.key == "Xi" or (not self.names and checker.quantity_of(name) is not None)
             ):
                 shown = latex[name.span[0] : name.span[1]]
-                raise AnswerError(f"work the entries out: the answer may not name {shown} of the arm itself")
+                raise AnswerError("work the entries out: the answer may not name {shown} of the arm itself", shown=shown)  # fmt: skip
         return self._size_problem(node)
 
     def _refuse_unknown(self, latex: str, node: n.Node) -> None:
@@ -193,7 +193,7 @@ class Claim:
                 continue
             if names.is_free(name) or name.key in self.front.get("symbols", {}):
                 shown = latex[name.span[0] : name.span[1]]
-                raise AnswerError(f"{shown} is no letter of this task; {self._letters()}")
+                raise AnswerError("{shown} is no letter of this task; {letters}", shown=shown, letters=self._letters())
 
     def _size_problem(self, node: n.Node) -> str:
         try:

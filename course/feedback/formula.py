@@ -194,7 +194,7 @@ class Formula:
         try:
             return {name: self.claim.values(_as_latex(name))[:, 0, 0] for name in self.arguments}
         except ArmproofError as problem:
-            raise LessonError(f"the arguments of the task have no values: {problem}") from None
+            raise LessonError("the arguments of the task have no values: {reason}", reason=problem) from None
 
     @cached_property
     def _true(self) -> np.ndarray:
@@ -205,7 +205,7 @@ class Formula:
         """The samples at which what is asked has a value."""
         good = np.flatnonzero(np.isfinite(self._true).all(axis=(1, 2)))
         if not len(good):
-            raise LessonError(f"the formula of the task has a value nowhere: {self.latex}")
+            raise LessonError("the formula of the task has a value nowhere: {latex}", latex=self.latex)
         return [int(k) for k in good]
 
     def _compare(self, function: Callable[..., Any], guard: Guard, reason: str) -> Feedback:

@@ -52,10 +52,10 @@ class Lesson:
         names = [task.name for task in self.tasks]
         for name in [self.name, *names]:
             if not name.isidentifier():
-                raise LessonError(f"'{name}' is no Python identifier, and so no name of a lesson or task")
+                raise LessonError("'{name}' is no Python identifier, and so no name of a lesson or task", name=name)
         for name in names:
             if names.count(name) > 1 or hasattr(type(self), name) or name in self.__dataclass_fields__:
-                raise LessonError(f"lesson '{self.name}': the task name '{name}' is taken")
+                raise LessonError("lesson '{lesson}': the task name '{name}' is taken", lesson=self.name, name=name)
         for task in self.tasks:
             task.lesson, task.on_feedback = self.name, self._keep
 
@@ -137,7 +137,7 @@ def open_lesson(name: str, folder: str | Path | None = None) -> Lesson:
             _opened[key] = _read_own(name, Path(folder))
         return _opened[key]
     if name not in lesson_names():
-        raise LessonError(f"no lesson '{name}'; the lessons are {', '.join(lesson_names())}")
+        raise LessonError("no lesson '{name}'; the lessons are {lessons}", name=name, lessons=list(lesson_names()))
     if name not in _opened:
         _opened[name] = importlib.import_module(f"{PACKAGE}.{name}").LESSON
     return _opened[name]
@@ -164,14 +164,15 @@ def _read_own(name: str, folder: Path) -> Lesson:
     file = folder / "tasks" / f"{name}.py"
     if not re.fullmatch(r"[A-Za-z_]\w*", name) or not file.is_file():
         own = ", ".join(sorted(path.stem for path in (folder / "tasks").glob("*.py"))) or "none"
-        raise LessonError(f"no lesson '{name}' in {folder}: there is no file {file}; the lessons there: {own}")
+        raise LessonError("no lesson '{name}' in {folder}: there is no file {file}; the lessons there: {own}",
+            name=name, folder=folder, file=file, own=own)  # fmt: skip
     spec = importlib.util.spec_from_file_location(f"armproof_own_lessons.{name}", file)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     lesson = getattr(module, "LESSON", None)
     if not isinstance(lesson, Lesson):
-        raise LessonError(f"{file}: it is to declare LESSON = Lesson(…)")
+        raise LessonError("{file}: it is to declare LESSON = Lesson(…)", file=file)
     return lesson
 
 

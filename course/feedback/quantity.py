@@ -89,7 +89,7 @@ class Quantity:
         """
         joints = {joint.symbol: joint for joint in self.loaded.joints}
         if unknown := sorted(set(at) - set(joints)):
-            raise AnswerError(f"no joint '{unknown[0]}'; the joints are {', '.join(joints)}")
+            raise AnswerError("no joint '{joint}'; the joints are {joints}", joint=unknown[0], joints=list(joints))
         usual = {
             symbol: value if joint.kind == "revolute" else abs(value) / 3
             for (symbol, joint), value in zip(joints.items(), _USUAL, strict=False)

@@ -113,7 +113,7 @@ class Table:
             if is_missing(answer):
                 return []
         if not isinstance(answer, list | tuple):
-            raise AnswerError(f"a table is a list of rows, not a {type(answer).__name__}")
+            raise AnswerError("a table is a list of rows, not a {type}", type=type(answer).__name__)
         return [self._row(row, number + 1) for number, row in enumerate(answer)]
 
     def _row(self, row: Any, number: int) -> tuple[str, ...]:
@@ -121,24 +121,25 @@ class Table:
         if isinstance(row, Mapping):
             missing = [name for name in order if name not in row]
             if missing:
-                raise AnswerError(f"row {number} has no '{missing[0]}'; a row has {', '.join(order)}")
+                raise AnswerError("row {number} has no '{column}'; a row has {order}", number=number, column=missing[0], order=list(order))  # fmt: skip
             row = [row[name] for name in order]
         if not isinstance(row, list | tuple) or len(row) != len(order):
-            raise AnswerError(f"row {number} is to hold {len(order)} entries: {', '.join(order)}")
+            raise AnswerError("row {number} is to hold {count} entries: {order}", number=number, count=len(order), order=list(order))  # fmt: skip
         return tuple(self._cell(cell, f"row {number}: {name}") for name, cell in zip(order, row, strict=True))
 
     def _cell(self, cell: Any, place: str) -> str:
         """Return a cell as LaTeX; refuse one that is empty, or holds a letter that is none of the arm's."""
         if is_missing(cell):
-            raise AnswerError(f"{place} is empty")
+            raise AnswerError("{place} is empty", place=place)
         latex = as_latex(cell)
         try:
             node = Reader().read_expression(latex)
         except ReadError as error:
-            raise AnswerError(f"{place}: {cell!r:.40} cannot be read: {error}") from None
+            raise AnswerError("{place}: {cell} cannot be read: {reason}", place=place, cell=f"{cell!r:.40}", reason=str(error)) from None  # fmt: skip
         for name in n.walk(node):
             if isinstance(name, n.Name) and self._names.known_symbol(name.key) is None and name.key != "pi":
-                raise AnswerError(f"{place}: there is no letter {name.key}; the letters are {', '.join(self._letters)}")
+                raise AnswerError("{place}: there is no letter {key}; the letters are {letters}",
+                    place=place, key=name.key, letters=list(self._letters))  # fmt: skip
         return latex
 
     @cached_property

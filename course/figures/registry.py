@@ -60,7 +60,7 @@ def find_kind(name: str) -> Kind:
         FigureError: there is no such kind.
     """
     if name not in KINDS:
-        raise FigureError(f"no figure '{name}'; the figures are {', '.join(KINDS)}")
+        raise FigureError("no figure '{name}'; the figures are {kinds}", name=name, kinds=list(KINDS))
     kind: Kind = import_module(f"armproof.course.figures.kinds.{name}").KIND
     return kind
 

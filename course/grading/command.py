@@ -10,7 +10,7 @@ import typer
 
 from armproof.course.grading.sandbox.errors import GradingError
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, INTERRUPTED, complain, give_up
+from armproof.verification.cli.application import CANNOT_RUN, INTERRUPTED, give_up, tell
 from armproof.verification.cli.documents import Progress
 
 Folder = Annotated[
@@ -67,6 +67,6 @@ def grade(
     except ArmproofError as error:
         give_up(error)
     except OSError as error:
-        complain([f"grading cannot go on: {error.strerror}"])
+        tell("grading cannot go on: {reason}", reason=error.strerror)
         raise typer.Exit(CANNOT_RUN) from None
     raise typer.Exit(summarise(grades, out))

@@ -53,10 +53,8 @@ def grade(
     """
     for submission in submissions[:1]:
         if (place := lies_in_readable(submission.path)) is not None:
-            raise GradingError(
-                f"{clean(str(submission.path))}: every submission may read {place}, where Python and the course are; "
-                "put the class's folder somewhere else"
-            )
+            raise GradingError("{path}: every submission may read {place}, where Python and the course are; put the class's folder somewhere else",
+                path=clean(str(submission.path)), place=place)  # fmt: skip
     count = min(jobs or cores(), max(len(submissions), 1))
     read = {each: _read(each) for each in submissions}
     used = {lesson for notebook in read.values() if isinstance(notebook, Notebook) for lesson in notebook.lessons}

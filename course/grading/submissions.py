@@ -35,21 +35,17 @@ def find_submissions(folder: Path) -> list[Submission]:
         GradingError: there is no such folder, no notebook in it, or one student's name is that of two.
     """
     if not folder.exists():
-        raise GradingError(
-            f"{clean(str(folder))}: there is no such folder; armproof grade takes the folder of a class's notebooks"
-        )
+        raise GradingError("{path}: there is no such folder; armproof grade takes the folder of a class's notebooks",
+            path=clean(str(folder)))  # fmt: skip
     if not folder.is_dir():
-        raise GradingError(
-            f"{clean(str(folder))}: not a folder; armproof grade takes the folder of a class's notebooks"
-        )
+        raise GradingError("{path}: not a folder; armproof grade takes the folder of a class's notebooks", path=clean(str(folder)))  # fmt: skip
     try:
         paths = sorted(_notebooks(folder))
     except OSError as error:
-        raise GradingError(f"{clean(str(error.filename))}: cannot be read: {error.strerror}") from None
+        raise GradingError("{path}: cannot be read: {reason}", path=clean(str(error.filename)), reason=error.strerror) from None  # fmt: skip
     if not paths:
-        raise GradingError(
-            f"{clean(str(folder))}: no notebooks in it; put each student's .ipynb files there, or into a folder of their name"
-        )
+        raise GradingError("{path}: no notebooks in it; put each student's .ipynb files there, or into a folder of their name",
+            path=clean(str(folder)))  # fmt: skip
     found = [_submission(folder, path) for path in paths]
     _check_names(folder, found)
     return sorted(found, key=lambda each: (each.student.casefold(), each.file))
@@ -82,6 +78,5 @@ def _check_names(folder: Path, found: list[Submission]) -> None:
         name, place = places.setdefault(each.student.casefold(), (each.student, first))
         if place != first:
             shown = " and ".join(f"'{clean(path.name)}'" for path in (place, first))
-            raise GradingError(
-                f"the student '{name}' is there twice: {shown}; put all of a student's notebooks into one folder, or rename one"
-            )
+            raise GradingError("the student '{name}' is there twice: {shown}; put all of a student's notebooks into one folder, or rename one",
+                name=name, shown=shown)  # fmt: skip

@@ -8,6 +8,7 @@ from pathlib import Path
 from armproof.course.grading.grading import Grades
 from armproof.course.grading.results import Status
 from armproof.course.grading.running.protections import describe
+from armproof.models.errors import written
 from armproof.verification.cli.application import FAILS, PASSES, complain
 from armproof.verification.report.html.site import INDEX
 from armproof.verification.report.text import Line, write_lines
@@ -27,7 +28,7 @@ def summarise(grades: Grades, out: Path) -> int:
     lines += [((f"{number} submission{'s' * (number != 1)}: {total}", "bold"),), ((f"results: {out / INDEX}", ""),)]
     write_lines(lines)
     complain(
-        f"warning: not in force on this system: a submission {each.text}"
+        written("warning: not in force on this system: a submission {text}", text=each.text)
         for each in describe(grades.held)
         if not each.held
     )

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, complain, give_up
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, complain, give_up, tell
 from armproof.verification.cli.documents import check_paths
 from armproof.verification.verdict import DocumentResult, Failure
 
@@ -69,11 +69,10 @@ def _say_what_was_printed(
             typer.echo(path_of(Path(result.path)))
         else:
             wrong = sum(not record.passes for record in result.records)
-            equations = "1 equation is" if wrong == 1 else f"{wrong} equations are"
-            complain(
-                [
-                    f"{result.path}: not printed: {equations} not proved; armproof verify says which, --draft prints it as a draft"
-                ]
-            )
+            tell(
+                "{path}: not printed: 1 equation is not proved; armproof verify says which, --draft prints it as a draft" if wrong == 1
+                else "{path}: not printed: {wrong} equations are not proved; armproof verify says which, --draft prints it as a draft",
+                path=result.path, wrong=wrong,
+            )  # fmt: skip
             code = max(code, FAILS)
     return code

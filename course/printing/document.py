@@ -47,7 +47,7 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
             has no verdict; its language or its figures are unknown.
     """
     if not (result.passed or edition.draft):
-        raise PrintError(f"{document.path}: it does not pass, so it is not printed; --draft prints it as a draft")
+        raise PrintError("{path}: it does not pass, so it is not printed; --draft prints it as a draft", path=document.path)  # fmt: skip
     lang = check_language(edition.lang or str(document.front.get("lang") or document.front.get("language") or "en"))
     spec = document.front.get("arm")
     arm = load_arm(spec, document.path.parent) if spec is not None else None
@@ -72,7 +72,8 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
 def _bodies(path: Path) -> Sequence[tuple[str, int, int | None]]:
     """Return the Markdown of a document: each text with its first line, and the notebook's cell."""
     if path.suffix not in PRINTED:
-        raise PrintError(f"{path}: '{path.suffix}' files are not printed; those that are: {', '.join(PRINTED)}")
+        raise PrintError("{path}: '{suffix}' files are not printed; those that are: {printed}",
+            path=path, suffix=path.suffix, printed=list(PRINTED))  # fmt: skip
     text = read_text(path)
     if path.suffix != ".ipynb":
         _, _, body, first = split_front_matter(path, text)

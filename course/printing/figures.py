@@ -31,13 +31,12 @@ def figure_names(document: Document, arm: Arm | None, solutions: bool = False) -
     answers = [entry["solutions"] if _is_answer(entry) else None for entry in entries]
     names = [entry if answer is None else answer for entry, answer in zip(entries, answers, strict=True)]
     if not all(isinstance(name, str) for name in names):
-        raise PrintError(
-            f"{document.at('figures')}: 'figures' is a list of names such as [sketch, {{solutions: singular}}], not {named!r}"
-        )
+        raise PrintError("{place}: 'figures' is a list of names such as [sketch, {{solutions: singular}}], not {named}",
+            place=document.at("figures"), named=repr(named))  # fmt: skip
     for name in names:
         find_kind(name)
     if names and arm is None:
-        raise PrintError(f"{document.at('figures')}: figures are drawn of an arm, and this document names none")
+        raise PrintError("{place}: figures are drawn of an arm, and this document names none", place=document.at("figures"))  # fmt: skip
     shown = (name for name, answer in zip(names, answers, strict=True) if answer is None or solutions)
     return tuple(dict.fromkeys(shown))
 

@@ -42,7 +42,7 @@ def write_pdf(sheet: s.Sheet) -> bytes:
         try:
             pdf = typst.compile(str(main), root=str(folder), ignore_system_fonts=True, format="pdf", timestamp=0)
         except typst.TypstError as error:
-            raise PrintError(f"it cannot be typeset: {str(error).strip().splitlines()[0]}") from None
+            raise PrintError("it cannot be typeset: {reason}", reason=str(error).strip().splitlines()[0]) from None
     return bytes(pdf)
 
 

@@ -14,6 +14,7 @@ from armproof.course.sheet.html import HtmlWriter
 from armproof.course.sheet.model import Sheet, plain
 from armproof.course.sheet.proof import proof_line
 from armproof.course.sheet.words import check_language, say
+from armproof.models.errors import written
 from armproof.verification.cli.application import complain
 from armproof.verification.document import Document
 from armproof.verification.report.html.templating import Shell
@@ -60,12 +61,12 @@ class Printer:
         with tempfile.TemporaryDirectory(prefix="armproof-figures-") as figures:
             sheet = make_sheet(document, result, self.edition, Path(figures))
             data = render(sheet, self.format)
-        complain(f"warning: {warning}" for warning in sheet.warnings)
+        complain(written("warning: {text}", text=warning) for warning in sheet.warnings)
         target = self.path_of(document.path)
         try:
             write_atomically(target, data)
         except OSError as error:
-            raise PrintError(f"{target}: cannot be written: {error.strerror}") from None
+            raise PrintError("{target}: cannot be written: {reason}", target=target, reason=error.strerror) from None
 
     def path_of(self, document: Path) -> Path:
         """Return the file that a document is printed into."""
@@ -79,7 +80,7 @@ def render(sheet: Sheet, form: str) -> bytes:
         PrintError: another format, or Typst is missing for pdf.
     """
     if form not in FORMATS:
-        raise PrintError(f"no format '{form}'; a sheet is printed as {' or '.join(FORMATS)}")
+        raise PrintError("no format '{form}'; a sheet is printed as {formats}", form=form, formats=" or ".join(FORMATS))
     return write_pdf(sheet) if form == "pdf" else write_html(sheet).encode("utf-8")
 
 
@@ -97,12 +98,13 @@ def prepare(printer: Printer, documents: Sequence[Path]) -> Printer:
     for document in documents:
         target = printer.path_of(document)
         if target in seen:
-            raise PrintError(f"{document} and {seen[target]} would both be {target}; print them into different folders")
+            raise PrintError("{document} and {other} would both be {target}; print them into different folders",
+                document=document, other=seen[target], target=target)  # fmt: skip
         if target.exists() and target.samefile(document):
-            raise PrintError(f"{target}: this is the document itself")
+            raise PrintError("{target}: this is the document itself", target=target)
         seen[target] = document
     try:
         printer.folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise PrintError(f"{printer.folder}: cannot be written: {error.strerror}") from None
+        raise PrintError("{folder}: cannot be written: {reason}", folder=printer.folder, reason=error.strerror) from None  # fmt: skip
     return printer

@@ -75,7 +75,7 @@ class BlockReader:
         """Raise PrintError where a verdict has no display on the sheet."""
         left = next(self.records, None)
         if left is not None:
-            raise PrintError(f"{self.path}:{left.line}: this display was checked, and would not be on the sheet")
+            raise PrintError("{path}:{line}: this display was checked, and would not be on the sheet", path=self.path, line=left.line)  # fmt: skip
 
     # -- blocks -----------------------------------------------------------------------------------------------------
 
@@ -147,7 +147,7 @@ class BlockReader:
         if name == "math":
             record = next(self.records, None)
             if record is None or record.latex.strip() not in node.content:
-                raise PrintError(f"{self._place(node)}: this display was not checked")
+                raise PrintError("{place}: this display was not checked", place=self._place(node))
             yield self._written(record)
         elif node.type == "colon_fence" or name in ADMONITIONS:
             blocks = self._inside(node)
@@ -194,7 +194,7 @@ class BlockReader:
         record = next(self.records, None)
         if record is None or (latex is not None and _squeezed(latex) != _squeezed(record.latex)):
             shown = " ".join((latex or "").split())[:60]
-            raise PrintError(f"{self.path}: the display '{shown}' has no verdict, so it is not printed")
+            raise PrintError("{path}: the display '{shown}' has no verdict, so it is not printed", path=self.path, shown=shown)  # fmt: skip
         return self._written(record)
 
     def _written(self, record: Record) -> Block:

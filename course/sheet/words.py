@@ -34,7 +34,7 @@ def check_language(lang: str) -> str:
     """
     short = lang.strip().lower().replace("_", "-").partition("-")[0]
     if short not in LANGUAGES:
-        raise PrintError(f"no language '{lang}'; a sheet is printed in {', '.join(LANGUAGES)}")
+        raise PrintError("no language '{lang}'; a sheet is printed in {languages}", lang=lang, languages=list(LANGUAGES))  # fmt: skip
     return short
 
 

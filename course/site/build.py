@@ -82,7 +82,7 @@ def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
         except ArmproofError:
             raise
         except BrokenProcessPool:
-            raise SiteError(f"the site cannot be built: {_PATIENCE}") from None
+            raise SiteError("the site cannot be built: {patience}", patience=_PATIENCE) from None
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
 

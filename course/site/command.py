@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import FAILS, INTERRUPTED, complain, give_up
+from armproof.models.errors import ArmproofError, written
+from armproof.verification.cli.application import FAILS, INTERRUPTED, complain, give_up, tell
 from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
 
             def done(built: Built) -> None:
                 progress.clear()
-                complain(f"warning: {warning}" for warning in built.warnings)
+                complain(written("warning: {text}", text=warning) for warning in built.warnings)
                 progress.advance()
 
             index = build_site(Order(tuple(sources), place, solutions), target, done=done)
@@ -72,6 +72,7 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
         raise typer.Exit(FAILS) from None
     except ArmproofError as error:
         give_up(error)
-    count = f"{len(sources)} lesson{'' if len(sources) == 1 else 's'}"
-    complain([f"{count} in {time.perf_counter() - started:.0f} s"])
+    seconds, count = time.perf_counter() - started, len(sources)
+    template = "1 lesson in {seconds:.0f} s" if count == 1 else "{count} lessons in {seconds:.0f} s"
+    tell(template, count=count, seconds=seconds)
     sys.stdout.write(f"{index}\n")

@@ -118,7 +118,5 @@ def _require_passed(result: DocumentResult) -> None:
     wrong = [record for record in result.records if not record.passes]
     if wrong:
         more = f", and {len(wrong) - 1} more" if len(wrong) > 1 else ""
-        raise SiteError(
-            f"{result.path}:{wrong[0].line}: an equation does not pass{more}, so the page is not built; "
-            f"armproof verify {result.path} says what is wrong"
-        )
+        raise SiteError("{path}:{line}: an equation does not pass{more}, so the page is not built; armproof verify {path} says what is wrong",
+            path=result.path, line=wrong[0].line, more=more)  # fmt: skip

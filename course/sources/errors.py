@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, written
 
 
 class AuthoringError(ArmproofError):
@@ -14,6 +14,6 @@ class AuthoringError(ArmproofError):
 class SourceError(AuthoringError):
     """A lesson's source is malformed: says where, what stands there, and what was expected."""
 
-    def __init__(self, path: Path, line: int, message: str) -> None:
-        super().__init__(f"{path}:{line}: {message}")
+    def __init__(self, path: Path, line: int, message: str, /, **terms: object) -> None:
+        super().__init__("{path}:{line}: {reason}", path=path, line=line, reason=written(message, **terms))
         self.line = line

@@ -53,7 +53,7 @@ def require_jupyter() -> None:
     """Raise AuthoringError where what runs notebooks is not installed."""
     missing = [name for name in NEEDED if find_spec(name) is None]
     if missing:
-        raise AuthoringError(f"{', '.join(missing)}: not installed; lessons run with: pip install 'armproof[lab]'")
+        raise AuthoringError("{missing}: not installed; lessons run with: pip install 'armproof[lab]'", missing=list(missing))  # fmt: skip
 
 
 def run_cells(name: str, cells: list[Cell], place: Place = COURSE, settings: Mapping[str, str] | None = None) -> Run:

@@ -26,7 +26,7 @@ def read_cells(path: Path) -> tuple[Cell, ...]:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
-        raise AuthoringError(f"{path}: cannot be read: {reason}") from None
+        raise AuthoringError("{path}: cannot be read: {reason}", path=path, reason=reason) from None
     return parse_cells(path, text)
 
 
@@ -38,7 +38,7 @@ def parse_cells(path: Path, text: str) -> tuple[Cell, ...]:
     lines = text.replace("\r\n", "\n").split("\n")
     for number, line in enumerate(lines[: cells[0].marker - 1], 1):
         if line.strip() and not line.startswith("#"):
-            raise SourceError(path, number, f"'{line.strip():.40}' stands before the first cell, '# %%'")
+            raise SourceError(path, number, "'{text:.40}' stands before the first cell, '# %%'", text=line.strip())
     for cell in cells:
         _check_cell(path, cell, lines)
     return cells
@@ -46,7 +46,7 @@ def parse_cells(path: Path, text: str) -> tuple[Cell, ...]:
 
 def _check_cell(path: Path, cell: Cell, lines: list[str]) -> None:
     if cell.title:
-        raise SourceError(path, cell.marker, f"'{cell.title}' in the head of a cell; expected [markdown], [raw] or options such as tags=[\"wide\"]")  # fmt: skip
+        raise SourceError(path, cell.marker, "'{title}' in the head of a cell; expected [markdown], [raw] or options such as tags=[\"wide\"]", title=cell.title)  # fmt: skip
     if cell.kind == "code":
         return
     for number in range(cell.line, cell.line + cell.text.count("\n") + 1):
@@ -123,16 +123,14 @@ def _refuse_solutions_in_text(path: Path, cells: tuple[Cell, ...]) -> None:
     for cell in cells:
         for number, text in enumerate(cell.text.split("\n")):
             if cell.kind != "code" and text.strip() in (BEGIN, END):
-                raise SourceError(
-                    path, cell.line + number, f"'{text.strip()}' in a text cell; solutions stand in code cells"
-                )
+                raise SourceError(path, cell.line + number, "'{text}' in a text cell; solutions stand in code cells", text=text.strip())  # fmt: skip
 
 
 def _parsed(path: Path, cell: Cell) -> ast.Module:
     try:
         return ast.parse(cell.text)
     except SyntaxError as error:
-        raise SourceError(path, cell.line + (error.lineno or 1) - 1, f"not Python: {error.msg}") from None
+        raise SourceError(path, cell.line + (error.lineno or 1) - 1, "not Python: {msg}", msg=error.msg) from None
 
 
 def _require_opening(path: Path, name: str, cells: tuple[Cell, ...], trees: dict[int, ast.Module]) -> None:
@@ -143,9 +141,10 @@ def _require_opening(path: Path, name: str, cells: tuple[Cell, ...], trees: dict
                 continue
             if opened != name:
                 line = cells[index].line + node.lineno - 1
-                raise SourceError(path, line, f"opens the lesson '{opened}'; expected {expected}, the name of the file")
+                raise SourceError(path, line, "opens the lesson '{opened}'; expected {expected}, the name of the file",
+                    opened=opened, expected=expected)  # fmt: skip
             return
-    raise SourceError(path, cells[0].line, f"no cell opens the lesson; expected {expected}")
+    raise SourceError(path, cells[0].line, "no cell opens the lesson; expected {expected}", expected=expected)
 
 
 def _opened(node: ast.stmt) -> str | None:

@@ -39,7 +39,7 @@ def nbgrader_notebook(lesson: LessonSource) -> bytes:
     for check in lesson.checks:
         if check.task not in graded:
             expected = f"lesson.{check.task}.check(…) as a statement on lines of its own, outside any other"
-            raise SourceError(lesson.path, check.line, f"nbgrader cannot grade this check; expected {expected}")
+            raise SourceError(lesson.path, check.line, "nbgrader cannot grade this check; expected {expected}", expected=expected)  # fmt: skip
     return as_bytes(as_notebook(lesson.name, _cells(lesson, list(graded.values()))))
 
 

@@ -49,7 +49,7 @@ class Place:
         """Return the sources of the lessons named, all where none is; raises AuthoringError where there is no such lesson."""
         sources = self.sources()
         if not sources:
-            raise AuthoringError(f"{self.lessons}: no lesson here; a lesson is a file such as 08_scara_jacobian.py")
+            raise AuthoringError("{lessons}: no lesson here; a lesson is a file such as 08_scara_jacobian.py", lessons=self.lessons)  # fmt: skip
         return [self._source(name, sources) for name in dict.fromkeys(names)] if names else sources
 
     def _source(self, name: str, sources: Sequence[Path]) -> Path:
@@ -58,7 +58,7 @@ class Place:
             if wanted in _spellings(source):
                 return source
         valid = ", ".join(source.stem for source in sources)
-        raise AuthoringError(f"no lesson '{name}'; the lessons are {valid}")
+        raise AuthoringError("no lesson '{name}'; the lessons are {valid}", name=name, valid=valid)
 
 
 def _spellings(source: Path) -> Iterator[str]:
@@ -73,5 +73,5 @@ COURSE = Place(Path(__file__).resolve().parents[1])
 def place_of(folder: Path | None) -> Place:
     """Return the course's place, or that of a folder."""
     if folder is not None and not folder.is_dir():
-        raise AuthoringError(f"{folder}: no such folder")
+        raise AuthoringError("{folder}: no such folder", folder=folder)
     return COURSE if folder is None else Place(folder)

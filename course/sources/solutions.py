@@ -40,22 +40,24 @@ def find_blocks(path: Path, cell: Cell, tree: ast.Module) -> tuple[Block, ...]:
         at, is_begin = cell.line + number - 1, found["which"].upper() == "BEGIN"
         exact = BEGIN if is_begin else END
         if text.strip() != exact:
-            raise SourceError(path, at, f"'{text.strip()}' is no marker; expected '{exact}' alone on its line")
+            raise SourceError(path, at, "'{text}' is no marker; expected '{exact}' alone on its line", text=text.strip(), exact=exact)  # fmt: skip
         if is_begin and begun is not None:
             before = cell.line + begun[0] - 1
-            raise SourceError(path, at, f"a second '{BEGIN}'; expected '{END}' for the one of line {before}")
+            raise SourceError(path, at, "a second '{begin}'; expected '{end}' for the one of line {before}",
+                begin=BEGIN, end=END, before=before)  # fmt: skip
         if not is_begin and begun is None:
-            raise SourceError(path, at, f"'{END}' without '{BEGIN}' before it in the same cell")
+            raise SourceError(path, at, "'{end}' without '{begin}' before it in the same cell", end=END, begin=BEGIN)
         if is_begin:
             begun = number, found["indent"]
             continue
         assert begun is not None
         if found["indent"] != begun[1]:
-            raise SourceError(path, at, f"'{END}' is not indented as its '{BEGIN}' of line {cell.line + begun[0] - 1}")
+            raise SourceError(path, at, "'{end}' is not indented as its '{begin}' of line {begun}",
+                end=END, begin=BEGIN, begun=cell.line + begun[0] - 1)  # fmt: skip
         blocks.append(_block(path, cell, tree, begun, number))
         begun = None
     if begun is not None:
-        raise SourceError(path, cell.line + begun[0] - 1, f"'{BEGIN}' without '{END}' behind it in the same cell")
+        raise SourceError(path, cell.line + begun[0] - 1, "'{begin}' without '{end}' behind it in the same cell", begin=BEGIN, end=END)  # fmt: skip
     return tuple(blocks)
 
 
@@ -64,7 +66,7 @@ def _block(path: Path, cell: Cell, tree: ast.Module, begun: tuple[int, str], las
     at = cell.line + first - 1
     inside = [node for node in ast.walk(tree) if isinstance(node, ast.stmt) and first < node.lineno < last]
     if not inside:
-        raise SourceError(path, at, f"nothing between '{BEGIN}' and '{END}'; expected the solution")
+        raise SourceError(path, at, "nothing between '{begin}' and '{end}'; expected the solution", begin=BEGIN, end=END)  # fmt: skip
     if any((node.end_lineno or last) > last for node in inside):
         raise SourceError(path, at, "the solution ends in the middle of a statement; move its markers")
     if not indent:

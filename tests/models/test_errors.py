@@ -2,17 +2,27 @@
 
 import ast
 import copy
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence, Set
 from pathlib import Path
 from string import Formatter
 
 import pytest
 
+import armproof.course
 import armproof.models
+import armproof.verification
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, Fault, ModelError
 
 TREES = [ast.parse(file.read_text()) for file in Path(armproof.models.__path__[0]).rglob("*.py")]
+ROOMS = [Path(room.__path__[0]) for room in (armproof.course, armproof.models, armproof.verification)]
+FILES = [file for room in ROOMS for file in room.rglob("*.py") if not {"lessons", "tasks"} & set(file.parts)]
+NODES = [
+    node
+    for file in FILES
+    for node in ast.walk(ast.parse(file.read_text()))
+    if isinstance(node, ast.Call | ast.ClassDef)
+]
 
 
 def fields(kind: Fault) -> set[str]:
@@ -36,13 +46,33 @@ def lacking(tree: ast.AST) -> Iterator[str]:
             yield from (f"{kind}: {name}" for arg in call.args for kind in said(arg) for name in fields(kind) - given)
 
 
-def in_words(tree: ast.AST) -> Iterator[str]:
-    """Yield each error of ours that is made of a text."""
-    for call in ast.walk(tree):
-        if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "ModelError":
-            yield from (
-                ast.unparse(call) for arg in call.args if isinstance(arg, ast.Constant | ast.JoinedStr | ast.BinOp)
-            )
+def errors_of(nodes: Sequence[ast.AST]) -> set[str]:
+    """Return the names of all classes below ArmproofError."""
+    classes = [node for node in nodes if isinstance(node, ast.ClassDef)]
+    found = {"ArmproofError"}
+    while more := {each.name for each in classes if {ast.unparse(base) for base in each.bases} & found} - found:
+        found |= more
+    return found
+
+
+def calls(nodes: Iterable[ast.AST], names: Set[str]) -> Iterator[ast.Call]:
+    for call in nodes:
+        if isinstance(call, ast.Call) and getattr(call.func, "id", "") in names:
+            yield call
+
+
+def in_words(nodes: Iterable[ast.AST], names: Set[str], kinds: tuple[type[ast.expr], ...]) -> Iterator[str]:
+    """Yield each error, or sentence of a command, that is an expression of one of the kinds."""
+    yield from (ast.unparse(call) for call in calls(nodes, names) for arg in call.args if isinstance(arg, kinds))
+
+
+def without_terms(nodes: Iterable[ast.AST], names: Set[str]) -> Iterator[str]:
+    """Yield each field of a template that the call does not give."""
+    for call in calls(nodes, names):
+        given = {keyword.arg for keyword in call.keywords}
+        texts = [arg.value for arg in call.args if isinstance(arg, ast.Constant) and isinstance(arg.value, str)]
+        for text in texts if given - {None} else ():
+            yield from (f"{name}: {text}" for _, name, _, _ in Formatter().parse(text) if name and name not in given)
 
 
 def test_every_kind_is_said_with_its_terms() -> None:
@@ -52,8 +82,24 @@ def test_every_kind_is_said_with_its_terms() -> None:
 
 
 def test_no_error_is_made_of_a_text() -> None:
-    assert [text for tree in TREES for text in in_words(tree)] == []
-    assert list(in_words(ast.parse('raise ModelError(f"no frame {name}")'))) == ["ModelError(f'no frame {name}')"]
+    texts = (ast.JoinedStr, ast.BinOp, ast.Constant)
+    assert [text for tree in TREES for text in in_words(ast.walk(tree), {"ModelError"}, texts)] == []
+
+
+def test_no_sentence_is_put_together_where_it_is_said() -> None:
+    """An f-string cannot be translated; elsewhere than in the models a template stands where it is said."""
+    names = errors_of(NODES) | {"tell", "written"}
+    assert {"ModelError", "SourceError", "OutsideAlgebra"} <= names
+    assert list(in_words(NODES, names, (ast.JoinedStr,))) == []
+    wrong = ast.parse('raise SourceError(path, 1, f"no frame {name}")')
+    assert list(in_words(ast.walk(wrong), names, (ast.JoinedStr,))) == ["SourceError(path, 1, f'no frame {name}')"]
+
+
+def test_every_template_is_given_its_terms() -> None:
+    names = errors_of(NODES) | {"tell", "written"}
+    assert list(without_terms(NODES, names)) == []
+    wrong = ast.parse('tell("{path}: gone {at}", path=path)')
+    assert list(without_terms(ast.walk(wrong), names)) == ["at: {path}: gone {at}"]
 
 
 def test_an_error_carries_its_kind_and_terms() -> None:

@@ -16,7 +16,7 @@ import typer
 from typer.core import TyperGroup
 from typer.main import get_command
 
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, written
 from armproof.verification.report.text import write_lines
 
 if TYPE_CHECKING:
@@ -76,6 +76,11 @@ def complain(messages: Iterable[str]) -> None:
     write_lines((((f"armproof: {message}", ""),) for message in messages), sys.stderr)
 
 
+def tell(template: str, /, **terms: object) -> None:
+    """Write one message on standard error: a sentence of the look-up, with its terms."""
+    complain([written(template, **terms)])
+
+
 def main() -> None:
     """Run the command line."""
     for name in ("stdout", "stderr"):
@@ -85,7 +90,7 @@ def main() -> None:
         app(prog_name="armproof")
     except OSError as error:  # standard output takes no more: Python would try once again as it ends
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        complain([f"cannot write the report: {error.strerror}"])
+        tell("cannot write the report: {reason}", reason=error.strerror)
         sys.exit(CANNOT_RUN)
 
 
@@ -106,7 +111,7 @@ def load(name: str) -> Arm:
         arm = load_arm(name)
     except ArmproofError as error:
         give_up(error)
-    complain(f"warning: {warning}" for warning in arm.warnings)
+    complain(written("warning: {text}", text=warning) for warning in arm.warnings)
     return arm
 
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up
+from armproof.models.errors import ArmproofError, written
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up, tell
 
 if TYPE_CHECKING:
     from armproof.verification.running.corrected_copy import CorrectedCopy
@@ -31,7 +31,7 @@ def correct(path: Source, diff: Diff = False, output: Output = None, in_place: I
     from armproof.verification.running.corrected_copy import correct_file, save
 
     if (problem := _conflict(path, diff, output, in_place)) is not None:
-        complain([problem])
+        tell(problem)
         raise typer.Exit(CANNOT_RUN)
     try:
         copy = correct_file(path)
@@ -43,7 +43,7 @@ def correct(path: Source, diff: Diff = False, output: Output = None, in_place: I
     except ArmproofError as error:
         give_up(error)
     except OSError as error:
-        complain([f"{output or path}: cannot be written: {error.strerror}"])
+        tell("{path}: cannot be written: {reason}", path=output or path, reason=error.strerror)
         raise typer.Exit(CANNOT_RUN) from None
     if target is None:
         _write(_difference(copy) if diff else copy.after)
@@ -56,7 +56,7 @@ def _conflict(path: Path, diff: bool, output: Path | None, in_place: bool) -> st
     if sum((diff, output is not None, in_place)) > 1:
         return "--diff, --output and --in-place exclude each other; give one of them, or none for standard output"
     if output is not None and output.exists() and path.exists() and output.samefile(path):
-        return f"{output}: this is the document itself, which only --in-place overwrites"
+        return written("{output}: this is the document itself, which only --in-place overwrites", output=output)
     return None
 
 
@@ -86,7 +86,7 @@ def _what_remains(copy: CorrectedCopy) -> list[str]:
     messages = []
     for record in copy.remaining:
         place = f"{copy.path}: {describe_place(record)}:" if notebook else f"{copy.path}:{record.line}:"
-        what = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
+        template = "not corrected: erratum not refuted but {verdict}" if record.erratum else "not corrected: {verdict}"
         reason = f", {record.message}" if record.message else ""
-        messages.append(f"{place} not corrected: {what}{reason}")
+        messages.append(f"{place} {written(template, verdict=record.verdict.value)}{reason}")
     return messages

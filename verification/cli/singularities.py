@@ -67,5 +67,5 @@ def read_numbers(option: str, text: str | None) -> list[int] | None:
         return None
     parts = [part.strip() for part in text.split(",")]
     if not all(part.isascii() and part.isdigit() for part in parts):
-        raise ArmproofError(f"{option} is a list of numbers such as 1,2,6, not '{text}'")
+        raise ArmproofError("{option} is a list of numbers such as 1,2,6, not '{text}'", option=option, text=text)
     return [int(part) for part in parts]

@@ -11,7 +11,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up, tell
 from armproof.verification.cli.documents import check_and_report, check_each_path, find_course, named_documents
 from armproof.verification.report.text import text_report, write_lines
 from armproof.verification.report.totals import Totals
@@ -87,7 +87,7 @@ def _counted(results: Iterable[DocumentResult | Failure], totals: Totals) -> Ite
 def _watch(paths: Sequence[Path], report_format: Format, report: Path | None, strict: bool) -> NoReturn:
     """Watch the documents until the user ends it; the exit code is that of their last verdicts."""
     if report_format is not Format.text or report is not None:
-        complain(["--watch writes text for people: give it neither --format nor --report"])
+        tell("--watch writes text for people: give it neither --format nor --report")
         raise typer.Exit(CANNOT_RUN)
     from armproof.verification.cli.watching import watch_documents
 

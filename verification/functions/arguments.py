@@ -110,10 +110,8 @@ def _joint_parameters(
     names = ", ".join(p.name for p in required) or "no argument"
     known = ", ".join(constants_of(arm))
     lengths = f" (and, by their names, lengths: {known})" if known else ""
-    raise ArgumentError(
-        f"{getattr(function, '__name__', 'the function')} takes {names}; it is to take one vector q, "
-        f"or the {n} joint values {', '.join(joint.symbol for joint in arm.joints)}{lengths}"
-    )
+    raise ArgumentError("{function} takes {names}; it is to take one vector q, or the {n} joint values {joints}{lengths}",
+        function=getattr(function, "__name__", "the function"), names=names, n=n, joints=[joint.symbol for joint in arm.joints], lengths=lengths)  # fmt: skip
 
 
 def _find(name: str, symbols: Iterable[str]) -> str | None:

@@ -64,9 +64,8 @@ def _read_one(arm: Arm, asked: Any) -> Asked:
         if quantity.kind == "link":
             raise QuestionError("a general link matrix is no quantity of an arm; ask for a pose, {pose: 1}")
         return Asked(label, quantity)
-    raise QuestionError(
-        f"a quantity is a name such as 'T^0_4' or 'J', or a mapping such as {{'pose': 4}}, not {asked!r:.60}"
-    )
+    raise QuestionError("a quantity is a name such as 'T^0_4' or 'J', or a mapping such as {{'pose': 4}}, not {asked}",
+        asked=f"{asked!r:.60}")  # fmt: skip
 
 
 def _plain(value: Any) -> Any:
@@ -77,15 +76,13 @@ def _read_name(arm: Arm, text: str) -> Quantity:
     try:
         node = Reader().read_expression(text)
     except ReadError as error:
-        raise QuestionError(f"the quantity '{text}' cannot be read: {error}") from None
+        raise QuestionError("the quantity '{text}' cannot be read: {reason}", text=text, reason=str(error)) from None
     while isinstance(node, n.Call) and node.function == "name":  # J(q)
         node = node.arguments[0]
     quantity = implied_quantity(node, arm, "upper") if isinstance(node, n.Name) else None
     if quantity is None:
-        raise QuestionError(
-            f"no quantity '{text}' on arm '{arm.name}'; a quantity is a transform T^i_j, a rotation R^i_j, an origin p_i, "
-            f"an axis z_i or a Jacobian J, J_v, J_omega, with the frames {', '.join(arm.frames)}"
-        )
+        raise QuestionError("no quantity '{text}' on arm '{arm}'; a quantity is a transform T^i_j, a rotation R^i_j, an origin p_i, an axis z_i or a Jacobian J, J_v, J_omega, with the frames {frames}",
+            text=text, arm=arm.name, frames=list(arm.frames))  # fmt: skip
     return quantity
 
 

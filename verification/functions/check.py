@@ -57,9 +57,10 @@ def check_function(
     loaded = arm if isinstance(arm, Arm) else load_arm(arm)
     asked = read_asked(loaded, quantity)
     if not callable(function):
-        raise QuestionError(f"a function of q is expected, not {function!r:.60}")
+        raise QuestionError("a function of q is expected, not {function}", function=f"{function!r:.60}")
     if not seconds > 0 or samples < 1:
-        raise QuestionError(f"a check takes a positive time and at least one sample, not {seconds} s and {samples}")
+        raise QuestionError("a check takes a positive time and at least one sample, not {seconds} s and {samples}",
+            seconds=seconds, samples=samples)  # fmt: skip
     blank = FunctionCheck(loaded.name, tuple(item.label for item in asked), FunctionVerdict.ERROR)
     try:
         layout = read_layout(loaded, function)

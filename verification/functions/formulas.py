@@ -92,7 +92,7 @@ class Formulas:
             return self.exact.absolute(values[0])
         if operation in ("acos", "asin", "atan", "atan2"):
             return self.exact.arc(operation, values)
-        raise OutsideAlgebra(f"the function {operation}")
+        raise OutsideAlgebra("the function {operation}", operation=operation)
 
     def _cos_sin(self, angle: TracedNumber) -> tuple[Scalar, Scalar]:
         value = self._evaluate(angle, self._angles, lift=False)

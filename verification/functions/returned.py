@@ -51,7 +51,7 @@ def read_returned(value: Any, count: int) -> list[np.ndarray]:
         items = []
     if len(items) != count:
         found = f"{len(items)} values" if items else f"a {type(value).__name__}"
-        raise NotNumbers(f"the function returns {found}; it is to return {count}, one a quantity")
+        raise NotNumbers("the function returns {found}; it is to return {count}, one a quantity", found=found, count=count)  # fmt: skip
     return [_read_array(item) for item in items]
 
 
@@ -68,7 +68,7 @@ def _read_array(value: Any) -> np.ndarray:
     if type(value).__name__ == "RotationMatrix" and hasattr(value, "matrix"):
         value = value.matrix()
     if isinstance(value, str | bytes | dict | set) or callable(value):
-        raise NotNumbers(f"the function returns a {type(value).__name__}, not a number, a vector or a matrix")
+        raise NotNumbers("the function returns a {type}, not a number, a vector or a matrix", type=type(value).__name__)
     if not isinstance(value, np.ndarray) and hasattr(value, "tolist") and hasattr(value, "shape"):
         value = value.tolist()  # a matrix of SymPy's
     return _as_floats(_stacked(value))
@@ -81,18 +81,18 @@ def _stacked(value: Any) -> np.ndarray:
     except ValueError:
         raise NotNumbers("the function returns rows of different lengths") from None
     except OverflowError as problem:
-        raise NotNumbers(f"the function returns what is no number: {problem}") from None
+        raise NotNumbers("the function returns what is no number: {reason}", reason=problem) from None
     return array
 
 
 def _as_floats(array: np.ndarray) -> np.ndarray:
     if array.dtype.kind not in "fiubcO":
-        raise NotNumbers(f"the function returns {array.dtype} values, not numbers")
+        raise NotNumbers("the function returns {dtype} values, not numbers", dtype=array.dtype)
     try:
         if array.dtype == object:
             array = np.array([_as_complex(item) for item in array.ravel()]).reshape(array.shape)
     except (TypeError, ValueError, OverflowError) as problem:
-        raise NotNumbers(f"the function returns what is no number: {problem}") from None
+        raise NotNumbers("the function returns what is no number: {reason}", reason=problem) from None
     if array.dtype.kind == "c":
         with np.errstate(all="ignore"), warnings.catch_warnings():
             largest = np.max(np.abs(array.imag), initial=0.0)

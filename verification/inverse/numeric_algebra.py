@@ -64,7 +64,7 @@ class NumericScalar:
 
     def __pow__(self, exponent: int) -> NumericScalar:
         if abs(exponent) > HIGHEST_POWER:
-            raise OutsideAlgebra(f"a power of {exponent}")
+            raise OutsideAlgebra("a power of {exponent}", exponent=exponent)
         if exponent < 0:
             return self._with(self.graph.divide(ONE, (self**-exponent).term))
         result = ONE
@@ -112,7 +112,7 @@ class NumericAlgebra(GivenTarget):
                 raise UnsolvedJoint(name)
             return self.solved[name]
         if name not in self.values:
-            raise OutsideAlgebra(f"'{name}', which has no value,")
+            raise OutsideAlgebra("'{name}', which has no value,", name=name)
         return self._number(self.values[name])
 
     def cos_sin(self, angle: NumericScalar) -> tuple[NumericScalar, NumericScalar]:

@@ -30,13 +30,14 @@ def read_targets(target: Target, targets: Any) -> tuple[np.ndarray, np.ndarray]:
     try:
         values = np.asarray(targets)
     except (ValueError, TypeError):
-        raise InverseError(f"targets are rows of equal length, {_shapes(target)}") from None
+        raise InverseError("targets are rows of equal length, {expected}", expected=_shapes(target)) from None
     if values.dtype.kind not in "iuf":
-        raise InverseError(f"targets are real numbers (m, rad), not {values.dtype}")
+        raise InverseError("targets are real numbers (m, rad), not {dtype}", dtype=values.dtype)
     m = len(target.slots)
     if values.shape[1:] not in {(m,), target.shape}:
         hint = "; write one target as [x]" if values.shape in {(m,), target.shape} else ""
-        raise InverseError(f"targets have the shape {_shapes(target)}, not {values.shape}{hint}")
+        raise InverseError("targets have the shape {expected}, not {shape}{hint}",
+            expected=_shapes(target), shape=str(values.shape), hint=hint)  # fmt: skip
     rows = values.reshape(len(values), m).astype(float)
     invalid = np.zeros(len(rows), dtype=bool)
     if not np.isfinite(rows).all():
@@ -59,9 +60,11 @@ def read_lengths(arm: Arm, lengths: Mapping[str, float] | None) -> dict[str, flo
     known = {**arm.lengths, **arm.angles}
     for name, value in (lengths or {}).items():
         if name not in arm.lengths:
-            raise InverseError(f"no length '{name}' on arm '{arm.name}'; it has {', '.join(arm.lengths) or 'none'}")
+            raise InverseError("no length '{name}' on arm '{arm}'; it has {lengths}",
+                name=name, arm=arm.name, lengths=", ".join(arm.lengths) or "none")  # fmt: skip
         if isinstance(value, bool) or not isinstance(value, Real) or not isfinite(value) or value <= 0:
-            raise InverseError(f"the length '{name}' of arm '{arm.name}' is a positive number (m), not {value!r}")
+            raise InverseError("the length '{name}' of arm '{arm}' is a positive number (m), not {value}",
+                name=name, arm=arm.name, value=repr(value))  # fmt: skip
         known[name] = float(value)
     return known
 

@@ -169,6 +169,5 @@ def _value(slot: Slot, resolution: Resolution, algebra: SolvingAlgebra) -> Any:
     try:
         return resolution.value(slot.key)
     except EvaluationError as error:
-        raise EvaluationError(
-            f"'{slot.label}' of the target is neither in `quantities` nor defined by a display: {error}"
-        ) from None
+        raise EvaluationError("'{label}' of the target is neither in `quantities` nor defined by a display: {reason}",
+            label=slot.label, reason=str(error)) from None  # fmt: skip

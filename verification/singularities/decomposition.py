@@ -61,7 +61,7 @@ class Decomposer:
             if budget.is_spent:
                 raise BeyondReach("more time than the analysis may take")
             if len(found) + len(pending) > MOST_VARIETIES:
-                raise BeyondReach(f"more than {MOST_VARIETIES} families")
+                raise BeyondReach("more than {most_varieties} families", most_varieties=MOST_VARIETIES)
             variety, rest = pending.pop()
             split = self._split(variety, rest)
             if split is None:

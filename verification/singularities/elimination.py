@@ -46,7 +46,7 @@ def pseudo_remainder(half: HalfAngles, polynomial: Polynomial, relation: Relatio
         common = head.gcd(top)
         rest = rest * divmod(top, common)[0] - divisor * divmod(head, common)[0] * variable**shift
         if len(rest) > MOST_TERMS:
-            raise BeyondReach(f"a remainder of {len(rest):,} terms")
+            raise BeyondReach("a remainder of {count:,} terms", count=len(rest))
     return rest
 
 
@@ -76,7 +76,7 @@ def resultant(half: HalfAngles, a: Polynomial, b: Polynomial, slot: int) -> Poly
     work = degrees[1] * log2(max(len(a), 1)) + degrees[0] * log2(max(len(b), 1))
     if len(a) * len(b) > MOST_TERMS or work > MOST_WORK:
         terms = f"{len(a):,} and {len(b):,} terms, degrees {degrees[0]} and {degrees[1]}"
-        raise BeyondReach(f"the resultant of polynomials of {terms}")
+        raise BeyondReach("the resultant of polynomials of {terms}", terms=terms)
     try:
         return a.resultant(b, f"h{slot}")
     except (ValueError, RuntimeError) as problem:

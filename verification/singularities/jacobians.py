@@ -56,7 +56,9 @@ def choose_jacobian(
     frame, expressed_in = arm.frame_names(_last(arm) if frame is None else frame, expressed_in)
     count = len(arm.joints)
     if count > MOST_JOINTS:
-        raise BeyondReach(f"{count} joints; singularities are analysed for up to {MOST_JOINTS}")
+        raise BeyondReach(
+            "{count} joints; singularities are analysed for up to {most_joints}", count=count, most_joints=MOST_JOINTS
+        )
     chosen_columns = _checked("columns", columns, count)
     taken = [c - 1 for c in chosen_columns]
     whole = algebra.jacobian(frame, expressed_in).block(range(6), taken)
@@ -93,7 +95,8 @@ def _checked(what: str, chosen: Sequence[int] | None, count: int) -> tuple[int, 
         return tuple(range(1, count + 1))
     values = tuple(chosen)
     if not values or len(set(values)) < len(values) or any(not 1 <= value <= count for value in values):
-        raise ModelError(f"{what} of the Jacobian are different numbers from 1 to {count}, not {list(values)}")
+        raise ModelError("{what} of the Jacobian are different numbers from 1 to {count}, not {given}",
+            what=what, count=count, given=str(list(values)))  # fmt: skip
     return values
 
 

@@ -20,7 +20,7 @@ def maximal_minors(matrix: Matrix, size: int) -> list[Scalar]:
     """
     rows, columns = matrix.shape
     if comb(rows, size) * comb(columns, size) > MOST_MINORS:
-        raise BeyondReach(f"{comb(rows, size) * comb(columns, size)} minors")
+        raise BeyondReach("{count} minors", count=comb(rows, size) * comb(columns, size))
     found = []
     for chosen in itertools.combinations(range(rows), size):
         found += [minor for minor in matrix.minors(size, chosen).values() if not minor.is_zero()]

@@ -42,7 +42,7 @@ def new_lesson(place: Place, name: str, arm: str | None, document: Path | None =
     loaded = load_arm(spec)
     drafts = (drafts_of_document(read, loaded) if read is not None else []) or drafts_of_arm(loaded, spec)
     if not drafts:
-        raise AuthoringError(f"no task can be made for arm '{loaded.name}': what it would ask is too long to be typed")
+        raise AuthoringError("no task can be made for arm '{loaded}': what it would ask is too long to be typed", loaded=loaded.name)  # fmt: skip
     front = dict(read.front) if read is not None else {}
     heading = Heading(_next_number(place), name, title or str(front.get("title", "")) or _words(name), loaded, spec, str(front.get("source", "")))  # fmt: skip
     return _write(place, heading, drafts, front)
@@ -54,11 +54,11 @@ def check_name(place: Place, name: str) -> None:
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name) or name in RESERVED:
         likely = re.sub(r"[^a-z0-9]+", "_", re.sub(r"^\d+", "", name.lower()).removesuffix(".py")).strip("_0123456789")
         example = likely if likely and not keyword.iskeyword(likely) and likely not in RESERVED else "my_arm_jacobian"
-        raise AuthoringError(f"'{name}' is no name for a lesson: {rule}, such as {example}")
+        raise AuthoringError("'{name}' is no name for a lesson: {rule}, such as {example}", name=name, rule=rule, example=example)  # fmt: skip
     taken = [source for source in place.sources() if source.stem.partition("_")[2] == name]
     taken += [path for path in (place.tasks / f"{name}.py",) if path.exists()]
     if taken:
-        raise AuthoringError(f"{taken[0]}: there is a lesson '{name}' already; remove it or choose another name")
+        raise AuthoringError("{place}: there is a lesson '{name}' already; remove it or choose another name", place=taken[0], name=name)  # fmt: skip
 
 
 def _arm_of(document: Document | None, arm: str | None) -> Any:
@@ -66,11 +66,11 @@ def _arm_of(document: Document | None, arm: str | None) -> Any:
     spec = arm if arm is not None else document.front.get("arm") if document is not None else None
     known = ", ".join(arm_names())
     if spec is None:
-        raise AuthoringError(f"which arm is the lesson about? Say --arm ARM, one of {known}")
+        raise AuthoringError("which arm is the lesson about? Say --arm ARM, one of {known}", known=known)
     if document is not None and arm is not None and document.front.get("arm") not in (None, arm):
-        raise AuthoringError(f"{document.path} is about another arm; leave --arm out")
+        raise AuthoringError("{path} is about another arm; leave --arm out", path=document.path)
     if isinstance(spec, str) and spec not in arm_names():
-        raise AuthoringError(f"no arm '{spec}'; a lesson is about {known}, or the DH table of its document")
+        raise AuthoringError("no arm '{spec}'; a lesson is about {known}, or the DH table of its document", spec=spec, known=known)  # fmt: skip
     return spec
 
 

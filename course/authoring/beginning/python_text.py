@@ -49,7 +49,7 @@ def _written(node: n.Node) -> tuple[str, int]:
         return f"{_at_least(node.base, _ATOM)}**{_at_least(node.exponent, _ATOM)}", _POWER
     if isinstance(node, n.Call) and node.function in _FUNCTIONS and len(node.arguments) == 1:
         return f"m.{node.function}({_written(node.arguments[0])[0]})", _ATOM
-    raise NotPython(f"no Python for a {type(node).__name__}")
+    raise NotPython("no Python for a {type}", type=type(node).__name__)
 
 
 def _at_least(node: n.Node, strength: int) -> str:
@@ -61,7 +61,7 @@ def _sum(node: n.Sum) -> tuple[str, int]:
     text = ""
     for sign, term in node.terms:
         if sign not in "+-":
-            raise NotPython(f"no Python for the sign {sign}")
+            raise NotPython("no Python for the sign {sign}", sign=sign)
         written = _at_least(term, _PRODUCT)
         text = f"{text} {sign} {written}" if text else ("-" if sign == "-" else "") + written
     return text, _SUM
@@ -75,5 +75,5 @@ def _number(node: n.Number) -> tuple[str, int]:
 
 def _identifier(key: str) -> str:
     if not key.isidentifier() or keyword.iskeyword(key) or key in ("q", "m"):
-        raise NotPython(f"'{key}' is no Python name")
+        raise NotPython("'{key}' is no Python name", key=key)
     return key

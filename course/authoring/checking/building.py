@@ -51,9 +51,8 @@ def refuse_worked_in(files: Files) -> None:
     """Raise AuthoringError where a file that would be written anew has been run: somebody's answers may be in it."""
     for path in stale(files):
         if _was_run(path):
-            raise AuthoringError(
-                f"{path}: somebody has worked in this notebook; move it away, or build with --force to lose what is in it"
-            )
+            raise AuthoringError("{path}: somebody has worked in this notebook; move it away, or build with --force to lose what is in it",
+                path=path)  # fmt: skip
 
 
 def _was_run(path: Path) -> bool:
@@ -73,7 +72,7 @@ def write_stale(files: Files, write: Callable[[Path, bytes], None] = write_atomi
             path.parent.mkdir(parents=True, exist_ok=True)
             write(path, files[path])
         except OSError as error:
-            raise AuthoringError(f"{path}: cannot be written: {error.strerror}") from None
+            raise AuthoringError("{path}: cannot be written: {reason}", path=path, reason=error.strerror) from None
     return written
 
 

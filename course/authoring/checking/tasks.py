@@ -25,18 +25,17 @@ def load_tasks(place: Place, source: LessonSource) -> Lesson:
 
     file = tasks_file(place, source.name)
     if not file.is_file():
-        raise SourceError(source.path, 1, f"the lesson has no tasks; expected the file {file}")
+        raise SourceError(source.path, 1, "the lesson has no tasks; expected the file {file}", file=file)
     try:
         lesson = open_lesson(source.name, folder=None if place.is_course else place.root)
     except LessonError as error:
         raise SourceError(file, 1, str(error)) from None
     except Exception as error:
-        raise SourceError(file, _line_of(error, file), f"{type(error).__name__}: {error}") from None
+        raise SourceError(file, _line_of(error, file), "{type}: {reason}", type=type(error).__name__, reason=str(error)) from None  # fmt: skip
     for what, declared, named in (("name", lesson.name, source.name), ("number", lesson.number, source.number)):
         if declared != named:
-            raise SourceError(
-                file, 1, f"declares the {what} {declared}; expected {named}, as the file {source.path.name} says"
-            )
+            raise SourceError(file, 1, "declares the {what} {declared}; expected {named}, as the file {path} says",
+                what=what, declared=declared, named=named, path=source.path.name)  # fmt: skip
     return lesson
 
 

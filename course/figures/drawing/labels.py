@@ -30,7 +30,7 @@ def check_language(lang: str) -> str:
         FigureError: another language than English and French.
     """
     if lang not in LANGUAGES:
-        raise FigureError(f"no language '{lang}'; the labels are written in {', '.join(LANGUAGES)}")
+        raise FigureError("no language '{lang}'; the labels are written in {languages}", lang=lang, languages=list(LANGUAGES))  # fmt: skip
     return lang
 
 

@@ -138,9 +138,9 @@ def new_figure(size: Size = "column", height: float = 60.0, layout: Literal["con
         FigureError: another size, or a height that no page has.
     """
     if size not in WIDTHS:
-        raise FigureError(f"a figure has the size {' or '.join(WIDTHS)}, not {size!r}")
+        raise FigureError("a figure has the size {widths}, not {size}", widths=" or ".join(WIDTHS), size=repr(size))
     if not 10 <= height <= HIGHEST:
-        raise FigureError(f"a figure is from 10 to {HIGHEST:g} mm high, not {height:g}")
+        raise FigureError("a figure is from 10 to {highest:g} mm high, not {height:g}", highest=HIGHEST, height=height)
     figure = Figure(figsize=(WIDTHS[size] * MM, height * MM), layout=layout)
     FigureCanvasAgg(figure)
     return figure

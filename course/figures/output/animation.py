@@ -49,7 +49,7 @@ def frames(arm: Arm, lang: str = "en", motion: Motion | None = None) -> Iterator
     """
     motion = motion or motion_of(arm)
     if motion.duration > _LONGEST:
-        raise FigureError(f"an animation is at most {_LONGEST:g} s long, not {motion.duration:g} s")
+        raise FigureError("an animation is at most {longest:g} s long, not {duration:g} s", longest=_LONGEST, duration=motion.duration)  # fmt: skip
     count = round(motion.duration * RATE) + 1
     samples = sample_motion(motion.trajectory, np.linspace(0.0, motion.duration, max(count, 2)))
     whole = sample_motion(motion.trajectory, np.linspace(0.0, motion.duration, _PATH))
@@ -77,9 +77,8 @@ def write_animation(arm: Arm, path: Path, lang: str = "en", motion: Motion | Non
     path = Path(path)
     writers = {".gif": _gif, ".mp4": _mp4}
     if path.suffix not in writers:
-        raise FigureError(
-            f"{path.name}: an animation is written as gif or mp4, not as {path.suffix.removeprefix('.') or 'no format'}"
-        )
+        raise FigureError("{path}: an animation is written as gif or mp4, not as {found}",
+            path=path.name, found=path.suffix.removeprefix(".") or "no format")  # fmt: skip
     return save_bytes(writers[path.suffix](frames(arm, lang, motion)), path)
 
 
@@ -125,5 +124,5 @@ def _mp4(pictures: Iterator[np.ndarray]) -> bytes:
             command, input=b"".join(image.tobytes() for image in images), capture_output=True, check=False
         )
         if done.returncode:
-            raise FigureError(f"ffmpeg fails: {done.stderr.decode(errors='replace').strip()[:300]}")
+            raise FigureError("ffmpeg fails: {reason}", reason=done.stderr.decode(errors="replace").strip()[:300])
         return target.read_bytes()

@@ -78,9 +78,9 @@ def _formats(text: str) -> tuple[str, ...]:
     for suffix in found:
         if suffix not in (*FORMATS, *FILMS):
             known = f"figures are written as {', '.join(FORMATS)}, the motion of an arm as {', '.join(FILMS)}"
-            raise FigureError(f"no format '{suffix}'; {known}")
+            raise FigureError("no format '{suffix}'; {known}", suffix=suffix, known=known)
     if not found:
-        raise FigureError(f"--format is empty; figures are written as {', '.join(FORMATS)}")
+        raise FigureError("--format is empty; figures are written as {formats}", formats=list(FORMATS))
     return found
 
 
@@ -109,7 +109,7 @@ def _own_arm(arm: str, names: tuple[str, ...]) -> Order:
         return Order(arm, path.name.split(".")[0] or path.name, names)
     spec = read_document(path).front.get("arm")
     if spec is None:
-        raise FigureError(f"{path}: the front matter names no arm to draw")
+        raise FigureError("{path}: the front matter names no arm to draw", path=path)
     return Order(spec, path.stem, names, str(path.parent))
 
 

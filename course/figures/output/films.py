@@ -33,5 +33,6 @@ def write_film(arm: Arm, path: Path | str, lang: str = "en") -> Path:
     check_language(lang)
     suffix = path.suffix.removeprefix(".")
     if suffix not in FILMS:
-        raise FigureError(f"{path.name}: a film is written as {', '.join(FILMS)}, not as {suffix or 'no format'}")
+        raise FigureError("{path}: a film is written as {films}, not as {found}",
+            path=path.name, films=list(FILMS), found=suffix or "no format")  # fmt: skip
     return FILMS[suffix](arm, path, lang)

@@ -42,7 +42,8 @@ def save_figure(figure: Figure, path: Path | str, *, trimmed: bool = False) -> P
     path = Path(path)
     kind = path.suffix.removeprefix(".")
     if kind not in FORMATS:
-        raise FigureError(f"{path.name}: a figure is written as {', '.join(FORMATS)}, not as {kind or 'no format'}")
+        raise FigureError("{path}: a figure is written as {formats}, not as {found}",
+            path=path.name, formats=list(FORMATS), found=kind or "no format")  # fmt: skip
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".figure-", dir=path.parent) as folder:
@@ -50,7 +51,7 @@ def save_figure(figure: Figure, path: Path | str, *, trimmed: bool = False) -> P
             for part in sorted(Path(folder).iterdir(), key=lambda part: part.name == path.name):  # the whole last
                 os.replace(part, path.parent / part.name)
     except OSError as error:
-        raise FigureError(f"{path}: cannot be written: {error.strerror or error}") from None
+        raise FigureError("{path}: cannot be written: {reason}", path=path, reason=error.strerror or error) from None
     return path
 
 
@@ -73,7 +74,7 @@ def save_bytes(data: bytes, path: Path) -> Path:
         path.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(path, data)
     except OSError as error:
-        raise FigureError(f"{path}: cannot be written: {error.strerror or error}") from None
+        raise FigureError("{path}: cannot be written: {reason}", path=path, reason=error.strerror or error) from None
     return path
 
 

@@ -101,7 +101,7 @@ def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
         path.stem for path in (folder / "tasks").glob("*.py") if path.stem.isidentifier() and path.stem != "__init__"
     )
     if not names:
-        raise GradingError(f"{folder}: no lessons of your own: there is no tasks/<name>.py in it")
+        raise GradingError("{folder}: no lessons of your own: there is no tasks/<name>.py in it", folder=folder)
     found = {name: open_lesson(name, folder) for name in names}
     for name, lesson in found.items():
         opened._opened[str(Path(base).resolve() / name)] = lesson

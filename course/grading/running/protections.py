@@ -56,12 +56,12 @@ def try_out(bubblewrap: str, base: str) -> dict[str, bool]:
     tried = json.loads(ended.lines[0]) if ended.lines else {}
     held = {name: bool(tried.get(name)) and name not in reached for name in ATTEMPTS}
     if bubblewrap and not tried:
-        raise SandboxError(
-            f"grading needs bubblewrap, which does not work on this system: {ended.output.strip()}; {WITHOUT}"
-        )
+        raise SandboxError("grading needs bubblewrap, which does not work on this system: {reason}; {without}",
+            reason=ended.output.strip(), without=WITHOUT)  # fmt: skip
     if bubblewrap and not all(held.values()):
         failing = "; ".join(text for name, text in ATTEMPTS.items() if not held[name])
-        raise SandboxError(f"bubblewrap does not protect on this system; not so: a submission {failing}; {WITHOUT}")
+        raise SandboxError("bubblewrap does not protect on this system; not so: a submission {failing}; {without}",
+            failing=failing, without=WITHOUT)  # fmt: skip
     return held
 
 

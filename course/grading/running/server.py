@@ -68,7 +68,7 @@ def _load(used: list[str], own: str, base: str) -> tuple[list[dict[str, Any]], R
     try:
         return load_course(used, own, base)
     except (ArmproofError, OSError) as error:
-        raise GradingError(f"the course cannot be loaded: {error}") from None
+        raise GradingError("the course cannot be loaded: {reason}", reason=str(error)) from None
 
 
 def _tell(slots: list[socket.socket], message: dict[str, Any]) -> None:

@@ -43,10 +43,8 @@ def find_bubblewrap() -> str:
         SandboxError: it is not.
     """
     if (found := shutil.which(PROGRAM)) is None:
-        raise SandboxError(
-            f"grading needs bubblewrap, and there is no program '{PROGRAM}' (of Linux; Debian and Ubuntu: "
-            f"apt install bubblewrap); {WITHOUT}"
-        )
+        raise SandboxError("grading needs bubblewrap, and there is no program '{program}' (of Linux; Debian and Ubuntu: apt install bubblewrap); {without}",
+            program=PROGRAM, without=WITHOUT)  # fmt: skip
     return found
 
 
@@ -86,7 +84,7 @@ class Sandbox:
             join(self._first, PROCESSES | (USERS if user is None else 0))
         except OSError as problem:
             self.end()
-            raise SandboxError(f"its sandbox cannot be joined ({problem})") from None
+            raise SandboxError("its sandbox cannot be joined ({reason})", reason=problem) from None
 
     def enter(self) -> None:
         """Shut this process in, for good and without privileges: one that was forked since the sandbox was made."""

@@ -72,7 +72,7 @@ def _square(matrix: Any) -> np.ndarray:
     if rows.ndim != 2 or rows.shape[0] != rows.shape[1]:
         raise np.linalg.LinAlgError("Last 2 dimensions of the array must be square")
     if len(rows) > MOST_ROWS:
-        raise Untraceable(f"the determinant of a {len(rows)}×{len(rows)} matrix is not traced")
+        raise Untraceable("the determinant of a {rows_given}×{rows_given} matrix is not traced", rows_given=len(rows))
     return rows
 
 

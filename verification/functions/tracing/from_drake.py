@@ -65,5 +65,5 @@ class FromDrake:
             return power(*nodes)
         name = kind.name.lower()
         if name not in FUNCTIONS:
-            raise Untraceable(f"Drake's {operation} cannot be traced")
+            raise Untraceable("Drake's {operation} cannot be traced", operation=operation)
         return function(name, *nodes)

@@ -78,5 +78,5 @@ class FromSympy:
             return power(*nodes)
         name = _NAMES.get(name, name)
         if name not in FUNCTIONS:
-            raise Untraceable(f"SymPy's {name} cannot be traced")
+            raise Untraceable("SymPy's {name} cannot be traced", name=name)
         return function(name, *nodes)

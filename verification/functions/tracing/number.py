@@ -105,7 +105,7 @@ class TracedNumber:
     def number(self, what: str) -> Real:
         """Return the value of a node without symbols; raises Untraceable, naming what was asked, for any other."""
         if self.value is None:
-            raise Untraceable(f"{what} depends on a joint variable or a length")
+            raise Untraceable("{what} depends on a joint variable or a length", what=what)
         return self.value
 
     def __float__(self) -> float:
@@ -211,7 +211,7 @@ def as_traced(value: Any) -> TracedNumber:
 
 
 def _refuse(what: str) -> NoReturn:
-    raise Untraceable(f"{what} cannot be traced")
+    raise Untraceable("{what} cannot be traced", what=what)
 
 
 def _binary(left: Any, right: Any, operation: Callable[[TracedNumber, TracedNumber], TracedNumber]) -> Any:

@@ -72,14 +72,18 @@ def new_report(target: Path, kind: Kind = REPORT) -> Iterator[Path]:
         _clear_leftovers(target)
         part = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=f".{os.getpid()}.part", dir=target.parent))
     except OSError as error:
-        raise ReportFolderError(f"{target}: the {kind.word} cannot be written: {error.strerror}") from None
+        raise ReportFolderError(
+            "{target}: the {kind} cannot be written: {reason}", target=target, kind=kind.word, reason=error.strerror
+        ) from None
     try:
         yield part
         _check(target, kind)  # it may have changed since
         part.chmod(0o777 & ~_umask())
         _put(part, target)
     except OSError as error:
-        raise ReportFolderError(f"{target}: the {kind.word} cannot be written: {error.strerror}") from None
+        raise ReportFolderError(
+            "{target}: the {kind} cannot be written: {reason}", target=target, kind=kind.word, reason=error.strerror
+        ) from None
     finally:
         shutil.rmtree(part, ignore_errors=True)
 
@@ -87,23 +91,20 @@ def new_report(target: Path, kind: Kind = REPORT) -> Iterator[Path]:
 def _check(target: Path, kind: Kind) -> None:
     """Refuse a place whose replacement would cost anything but an earlier one of ours."""
     if target.exists() and not target.is_dir():
-        raise ReportFolderError(
-            f"{target}: not a folder; {kind.option} takes a folder, new, empty or with an earlier {kind.word}"
-        )
+        raise ReportFolderError("{target}: not a folder; {option} takes a folder, new, empty or with an earlier {kind}",
+            target=target, option=kind.option, kind=kind.word)  # fmt: skip
     if target == Path.cwd() or target in Path.cwd().parents:
-        raise ReportFolderError(
-            f"{target}: the working folder; {kind.option} takes a folder of its own, such as {kind.word}"
-        )
+        raise ReportFolderError("{target}: the working folder; {option} takes a folder of its own, such as {kind}",
+            target=target, option=kind.option, kind=kind.word)  # fmt: skip
     if not target.exists():
         return
     try:
         foreign = next((entry.name for entry in sorted(target.iterdir()) if not kind.is_ours(entry)), None)
     except OSError as error:
-        raise ReportFolderError(f"{target}: cannot be read: {error.strerror}") from None
+        raise ReportFolderError("{target}: cannot be read: {reason}", target=target, reason=error.strerror) from None
     if foreign is not None:
-        raise ReportFolderError(
-            f"{target}: holds '{foreign}', which is no part of a {kind.word}; {kind.option} takes a folder of its own, new or empty"
-        )
+        raise ReportFolderError("{target}: holds '{foreign}', which is no part of a {kind}; {option} takes a folder of its own, new or empty",
+            target=target, foreign=foreign, kind=kind.word, option=kind.option)  # fmt: skip
 
 
 def _put(part: Path, target: Path) -> None:
