@@ -15,7 +15,7 @@ from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Correction, WrongEntry
 
-_IDENTITY = re.compile(r"(?P<letter>(?:\\math(?:bf|rm|bb)\s*)?\{?\s*(?:I|1)\s*\}?)\s*_\s*(?:\d|\{\d+\})")
+IDENTITY = re.compile(r"(?P<letter>(?:\\math(?:bf|rm|bb)\s*)?\{?\s*(?:I|1)\s*\}?)\s*_\s*(?:\d|\{\d+\})")
 Corrections = tuple[Correction, ...]
 
 
@@ -84,7 +84,7 @@ def _of_form(latex: str, node: n.Node, outcome: Outcome) -> Iterator[Corrections
     if outcome.pair is not None or not isinstance(true, Matrix):
         return
     start, end = node.span
-    if true.shape[0] == true.shape[1] and (found := _IDENTITY.fullmatch(latex, start, end)):
+    if true.shape[0] == true.shape[1] and (found := IDENTITY.fullmatch(latex, start, end)):
         yield (Correction(start, end, f"{found.group('letter').strip()}_{true.shape[0]}"),)
     yield from _other_products(latex, node)
     if (row := _missing_row(node, outcome)) is not None:

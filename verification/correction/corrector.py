@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.conditions.system import is_condition
-from armproof.verification.correction.alternatives import Corrections, alternatives, trimmed, true_value
+from armproof.verification.correction.alternatives import IDENTITY, Corrections, alternatives, trimmed, true_value
 from armproof.verification.correction.record import applied
 from armproof.verification.correction.rephrasings import rephrasings
 from armproof.verification.diagnosis.diagnosis import Diagnostician
@@ -39,6 +40,7 @@ class Corrector:
         """Return the corrections that mend a refuted display, at places of its LaTeX as the author wrote it, or none."""
         latex = normalise_unicode(record.latex)
         budget = self.checker.exact.budget
+        kept = self._quantities(statements)
         confirm, self.checker.confirm = self.checker.confirm, False
         try:
             with budget.of(SECONDS_TO_CORRECT):
@@ -46,6 +48,8 @@ class Corrector:
                     if count > MOST_TRIALS or budget.is_spent:
                         break
                     corrections = spaced(latex, corrections)
+                    if not keeps(latex, corrections, kept):
+                        continue
                     if corrections and self._left(latex, corrections, outcomes) == set():
                         return _in_original(record.latex, latex, corrections)
         except ArmproofError:  # no time left
@@ -53,6 +57,23 @@ class Corrector:
         finally:
             self.checker.confirm = confirm
         return ()
+
+    def _quantities(self, statements: list[n.Statement]) -> list[n.Name]:
+        """Return the names that say what an equation is about: a correction changes what is said of them, not them.
+
+        A condition, with its arrow, may name another matrix; a cell of a matrix is an entry whatever stands in it.
+        """
+        if any(isinstance(statement, n.Connective) for statement in statements):
+            return []
+        names = self.checker.names
+        return [
+            each
+            for each in _outside_matrices(statements)
+            if isinstance(each, n.Name)
+            and names.known_symbol(each.key) is None
+            and not names.is_free(each)
+            and not IDENTITY.fullmatch(each.key)
+        ]
 
     def _left(self, latex: str, corrections: Corrections, before: Sequence[Outcome]) -> set[int] | None:
         """Return the equations that the corrections leave without a proof; None where they leave no display."""
@@ -132,6 +153,26 @@ class Corrector:
             if outcome.printed is not None and outcome.true is not None:
                 notation = self.diagnostician.learnt.learn(latex, outcome)
         return notation
+
+
+def _outside_matrices(nodes: Iterable[object]) -> Iterator[n.Node]:
+    for node in nodes:
+        if isinstance(node, n.Node) and not isinstance(node, n.Matrix):
+            yield node
+            yield from _outside_matrices(n.children(node))
+
+
+def keeps(latex: str, corrections: Corrections, names: Sequence[n.Name]) -> bool:
+    """Whether corrections leave names where they stand, or write them again as often."""
+    for change in corrections:
+        over = [
+            latex[slice(*name.span)].strip()
+            for name in names
+            if change.start < name.span[1] and name.span[0] < change.end
+        ]
+        if any(change.text.count(name) < number for name, number in Counter(over).items()):
+            return False
+    return True
 
 
 def _number(outcomes: Sequence[Outcome], verdict: Verdict) -> int:

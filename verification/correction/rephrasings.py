@@ -36,7 +36,8 @@ def rephrasings(
     yield from _coordinates(latex, statements, checker)
     if without_value:
         yield from _other_name(statements, checker)
-    yield from _gram(latex, statements, checker)
+    if any(isinstance(statement, n.Connective) for statement in statements):  # elsewhere another determinant is meant
+        yield from _gram(latex, statements, checker)
     yield from _left_inverse(latex, statements)
     yield from _pseudo_inverse(latex, statements)
 

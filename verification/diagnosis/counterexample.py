@@ -6,7 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from armproof.models.arm import Joint
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
@@ -20,6 +22,29 @@ PROBES = 12
 SEED = 7
 TIE = 1e-9
 SAMPLED = 1_000  # terms that are evaluated for a counterexample: some hundredths of a second
+
+
+class RoundSamples(SampledAlgebra):
+    """Samples whose letters have two decimals, as a reader can put them in."""
+
+    def symbol(self, name: str) -> np.ndarray:
+        """Return the values of a symbol."""
+        values = super().symbol(name)
+        if name in self.free:
+            values = self.free[name] = np.round(values, 2)
+        return values
+
+
+def _round_values(joint: Joint, generator: np.random.Generator) -> np.ndarray:
+    """Return values of a joint of one decimal, of two between close limits; none of them zero, where the limits allow."""
+    low, high = (-2.6, 2.6) if joint.kind == "revolute" else (0.1, 0.9)
+    share = generator.random(PROBES)
+    if low < joint.upper and joint.lower < high:
+        low, high = max(low, joint.lower), min(high, joint.upper)
+    unit = 10 if high - low > 1 else 100
+    low, high = np.ceil(low * unit) / unit, np.floor(high * unit) / unit  # what is rounded stays between them
+    values = np.round(low + (high - low) * share, 1 if unit == 10 else 2)
+    return np.where(np.abs(values) < 0.05, 0.3, values) if high > 0.3 else values
 
 
 class Probe:
@@ -36,12 +61,9 @@ class Probe:
         if self._samples is None:
             arm = self.names.arm
             generator = np.random.default_rng(SEED)
-            columns = []
-            for joint in arm.joints if arm is not None else ():
-                low, high = (-2.6, 2.6) if joint.kind == "revolute" else (0.1, 0.9)
-                columns.append(np.round(generator.uniform(low, high, PROBES), 1))
+            columns = [_round_values(joint, generator) for joint in arm.joints] if arm is not None else []
             q = np.array(columns).T if columns else np.zeros((PROBES, 0))
-            self._samples = SampledAlgebra(self.checker.exact, np.where(np.abs(q) < 0.05, 0.3, q), SEED)
+            self._samples = RoundSamples(self.checker.exact, q, SEED)
         return self._samples
 
     def agreement(self, true: Scalar) -> Callable[[n.Node], bool] | None:
@@ -82,7 +104,9 @@ class Probe:
                     values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
         for symbol in depends:  # those that a defined name brings along
             values.setdefault(symbol, round(float(probe.symbol(symbol)[best]), 6))
-        return values
+        fixed = arm.lengths if arm is not None and not self._is_about_lengths(outcome) else {}
+        told = {symbol: value for symbol, value in values.items() if symbol not in fixed}
+        return told or values  # the arm's own lengths only where nothing else is chosen
 
     def worst_sample(self, outcome: Outcome) -> int:
         """Return at which of the configurations (from 0) the printed and the true value differ most: the counterexample."""
@@ -113,6 +137,15 @@ class Probe:
         generators = {generator for part in parts for _, generator in ring.generators_of(part)}
         names = {name.split("/")[0] for kind, name in generators if kind in ("symbol", "cos", "sin")}
         return sorted(name for name in names if name != "pi" and not name[:1].isdigit())
+
+    def _is_about_lengths(self, outcome: Outcome) -> bool:
+        """Whether the wrong entries were right if all lengths were equal: lengths that are swapped, or one for another."""
+        if outcome.pair is None or outcome.sampled_only or self.names.arm is None:
+            return False
+        one = self.checker.exact.ring.one
+        equal = dict.fromkeys(self.names.arm.lengths, one)
+        true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
+        return all(substitute(true[r][c] - printed[r][c], equal).is_zero() for r, c in outcome.wrong)
 
     def _is_free_symbol(self, name: n.Name) -> bool:
         return self.names.is_free(name) and name.key in self.names.used and name.key not in self.names.state.definitions

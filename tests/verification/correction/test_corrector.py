@@ -69,6 +69,28 @@ def test_a_slip_is_mended_and_what_is_offered_verifies(name: str) -> None:
         assert latex.split() == right.split()
 
 
+@pytest.mark.parametrize(
+    "display",
+    [
+        r"l_1 l_2 S_2 = \det(J_v J_v^T)",
+        r"\det(J_W) = l_1 l_2 S_2",
+        r"\det(J_W) = 0",
+        r"\det(J_v J_v^T) = \det J_v",
+        r"\det J_v = l_1 l_2 \cos\theta_2",
+        r"l_1 l_2 C_2 = \det J_v",
+        r"p_2 = p_1",
+    ],
+)
+def test_the_quantity_itself_is_never_changed(display: str) -> None:
+    found = record(display)
+    assert found.verdict is Verdict.REFUTED
+    left, right = display.split(" = ")
+    latex = corrected_latex(found) or display
+    kept = [side for side in (left, right) if "J" in side or "p_" in side]
+    new = latex.split(" = ")
+    assert all(side in (each.strip() for each in new) for side in kept) and new[0].strip() != new[1].strip()
+
+
 def test_only_the_wrong_cell_changes() -> None:
     found = record(f"J_v = {WRONG_J}")
     [change] = edits(found)

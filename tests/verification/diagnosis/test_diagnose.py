@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from armproof.models.catalogue import load_arm
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Judge = Callable[..., Record]
@@ -147,8 +148,14 @@ def test_the_counterexample_shows_the_difference(judge: Judge, workbench: Callab
     printed, true = r"a_1 c_1 - a_2 c_{12}", r"a_1 c_1 + a_2 c_{12}"
     record = judge(rf"{true} = {printed}")
     bench = workbench("scara")
-    assert set(record.counterexample) == {"theta_1", "theta_2", "d_3", "theta_4", "a_1", "a_2"}
-    values = {name: bench.exact.rational(Fraction(value)) for name, value in record.counterexample.items()}
+    assert set(record.counterexample) == {
+        "theta_1",
+        "theta_2",
+        "d_3",
+        "theta_4",
+    }  # no lengths: the claim is not about them
+    at = {**load_arm("scara").lengths, **record.counterexample}
+    values = {name: bench.exact.rational(Fraction(value)) for name, value in at.items()}
     difference = bench.exact.substitute(bench.value(f"{true} - ({printed})"), values)
     assert abs(float(bench.sampled.from_exact(difference)[0])) > 0.1
 
@@ -161,6 +168,16 @@ def test_a_counterexample_is_generic_even_where_zero_would_hide_the_slip(judge: 
 def test_lengths_in_counterexamples_are_pairwise_different(judge: Judge) -> None:
     record = judge(r"a_1 c_1 + a_2 c_{12} = a_2 c_1 + a_1 c_{12}")
     assert record.counterexample["a_1"] != record.counterexample["a_2"]
+
+
+def test_letters_have_few_decimals_and_joints_stay_within_their_limits(judge: Judge) -> None:
+    record = judge(r"\cos(\alpha_i + \beta_i) = \cos\alpha_i + \cos\beta_i", arm=None)
+    assert record.counterexample and all(value == round(value, 2) for value in record.counterexample.values())
+    for name in ("scara", "kr210", "rx90"):
+        arm = load_arm(name)
+        at = judge(r"s_1 = c_1", arm=name).counterexample
+        assert all(joint.lower <= at[joint.symbol] <= joint.upper for joint in arm.joints)
+        assert all(value == round(value, 2) for value in at.values())
 
 
 # -- causes and consequences ---------------------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ ARM = {"dh": "classic", "rows": [{"a": f"l_{k}", "alpha": 0, "d": 0, "theta": f"
 def test_the_values_are_those_of_the_printed_and_the_true_entry(judge: Judge) -> None:
     record = judge(r"p_2 = \begin{bmatrix} l_1 C_1 - l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}", arm=ARM)
     assert record.discrepancy is not None
-    at = record.counterexample
+    at = {**load_arm(ARM).lengths, **record.counterexample}
     first, second = at["l_1"] * np.cos(at["theta_1"]), at["l_2"] * np.cos(at["theta_1"] + at["theta_2"])
     assert record.discrepancy.values[0] == pytest.approx((first - second, first + second), abs=1e-6)
 
