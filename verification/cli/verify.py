@@ -34,7 +34,8 @@ ReportFormat = Annotated[
     Format,
     typer.Option("--format", help="text for people, json for programs, github for annotations of a pull request."),
 ]
-Strict = Annotated[bool, typer.Option("--strict", help="Unchecked equations fail too.")]
+Strict = Annotated[bool, typer.Option("--strict", help="Unchecked equations fail too, and documents without a claim.")]
+Verbose = Annotated[bool, typer.Option("--verbose", help="Tell of every equation what it was read as.")]
 Report = Annotated[
     Path | None, typer.Option("--report", metavar="DIR", help="Write web pages as well, into a folder of their own.")
 ]
@@ -51,6 +52,7 @@ def verify(
     paths: Paths = None,
     report_format: ReportFormat = Format.text,
     strict: Strict = False,
+    verbose: Verbose = False,
     report: Report = None,
     watch: Watching = False,
     jobs: Jobs = None,
@@ -68,7 +70,7 @@ def verify(
             results: Iterable[DocumentResult | Failure] = check_each_path(documents, jobs=jobs)
         else:
             results = check_and_report(documents, report, strict=strict, jobs=jobs)
-        write_report(_counted(results, totals), report_format, strict)
+        write_report(_counted(results, totals), report_format, strict, verbose)
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
     except ArmproofError as error:  # of the report's folder: what is wrong with a document is in its result
@@ -111,7 +113,9 @@ def exit_code(totals: Totals) -> int:
     return FAILS if totals.failing else PASSES
 
 
-def write_report(results: Iterable[DocumentResult | Failure], report_format: Format, strict: bool) -> None:
+def write_report(
+    results: Iterable[DocumentResult | Failure], report_format: Format, strict: bool, verbose: bool = False
+) -> None:
     """Write the report of the results on standard output, document by document."""
     if report_format is Format.json:
         from armproof.verification.report.json_ import json_parts
@@ -123,5 +127,5 @@ def write_report(results: Iterable[DocumentResult | Failure], report_format: For
 
         write_lines(((line, ""),) for line in github_report(results, strict=strict))
     else:
-        write_lines(text_report(results, strict=strict))
+        write_lines(text_report(results, strict=strict, verbose=verbose))
     sys.stdout.flush()

@@ -12,7 +12,7 @@ from unicodedata import combining, normalize
 
 from armproof.verification.latex.greek import NAMES
 from armproof.verification.report.totals import Tally, Totals, passes
-from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict, WrongEntry
+from armproof.verification.verdict import DocumentResult, EquationResult, Failure, Record, Verdict, WrongEntry
 
 Span = tuple[str, str]  # a text and its style, "" for none
 Line = tuple[Span, ...]
@@ -63,13 +63,21 @@ def _writes_unicode(stream: TextIO) -> bool:
     return encoding.startswith("utf") and locale.setlocale(locale.LC_CTYPE) not in ("C", "POSIX")
 
 
-def text_report(results: Iterable[DocumentResult | Failure], *, strict: bool = False) -> Iterator[Line]:
-    """Yield the report of the documents that could be checked, as they come; those that could not are only counted."""
+def text_report(
+    results: Iterable[DocumentResult | Failure], *, strict: bool = False, verbose: bool = False
+) -> Iterator[Line]:
+    """Yield the report of the documents that could be checked, as they come; those that could not are only counted.
+
+    Args:
+        strict: whether an unchecked equation fails its document.
+        verbose: whether the reading of every equation is told as well.
+    """
     totals = Totals(strict)
     for result in results:
         totals.add(result)
         if isinstance(result, DocumentResult):
             yield from describe_document(result, strict)
+            yield from describe_readings(result) if verbose else ()
     if totals.documents:
         yield ()
     yield from (((line, STRONG),) for line in totals.numbers())
@@ -125,6 +133,20 @@ def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
     errata = [record for record, _ in records if record.erratum and record.passes]
     if errata:
         yield ((f"    errata refuted, as they must be: {_places(errata)}", FAINT),)
+
+
+def describe_readings(result: DocumentResult) -> Iterator[Line]:
+    """Yield a line an equation: what it is, what its verdict is, and what it was read as."""
+    for record, _ in ordered_records(result):
+        for each in record.outcomes:
+            number = f", equation {each.index}" if len(record.outcomes) > 1 else ""
+            yield ((f"    {describe_place(record)}{number}: {describe_reading(each)}", FAINT),)
+
+
+def describe_reading(result: EquationResult) -> str:
+    """Return "claim, proved: origin of frame 2 in frame 0"."""
+    reading = f": {result.read_as}" if result.read_as else ""
+    return f"{result.role.value}, {result.verdict.value}{reading}"
 
 
 def describe_record(record: Record, kind: str) -> Iterator[Line]:

@@ -91,3 +91,13 @@ def test_the_command_and_the_pages_count_alike(tmp_path: Path, flags: tuple[str,
     for line in total:
         line = line.strip()
         assert line in page or line[0].upper() + line[1:] in page
+
+
+def test_readings_are_told_on_pages_and_where_asked_for(tmp_path: Path) -> None:
+    result(tmp_path, PROVED, UNUSED)
+    page, folder = str(tmp_path / "page.md"), tmp_path / "report"
+    plain = CliRunner().invoke(app, ["verify", page, "--report", str(folder)]).stdout
+    told = CliRunner().invoke(app, ["verify", page, "--verbose"]).stdout
+    written = unescape((folder / "page.html").read_text(encoding="utf-8"))
+    for reading in ("claim, proved", "definition, unchecked"):
+        assert reading in told and reading in written and reading not in plain

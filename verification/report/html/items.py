@@ -12,7 +12,7 @@ from armproof.verification.report.html import prose
 from armproof.verification.report.html.figures import ArmPainter, Figure
 from armproof.verification.report.html.formulas import Formula, as_it_should_be, as_printed
 from armproof.verification.report.html.states import State, state_of
-from armproof.verification.report.text import describe_place, ordered_records
+from armproof.verification.report.text import describe_place, describe_reading, ordered_records
 from armproof.verification.verdict import DocumentResult, Record, WrongEntry
 
 
@@ -40,6 +40,7 @@ class Item:
     section_key: str
     printed: Formula
     message: Markup
+    readings: tuple[str, ...]
     samples: int
     max_error: float | None
     words: str
@@ -98,6 +99,7 @@ class ItemWriter:
             section_key=record.section,
             printed=as_printed(record, self.read, is_table=kind == "table"),
             message=prose.message(record.findings, self.read),
+            readings=tuple(describe_reading(each) for each in record.outcomes),
             samples=record.samples,
             max_error=record.max_error,
             words=" ".join(f"{prose.plain_title(record.section)} {record.message}".split()),
