@@ -4,6 +4,8 @@ import pytest
 
 from tests.conftest import SWEPT, TESTS, waits_for_the_sweep
 
+WRONG_ANSWERS = "tests/course/tasks/test_tasks.py::test_every_wrong_answer_gets_its_own_message"
+
 
 @pytest.mark.parametrize(
     ("nodeid", "named", "waits"),
@@ -22,6 +24,8 @@ from tests.conftest import SWEPT, TESTS, waits_for_the_sweep
         ("tests/verification/document/test_formats.py::test_a_handout_in_another_format_has", "as_tex-rx90-001", True),
         ("tests/verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course", "", True),
         ("tests/models/bulk/test_bulk.py::test_anything", "kr210", False),
+        (f"{WRONG_ANSWERS}[scara_inverse-inverse]", "scara_inverse-inverse", True),
+        (f"{WRONG_ANSWERS}[scara_inverse-elbow]", "scara_inverse-elbow", False),
     ],
 )
 def test_what_waits_for_the_sweep(nodeid: str, named: str, waits: bool) -> None:
@@ -32,4 +36,5 @@ def test_what_waits_for_the_sweep(nodeid: str, named: str, waits: bool) -> None:
 def test_what_is_swept_exists(start: str) -> None:
     file, _, test = start.partition("::")
     assert (TESTS / file).exists()
+    test = test.partition("[")[0]
     assert not test or f"def {test}" in (TESTS / file).read_text(encoding="utf-8")
