@@ -77,7 +77,9 @@ _NEXT_BAR = re.compile(
     r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
 )
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
-_UNIT_VECTOR = re.compile(r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm|omega)[\s{]*)?[a-zXYZ]?(?![A-Za-z])")
+_UNIT_VECTOR = re.compile(
+    r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouwe]|\\omega)(?![A-Za-z])"
+)
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
     ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
