@@ -5,8 +5,13 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from armproof.verification.conditions.implication import Implication, connectives_among, find_implication
-from armproof.verification.conditions.system import is_condition, is_rank_condition
+from armproof.verification.conditions.implication import (
+    Implication,
+    connectives_among,
+    find_implication,
+    is_condition,
+    is_rank_condition,
+)
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.equations.given_values import Given
@@ -56,6 +61,7 @@ class Statements:
         extra: dict[str, float] = {}
         equation = 1
         index = 0
+        links: list[Implication] = []  # of a chain of arrows: what stands before the arrow at hand has been concluded
         while index < len(statements):
             statement = statements[index]
             self.ring.budget.check()
@@ -70,9 +76,10 @@ class Statements:
                 equation += len(statement.relations)
                 index += 1
                 continue
+            given = dict(self.names.state.configuration)
             steps = [self._chain(chain, equation, line, define) for chain in implication.premises]
             self._begin()
-            judged = self._implication(implication, [o for found in steps for o in found], equation)
+            judged = self._implication(implication, [o for found in steps for o in found], equation, links)
             if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
                 outcomes.extend(
                     with_role(o, chain, self.names)
@@ -80,12 +87,15 @@ class Statements:
                     for o in found
                 )
                 equation += sum(len(chain.relations) for chain in implication.premises)
+                links = []
                 index += len(implication.premises) + connectives_among(statements, index, len(implication.premises))
                 continue
+            self.names.state.configuration = given  # a premise holds in its implication alone
             outcomes.append(replace(judged[0], role=Role.CONDITION, uses=self._consulted()))
             extra.update(judged[1])
-            equation += sum(len(chain.relations) for chain in implication.chains)
-            index = implication.after
+            links = [*links, implication] if _goes_on(statements, implication) else []
+            equation += sum(len(chain.relations) for chain in (implication.premises if links else implication.chains))
+            index = implication.behind_at if links else implication.after
         _tell_words_that_change(statements, outcomes)
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
@@ -125,24 +135,29 @@ class Statements:
         return node.key in ("q", "theta") or self.names.known_symbol(node.key) in joints
 
     def _implication(
-        self, implication: Implication, steps: list[Outcome], equation: int
+        self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
     ) -> tuple[Outcome, dict[str, float]] | None:
         """Return the verdict of an implication and its counterexample, or None where its premises are claims themselves."""
         premises, conclusions = implication.premises, implication.conclusions
-        judged: tuple[Outcome, dict[str, float]] | None = None
-        conditional = implication.kind == "if" or any(is_condition(chain) for chain in premises)
-        if conditional or all(is_condition(chain) for chain in conclusions):
-            with self.ring.budget.paused():  # few documents hold one: the import is none of its time
-                from armproof.verification.conditions.entailment import check_implication
-
-            judged = check_implication(self.checker, implication, equation)
-            conditional = conditional or judged[0].verdict is not Verdict.UNCHECKED
         holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in steps)
-        holds = holds and not any(is_rank_condition(chain) for chain in premises)
-        if implication.kind != "if" and (holds or not conditional):
+        if implication.kind != "if" and holds and not any(is_rank_condition(chain) for chain in premises):
+            return None  # what holds everywhere is no premise: what follows is a claim itself
+        with self.ring.budget.paused():  # few documents hold one: the import is none of its time
+            from armproof.verification.conditions.entailment import check_implication, check_value, states_condition
+
+        if implication.kind == "if":
+            has_value = check_value(self.checker, implication, equation)
+            if has_value is not None and len(steps) == 1:
+                return (steps[0] if has_value.verdict is Verdict.PROVED else has_value), {}
+            return check_implication(self.checker, implication, equation, links)
+        if links or any(states_condition(self.checker, chain) for chain in premises):
+            return check_implication(self.checker, implication, equation, links)
+        if not all(is_condition(chain) for chain in conclusions):
             return None
-        assert judged is not None
-        return judged
+        judged = check_implication(self.checker, implication, equation, links)
+        if judged[0].verdict is Verdict.PROVED and any(o.verdict is Verdict.REFUTED for o in steps):
+            return replace(judged[0], verdict=Verdict.UNCHECKED, findings=(say(Kind.PREMISE_DIFFERS),)), {}
+        return judged if judged[0].verdict is not Verdict.UNCHECKED else None
 
     def _resolve_subject(self, statement: n.Statement) -> n.Statement:
         """A display that begins with a relation goes on about the subject of the one before."""
@@ -288,6 +303,12 @@ def _asked(statement: n.Statement) -> n.Statement:
     if not isinstance(statement, n.Chain):
         return statement
     return replace(statement, relations=tuple("=" if r == ASKED else r for r in statement.relations))
+
+
+def _goes_on(statements: list[n.Statement], implication: Implication) -> bool:
+    """Whether another arrow follows what an implication concludes: A ⇒ B ⇒ C."""
+    behind = statements[implication.after] if implication.after < len(statements) else None
+    return isinstance(behind, n.Connective) and behind.kind in ("⇒", "⇔", "⇐")
 
 
 def _is_label(chain: n.Chain) -> bool:

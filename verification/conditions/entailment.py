@@ -8,19 +8,25 @@ powers is needed, and factors that have no real zeros for positive lengths are l
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import pi
 
 from armproof.verification.algebra.calculus import substitute
+from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.conditions.implication import Implication
+from armproof.verification.algebra.written import write_bounded
+from armproof.verification.conditions.implication import Implication, is_condition
 from armproof.verification.conditions.system import Condition, System, Undecided, read_condition
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.numeric_matrices import depends_on
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError, NoValue
+from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.latex import nodes as n
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
@@ -33,9 +39,75 @@ SCALES = (1.0, 4.0, 0.25)  # of the lengths: what holds for an arm of any size i
 
 
 def check_implication(
-    checker: ChainChecker, implication: Implication, equation: int
+    checker: ChainChecker, implication: Implication, equation: int, links: Sequence[Implication] = ()
 ) -> tuple[Outcome, dict[str, float]]:
-    """Return the verdict of premises ⇒ (⇔, ⇐) conclusions, and a configuration that refutes it."""
+    """Return the verdict of premises ⇒ (⇔, ⇐) conclusions, and a configuration that refutes it.
+
+    What is wrong by itself is left open where it may be meant of a configuration at rest there (rates), of lengths of which
+    one is the larger, or together with the premises of the links before it.
+    """
+    outcome, found = _follows(checker, implication, equation)
+    if outcome.verdict is not Verdict.REFUTED:
+        return outcome, found
+    rates = any(isinstance(b, n.Name) and b.dots for chain in implication.chains for b in n.walk(chain))
+    signs = checker.exact.ring.signs_chosen and checker.names.state.compares_lengths
+    if links and implication.arrow == "⇒":
+        before = [[*a, *b] for a, b in itertools.product(links[0].before, implication.before)]
+        together = _follows(checker, replace(implication, before=before), equation)[0]
+        signs = signs or together.verdict is not Verdict.REFUTED
+    return (Outcome(Verdict.UNCHECKED, (say(Kind.UNDER_MORE),), equation), {}) if rates or signs else (outcome, found)
+
+
+def states_condition(checker: ChainChecker, chain: n.Chain) -> bool:
+    """Whether an equation that does not hold everywhere is meant of some configurations or lengths: θ_1 = θ_2, ‖p‖ = l_1.
+
+    One side does not move with the joints, or both are made of joint variables and lengths alone.
+    """
+    if is_condition(chain):
+        return True
+    arm, members = checker.names.arm, [checker.member(node) for node in chain.members]
+    if arm is None or not all(member.known for member in members):
+        return False
+    joints = {joint.symbol for joint in arm.joints}
+    values = [as_scalar(member.value) for member in members]
+    if any(isinstance(value, Scalar) and not depends_on(Matrix(((value,),)), joints) for value in values):
+        return True
+    plain = n.Number | n.Sum | n.Product | n.Quotient | n.Group
+    return all(isinstance(b, plain) or checker.members.is_symbol(b) for m in chain.members for b in n.walk(m))
+
+
+def check_value(checker: ChainChecker, implication: Implication, equation: int) -> Outcome | None:
+    """Return whether a formula has a value where a condition f ≠ 0 behind it holds; None where that is no such condition."""
+    try:
+        divisors = [value for chain in implication.premises for value in _divisors(checker, chain)]
+        if not divisors or any(chain.relations != ("≠",) for chain in implication.conclusions):
+            return None
+        given = read_condition(checker, implication.behind)
+        for divisor in divisors:
+            if Entailment(checker, given, (System((), ((divisor,),)),)).counterexample() is not None:
+                formula = write_bounded(divisor, checker.names.state.notation)
+                return Outcome(Verdict.UNCHECKED, (say(Kind.HAS_VALUE_WHERE, divisor=formula),), equation)
+    except EvaluationError as problem:
+        return Outcome(Verdict.UNCHECKED, (finding_of(problem),), equation)
+    return Outcome(Verdict.PROVED, (), equation)
+
+
+def _divisors(checker: ChainChecker, chain: n.Chain) -> Iterator[Scalar]:
+    """Yield what a formula divides by, as far as it moves with the joints: denominators, determinants, cosines."""
+    for node in n.walk(chain):
+        divisor: n.Node | None = None
+        if isinstance(node, n.Quotient):
+            divisor = node.denominator
+        elif isinstance(node, n.Postfix) and node.operator in ("-1", "-T"):
+            divisor = n.Call("det", (node.base,), span=node.span)
+        elif isinstance(node, n.Call) and node.function == "tan":
+            divisor = n.Call("cos", node.arguments, span=node.span)
+        value = None if divisor is None else as_scalar(Evaluator(checker.names, checker.exact).evaluate(divisor))
+        if isinstance(value, Scalar) and value.as_fraction() is None:
+            yield value
+
+
+def _follows(checker: ChainChecker, implication: Implication, equation: int) -> tuple[Outcome, dict[str, float]]:
     outcome = Outcome(Verdict.PROVED, (), equation)
     try:
         before = read_condition(checker, implication.before)
@@ -110,9 +182,22 @@ class Entailment:
             return False
         values = dict(given.values)
         return any(
-            not system.not_all_zero and all(substitute(scalar, values).is_zero() for scalar in system.zero)
+            not system.not_all_zero and all(self._vanishes(scalar, values) for scalar in system.zero)
             for system in self.conclusion
         )
+
+    def _vanishes(self, scalar: Scalar, values: dict[str, Scalar]) -> bool:
+        """Whether a scalar is zero where angles have given values; the sign of a root is that for any lengths."""
+        ring = self.checker.exact.ring
+        before, ring.signs_chosen = ring.signs_chosen, False
+        zero, chosen = substitute(scalar, values).is_zero(), ring.signs_chosen
+        ring.signs_chosen = before or chosen
+        if not (zero and chosen):
+            return zero
+        sampled = self.checker.sampled()
+        from armproof.verification.equations.sampled_errors import vanishes_for_lengths
+
+        return vanishes_for_lengths(sampled, self.checker.names.state.configuration, scalar, values)
 
     def _lies_in_union(self, variety: Variety) -> bool:
         """Whether a set lies in the systems of the conclusion together: every product of one equation of each is zero there."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from armproof.verification.latex import nodes as n
 
+WHOLE_NUMBERS = ("k", "n", "m")
 Alternatives = list[list[n.Chain]]  # "and" binds closer than "or"
 
 
@@ -17,6 +18,7 @@ class Implication:
     before: Alternatives
     behind: Alternatives
     after: int  # the statement at which to go on
+    behind_at: int  # the statement behind the arrow
 
     @property
     def arrow(self) -> str:
@@ -41,27 +43,32 @@ class Implication:
 
 def find_implication(statements: list[n.Statement], index: int) -> Implication | None:
     """Return the implication that starts at a statement, or None."""
-    premises, at = _alternatives(statements, index)
+    premises, at = _alternatives(statements, index, given=True)
     if at >= len(statements):
         return None
     connective = statements[at]
     if not isinstance(connective, n.Connective) or connective.kind not in ("⇒", "⇔", "⇐", "if"):
         return None
-    conclusions, after = _alternatives(statements, at + 1)
-    found = Implication(connective.kind, premises, conclusions, after)
+    conclusions, after = _alternatives(statements, at + 1, given=connective.kind in ("⇐", "if"))
+    found = Implication(connective.kind, premises, conclusions, after, at + 1)
     return found if conclusions and all(chain.relations for chain in found.chains) else None
 
 
-def _alternatives(statements: list[n.Statement], index: int) -> tuple[Alternatives, int]:
-    """Return the chains joined by "or" and "and" from here on; "θ_2 = 0 or π" repeats its subject."""
+def _alternatives(statements: list[n.Statement], index: int, *, given: bool) -> tuple[Alternatives, int]:
+    """Return the chains joined by "or" and "and" from here on; "θ_2 = 0 or π" repeats its subject.
+
+    A comma between values of one subject is "or"; between conditions that are `given` it is "and".
+    """
     found: Alternatives = []
     joined = "or"
     while index < len(statements):
         statement = statements[index]
         if isinstance(statement, n.Chain):
+            before = found[-1][-1] if found else None
+            joined = joined or _comma(before, statement, given)
             if not joined:
                 break
-            chain = _with_subject(statement, found[-1][-1] if found else None)
+            chain = _with_subject(statement, before)
             if joined == "and":
                 found[-1].append(chain)
             else:
@@ -75,11 +82,40 @@ def _alternatives(statements: list[n.Statement], index: int) -> tuple[Alternativ
     return found, index
 
 
+def _comma(before: n.Chain | None, chain: n.Chain, given: bool) -> str:
+    """How a comma joins two chains: θ_2 = 0, π and θ_2 = 0, θ_2 = π are alternatives; "" where they are not joined."""
+    if before is None or not is_condition(before):
+        return ""
+    values = _is_constant(chain.members[-1]) and before.relations == ("=",)
+    if values and (not chain.relations or (chain.relations == ("=",) and chain.members[0] == before.members[0])):
+        return "or"
+    return "and" if given and chain.relations and is_condition(chain) else ""
+
+
 def _with_subject(chain: n.Chain, before: n.Chain | None) -> n.Chain:
     """Return the π of "θ_2 = 0 or π" as θ_2 = π."""
     if chain.relations or before is None or before.relations != ("=",):
         return chain
     return replace(chain, members=(before.members[0], *chain.members), relations=("=",))
+
+
+def is_rank_condition(chain: n.Chain) -> bool:
+    """Whether a chain says what a rank is: among conditions, it is one, and not that of the generic configuration."""
+    first = chain.members[0]
+    return isinstance(first, n.Call) and first.function == "rank"
+
+
+def is_condition(chain: n.Chain) -> bool:
+    """Whether an equation before an arrow reads as a condition (det J = 0) and not as a step of a derivation."""
+    return any(relation != "=" for relation in chain.relations) or any(map(_is_constant, chain.members))
+
+
+def _is_constant(node: n.Node) -> bool:
+    return all(
+        isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
+        or (isinstance(b, n.Name) and b.key in ("pi", *WHOLE_NUMBERS))
+        for b in n.walk(node)
+    )
 
 
 def connectives_among(statements: list[n.Statement], index: int, chains: int) -> int:

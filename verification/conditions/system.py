@@ -6,10 +6,12 @@ import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 
 from armproof.verification.algebra.angles import has_arcs
 from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.conditions.implication import WHOLE_NUMBERS
 from armproof.verification.equations.alignment import align
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
@@ -19,8 +21,6 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.naming.trees import bare, has_branches
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.minors import maximal_minors
-
-WHOLE_NUMBERS = ("k", "n", "m")
 
 
 class Undecided(EvaluationError):
@@ -89,7 +89,11 @@ def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> I
         return
     *first, last = chain.members
     if len(first) != 1:
-        raise Undecided(say(Kind.CHAIN_FOR_CONDITION))
+        if set(chain.relations) != {"="} or not all(map(checker.members.is_symbol, first)):
+            raise Undecided(say(Kind.CHAIN_FOR_CONDITION))
+        parts = [_fixed(checker, node, last, evaluator) for node in first]  # θ_1 = θ_2 = 0
+        yield reduce(System.and_, parts)
+        return
     (relation,) = chain.relations
     if (rank := _rank_condition(checker, first[0], relation, last, evaluator)) is not None:
         yield rank
@@ -233,21 +237,3 @@ def _with_number(node: n.Node, names: Sequence[n.Node], value: int) -> n.Node:
     for name in names:
         node = n.substitute(node, name, n.Number(Fraction(value), str(value), span=name.span))
     return node
-
-
-def is_rank_condition(chain: n.Chain) -> bool:
-    """Whether a chain bounds a rank: rank J < 2 is true of no generic configuration, and a condition."""
-    first = chain.members[0]
-    return isinstance(first, n.Call) and first.function == "rank" and chain.relations != ("=",)
-
-
-def is_condition(chain: n.Chain) -> bool:
-    """Whether an equation before an arrow reads as a condition (det J = 0) and not as a step of a derivation."""
-    return any(relation == "∈" for relation in chain.relations) or any(
-        all(
-            isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
-            or (isinstance(b, n.Name) and b.key in ("pi", *WHOLE_NUMBERS))
-            for b in n.walk(m)
-        )
-        for m in chain.members
-    )

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.protocol import OutsideAlgebra
-from armproof.verification.conditions.system import is_condition
+from armproof.verification.conditions.implication import is_condition
 from armproof.verification.correction.alternatives import IDENTITY, Corrections, alternatives, trimmed, true_value
 from armproof.verification.correction.record import applied
 from armproof.verification.correction.rephrasings import rephrasings

@@ -8,7 +8,7 @@ from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.numeric_matrices import (
     FEW,
     coarsest_decimals,
-    depends_on_joints,
+    depends_on,
     finest_decimals,
     is_numeric,
 )
@@ -30,14 +30,18 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
         return False
     tolerance = 0.45 * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
     holding = errors.where_equal(tolerance)
-    left = min(outcome.true.node, outcome.printed.node, key=lambda node: node.span)
+    left, right = sorted((outcome.true.node, outcome.printed.node), key=lambda node: node.span)
+    counts = errors.on_a_branch(tolerance)
     everywhere = holding.samples == errors.samples >= FEWEST
-    if not everywhere and not (route.is_solved_for(left) and errors.on_a_branch(tolerance)):
+    if not everywhere and not (route.is_solved_for(left, right) and counts):
         return False
     outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
     outcome.samples, outcome.max_error = holding.samples, holding.largest
-    kind = Kind.TO_DECIMALS if everywhere else Kind.TO_DECIMALS_ON_A_BRANCH
-    outcome.findings = (say(kind, decimals=decimals),)
+    said = say(Kind.TO_DECIMALS, decimals=decimals)
+    if not everywhere and counts is not None:
+        of = {"holding": counts[0], "configurations": counts[1]}
+        said = say(Kind.TO_DECIMALS_ON_A_BRANCH, decimals=decimals, **of)
+    outcome.findings = (said,)
     return True
 
 
@@ -64,7 +68,7 @@ def at_a_configuration(members: Members, true: Member, printed: Member, outcome:
         return None
     if not isinstance(printed.value, Matrix) or true.value.shape != printed.value.shape:
         return None
-    if not depends_on_joints(true.value, {joint.symbol for joint in arm.joints}):
+    if not depends_on(true.value, {joint.symbol for joint in arm.joints}):
         return None
     sampled = members.sampled()
     with members.exact.budget.paused():

@@ -42,7 +42,8 @@ class Definitions:
     def define(self, true: Member, member: Member, equation: int) -> Outcome:
         """Give the unbound names of a member their meaning by what is known, or say what is not bound."""
         if isinstance(member.problem, OutsideAlgebra):
-            return self.route.confirm_only(true.node, member.node, equation, has_branches(member.node), member.problem)
+            branches = has_branches(true.node) or has_branches(member.node)
+            return self.route.confirm_only(true.node, member.node, equation, branches, member.problem)
         if isinstance(member.problem, NoValue):
             located = self._define_entries(true, member, equation, False)
             if located is not None and located.verdict is Verdict.REFUTED:

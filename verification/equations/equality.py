@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 from math import prod
 from typing import Any
@@ -144,18 +145,28 @@ class Equality:
         return not different_entries(replace(outcome.pair, true=shifted), exactly_equal)
 
     def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
-        """With ±, an entry is right when the product of its differences over the branches vanishes."""
+        """With ±, an equation is right as a whole where on every configuration all its entries are on one branch."""
         differences = []
         for branch in self.names.state.signs.branches():
             one = Evaluator(self.names, self.exact, branch)
             differences.append(next(align(one.evaluate(true), one.evaluate(printed), self.exact)))
-        wrong = []
-        for r, row in enumerate(pair.true.rows):
-            for c in range(len(row)):
-                factors = [_distance(p.true.rows[r][c], p.printed.rows[r][c]) for p in differences]
-                if not prod(factors).is_zero():
-                    wrong.append((r, c))
-        return wrong
+        places = [(r, c) for r, row in enumerate(pair.true.rows) for c in range(len(row))]
+        distances = [
+            {(r, c): d for r, c in places if not (d := _distance(p.true.rows[r][c], p.printed.rows[r][c])).is_zero()}
+            for p in differences
+        ]
+        wrong = [place for place in places if all(place in of for of in distances)]
+        alone = [place for place in wrong if not prod(of[place] for of in distances).is_zero()]
+        return alone or self._on_different_branches(distances)
+
+    def _on_different_branches(self, distances: list[dict[tuple[int, int], Any]]) -> list[tuple[int, int]]:
+        """Return the entries of the nearest branch where each holds on one of them, and not all on one."""
+        for choice in itertools.product(*distances):
+            self.exact.budget.check()
+            if not prod(of[place] for of, place in zip(distances, choice, strict=True)).is_zero():
+                nearest: dict[tuple[int, int], Any] = min(distances, key=len)
+                return sorted(nearest)
+        return []
 
 
 def _noted(pair: Pair) -> tuple[Finding, ...]:

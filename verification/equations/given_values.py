@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.numeric_matrices import is_number
 from armproof.verification.latex import nodes as n
 
 
@@ -19,7 +20,7 @@ class Given:
     def is_configuration(self, chain: n.Chain) -> bool:
         """A joint variable set to a constant, or a determinant set to zero, states a condition and claims nothing."""
         left, right, *more = chain.members if len(chain.members) > 1 else (chain.members[0], chain.members[0])
-        if more and not all(_is_number(node) for node in (right, *more)):
+        if more and not all(is_number(node) for node in (right, *more)):
             return False
         if isinstance(left, n.Sequence) and isinstance(right, n.Sequence) and len(left.items) == len(right.items):
             pairs = [n.Chain(pair, ("=",), span=chain.span) for pair in zip(left.items, right.items, strict=True)]
@@ -31,14 +32,14 @@ class Given:
             return False
         symbol = self.names.known_symbol(left.key)
         if left.dots and self.names.known_symbol(replace(left, dots=0).key) is not None:
-            return _is_number(right)
+            return is_number(right)
         if left.dots or symbol is None:
             return not left.dots and self._is_given_coordinate(left, right)
         if symbol not in {joint.symbol for joint in self.names.arm.joints}:
             return self._is_given_length(symbol, right)
         names = [below.key for below in n.walk(right) if isinstance(below, n.Name)]
         calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(right))
-        if (calls and not _is_number(right)) or not all(key in ("pi", "k", "n") for key in names):
+        if (calls and not is_number(right)) or not all(key in ("pi", "k", "n") for key in names):
             return False
         self._remember(symbol, right)
         return True
@@ -46,7 +47,7 @@ class Given:
     def _is_given_coordinate(self, name: n.Name, value: n.Node) -> bool:
         """P_x = 0.5 is where the tool is asked to be, when P_x depends on the joints; P_x = 0 would be a claim."""
         quantity = self.names.quantity(name)
-        if quantity is None or not quantity.scalar or not _is_number(value):
+        if quantity is None or not quantity.scalar or not is_number(value):
             return False
         numbers = [below for below in n.walk(value) if isinstance(below, n.Number)]
         return any("." in number.text or number.value >= 2 for number in numbers)
@@ -71,12 +72,3 @@ class Given:
         member = self.checker.member(node)
         constant = isinstance(member.value, Scalar) and member.value.as_fraction() is not None
         return member.problem is not None or constant or bool(getattr(member.value, "is_zero", bool)())
-
-
-def _is_number(node: n.Node) -> bool:
-    """Whether a tree is made of numbers, π and functions of them."""
-    return not any(
-        (isinstance(below, n.JointAngles | n.Matrix | n.Sequence) and below is not node)
-        or (isinstance(below, n.Name) and below.key != "pi")
-        for below in n.walk(node)
-    ) and not isinstance(node, n.JointAngles | n.Matrix | n.Sequence)

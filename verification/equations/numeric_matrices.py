@@ -22,10 +22,10 @@ def is_numeric(node: n.Node) -> bool:
     return not any(isinstance(below, n.Name | n.Call | n.JointAngles | n.Dots) for below in n.walk(node))
 
 
-def depends_on_joints(value: Matrix, joints: set[str]) -> bool:
-    """Whether an exact matrix changes with the arm's configuration."""
+def depends_on(value: Matrix, symbols: set[str]) -> bool:
+    """Whether one of these symbols stands in an exact matrix."""
     return any(
-        name in joints
+        name in symbols
         for row in value.rows
         for cell in row
         for part in (cell.numerator, cell.denominator)
@@ -49,6 +49,24 @@ def finest_decimals(nodes: Iterable[n.Node]) -> int:
     """Return the most decimals of the numbers in these trees, 0 without."""
     return max(
         (_places(b) for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and "." in b.text), default=0
+    )
+
+
+def fewest_decimals(nodes: Iterable[n.Node]) -> int:
+    """Return to how many decimals numbers are printed: the fewest of the sides that are one number, else of all; 6 without."""
+    nodes = [n.ungrouped(node) for node in nodes]
+    alone = [node for node in nodes if isinstance(node, n.Number)]
+    inside = [
+        b for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and "." in b.text.replace("{,}", ".")
+    ]
+    return min(map(_places, alone or inside), default=6)
+
+
+def is_number(node: n.Node) -> bool:
+    """Whether a tree is made of numbers, π and functions of them."""
+    return not any(
+        isinstance(below, n.JointAngles | n.Matrix | n.Sequence) or (isinstance(below, n.Name) and below.key != "pi")
+        for below in n.walk(node)
     )
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, align, angle_places
 from armproof.verification.equations.numeric_matrices import printed_decimals
 from armproof.verification.errors import EvaluationError
@@ -20,6 +21,7 @@ from armproof.verification.naming.trees import is_arc
 SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula and are left out
 LEAST_SHARE = 0.05  # of the configurations drawn at random
 LEAST = 8
+SETS_OF_LENGTHS = 3
 
 
 @dataclass(frozen=True)
@@ -89,7 +91,7 @@ def errors_between(
     def angles(r: int, c: int) -> bool:
         return loose or (r, c) in places
 
-    best: np.ndarray | None = None
+    best: np.ndarray | None = None  # of the branch on which the equation as a whole is nearest, at each sample
     sizes: np.ndarray | None = None
     with np.errstate(all="ignore"):
         sampled.regular[:] = True
@@ -103,7 +105,13 @@ def errors_between(
             errors = entry_errors(pair, angles)
             errors = np.broadcast_to(errors, (*errors.shape[:2], sampled.samples))
             size = np.abs(np.array([[np.broadcast_to(c, (sampled.samples,)) for c in row] for row in pair.true.rows]))
-            best = errors if best is None else np.minimum(best, errors)
+            if best is None:
+                best = errors
+            else:
+                nearer = np.nan_to_num(errors, nan=np.inf).max(axis=(0, 1)) < np.nan_to_num(best, nan=np.inf).max(
+                    axis=(0, 1)
+                )
+                best = np.where(nearer, errors, best)
             sizes = size if sizes is None else np.maximum(sizes, size)
         assert best is not None and sizes is not None
         scaled = best / (1.0 + sizes)
@@ -111,12 +119,29 @@ def errors_between(
     return SampledErrors(scaled, finite, sampled.random)
 
 
-def with_other_lengths(sampled: SampledAlgebra) -> SampledAlgebra:
-    """Return the samples of an arm with lengths drawn at random in the place of its own."""
+def with_lengths(sampled: SampledAlgebra, stated: Mapping[str, float]) -> Iterator[SampledAlgebra]:
+    """Yield the samples of arms of other lengths than the model's, where the document states none: at random, and all alike."""
+    lengths = [name for name in sampled.arm.lengths if name not in stated] if sampled.arm is not None else []
+    if not lengths:
+        return
     assert sampled.arm is not None
-    lengths = sampled.arm.lengths
+    fixed = {name: np.full(sampled.samples, value) for name, value in stated.items() if name in sampled.arm.lengths}
     generator = np.random.default_rng(len(lengths))
-    return sampled.at({name: generator.uniform(0.2, 1.2, sampled.samples) for name in lengths})
+    for _ in range(SETS_OF_LENGTHS):
+        drawn = {name: np.full(sampled.samples, generator.uniform(0.2, 1.2)) for name in lengths}
+        yield sampled.at({**drawn, **fixed})
+    yield sampled.at({**dict.fromkeys(lengths, np.full(sampled.samples, 0.5)), **fixed})
+
+
+def vanishes_for_lengths(
+    sampled: SampledAlgebra, stated: Mapping[str, float], scalar: Scalar, values: Mapping[str, Scalar]
+) -> bool:
+    """Whether a scalar is zero at the samples where joints have given values, for every set of lengths."""
+    for other in with_lengths(sampled, stated):
+        there = other.at({name: other.from_exact(value) for name, value in values.items()})
+        if np.nanmax(np.abs(there.from_exact(scalar))) > 1e-6:
+            return False
+    return True
 
 
 def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c: False) -> np.ndarray:

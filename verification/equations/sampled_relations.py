@@ -9,6 +9,7 @@ import numpy as np
 
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.numeric_matrices import fewest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -36,6 +37,7 @@ def check_inequality(
     except (EvaluationError, KeyError):
         return outcome
     if good.size < ENOUGH or (good.any() and not good.all()):
+        checker.names.state.compares_lengths = True
         return outcome
     verdict, kind = (
         (Verdict.CONFIRMED, Kind.INEQUALITY_HOLDS) if good.all() else (Verdict.REFUTED, Kind.INEQUALITY_FAILS)
@@ -46,16 +48,21 @@ def check_inequality(
 def check_approximation(
     checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, constant: bool, outcome: Outcome
 ) -> Outcome:
-    """Confirm sides that are near at every sample; only numbers that are not are refuted: sin θ ≈ θ has its place."""
+    """Confirm sides that agree, rounded to the decimals printed, at every sample; only numbers that do not are refuted.
+
+    sin θ ≈ θ has its place, and 3.1415 for π is cut off.
+    """
+    unit = 10.0 ** -fewest_decimals(sides)
     try:
         with np.errstate(all="ignore"):
             a, b = _values(checker, sampled, sides)
             if not all(isinstance(value, np.ndarray) for value in (a, b)):
                 return outcome
-            close = np.allclose(a, b, rtol=1e-2, atol=1e-3)
+            error = float(np.nanmax(np.abs(a - b)))
     except EvaluationError:
         return outcome
-    if not close and not constant:
+    close = error <= 0.5 * unit + 1e-9
+    if not close and (not constant or error < unit):
         return outcome
     verdict = Verdict.CONFIRMED if close else Verdict.REFUTED
     return replace(outcome, verdict=verdict, findings=(say(Kind.APPROXIMATION),), samples=len(a))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.angles import has_arcs
@@ -16,6 +17,7 @@ from armproof.verification.verdict import Verdict
 
 if TYPE_CHECKING:
     from armproof.verification.equations.sampled_errors import SampledErrors
+    from armproof.verification.evaluation.sampled import SampledAlgebra
 
 TOLERANCE = 1e-6  # of the sampled values, scaled by their size; polynomials come out near 1e-15
 FEWEST = 10  # samples at which a formula has a value; with fewer it is not decided
@@ -44,17 +46,13 @@ class SecondRoute:
         outcome.samples = errors.samples
         outcome.max_error = errors.largest if errors.samples else None
         if outcome.max_error is not None and outcome.max_error > TOLERANCE:
-            if self.on_a_branch(outcome, errors):
+            if self.on_a_branch(outcome, errors, branches):
                 return outcome
-            outcome.verdict = Verdict.REFUTED
-            outcome.wrong = errors.wrong(TOLERANCE)
-            outcome.findings = (say(Kind.UP_TO_A_SIGN),)
-            outcome.sampled_only = True
-        elif self._rests_on_lengths(outcome, branches):
-            outcome.verdict = Verdict.REFUTED
-            outcome.wrong = errors.places
-            outcome.findings = (say(Kind.FOR_THESE_LENGTHS),)
-            outcome.sampled_only = True
+            self._refute(outcome, errors.wrong(TOLERANCE), branches)
+            outcome.findings = outcome.findings or (say(Kind.UP_TO_A_SIGN),)
+        elif self._fails_for_lengths(outcome, branches):
+            self._refute(outcome, errors.places, branches)
+            outcome.findings = outcome.findings or (say(Kind.FOR_THESE_LENGTHS),)
         return outcome
 
     def doubt(self, outcome: Outcome, branches: bool) -> Outcome:
@@ -70,12 +68,12 @@ class SecondRoute:
         if errors is None:
             return outcome
         equal = errors.samples >= FEWEST and errors.largest <= TOLERANCE
-        if equal and not self._rests_on_lengths(outcome, branches):
+        if equal and not self._fails_for_lengths(outcome, branches):
             outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
             outcome.samples, outcome.max_error = errors.samples, errors.largest
-        elif not self.on_a_branch(outcome, errors) and signs:
-            outcome.sampled_only = True
-            outcome.findings = (say(Kind.ROOTS_POSITIVE),)
+        elif not self.on_a_branch(outcome, errors, branches) and signs:
+            self._refute(outcome, outcome.wrong, branches)
+            outcome.findings = outcome.findings or (say(Kind.ROOTS_POSITIVE),)
         return outcome
 
     def confirm_only(
@@ -91,19 +89,31 @@ class SecondRoute:
             outcome.also(say(Kind.FEW_VALUES))
             return outcome
         outcome.samples, outcome.max_error = errors.samples, errors.largest
-        if outcome.max_error <= TOLERANCE:
+        if outcome.max_error > TOLERANCE:
+            if not self.on_a_branch(outcome, errors, branches):
+                self._refute(outcome, errors.wrong(TOLERANCE), branches)
+        elif self._fails_for_lengths(outcome, branches):
+            self._refute(outcome, errors.places, branches)
+            outcome.findings = (say(Kind.FOR_THESE_LENGTHS), *outcome.findings)
+        else:
             outcome.verdict = Verdict.CONFIRMED
-        elif not self.on_a_branch(outcome, errors):
-            outcome.verdict, outcome.sampled_only = Verdict.REFUTED, True
-            outcome.wrong = errors.wrong(TOLERANCE)
         return outcome
 
-    def on_a_branch(self, outcome: Outcome, errors: SampledErrors) -> bool:
+    def _refute(self, outcome: Outcome, wrong: list[tuple[int, int]], branches: bool) -> None:
+        """Refute what fails at samples; where the document says which lengths are larger, it may hold for those."""
+        if self.names.state.compares_lengths and any(
+            not errors.wrong(TOLERANCE) for errors in self._for_other_lengths(outcome, branches)
+        ):
+            outcome.verdict, outcome.wrong, outcome.findings = Verdict.UNCHECKED, [], (say(Kind.FOR_SOME_LENGTHS),)
+            return
+        outcome.verdict, outcome.wrong, outcome.sampled_only, outcome.findings = Verdict.REFUTED, wrong, True, ()
+
+    def on_a_branch(self, outcome: Outcome, errors: SampledErrors, branches: bool) -> bool:
         """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations."""
         assert outcome.true is not None and outcome.printed is not None
-        left = min(outcome.true.node, outcome.printed.node, key=lambda node: node.span)
-        counts = errors.on_a_branch(TOLERANCE) if self.is_solved_for(left) else None
-        if counts is None:
+        left, right = sorted((outcome.true.node, outcome.printed.node), key=lambda node: node.span)
+        counts = errors.on_a_branch(TOLERANCE) if self.is_solved_for(left, right) else None
+        if counts is None or not all(e.on_a_branch(TOLERANCE) for e in self._for_other_lengths(outcome, branches)):
             return False
         holding = errors.where_equal(TOLERANCE)
         outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
@@ -111,12 +121,14 @@ class SecondRoute:
         outcome.findings = (say(Kind.ON_A_BRANCH, holding=counts[0], configurations=counts[1]),)
         return True
 
-    def is_solved_for(self, node: n.Node) -> bool:
+    def is_solved_for(self, node: n.Node, by: n.Node) -> bool:
         """Whether a left side is what inverse kinematics solves for: a joint variable, a sum of such, or cos, sin, tan of it.
 
-        Only there a sign or a half-turn is left to the reader; √(sin² θ) = sin θ and |x| = x are identities, and false.
+        Only there a sign or a half-turn is left to the reader; √(sin² θ) = sin θ and x = |x| are identities, and false.
         """
         node = bare(node)
+        if any(below == node or (isinstance(below, n.Call) and below.function == "abs") for below in n.walk(by)):
+            return False
         if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan"):
             node = node.arguments[0]
         plain = n.Name | n.JointAngles | n.Number | n.Sum | n.Product | n.Quotient | n.Group
@@ -132,26 +144,39 @@ class SecondRoute:
             for b in n.walk(node)
         )  # fmt: skip
 
-    def _rests_on_lengths(self, outcome: Outcome, branches: bool) -> bool:
-        """Whether the sign of a root is right for the arm's own lengths only, as √((l_1 − l_2)²) = l_1 − l_2 may be."""
-        arm, ring = self.names.arm, self.exact.ring
-        assert outcome.true is not None and outcome.printed is not None
-        if arm is None or not (
-            ring.signs_chosen and any(self._has_roots(m.node) for m in (outcome.true, outcome.printed))
-        ):
-            return False
-        errors = self.sampled_errors(outcome, branches, other_lengths=True)
-        return errors is not None and bool(errors.wrong(TOLERANCE))
+    def _fails_for_lengths(self, outcome: Outcome, branches: bool) -> bool:
+        """Whether what holds at samples is right for the arm's own lengths only, as √((l_1 − l_2)²) = l_1 − l_2 may be."""
+        return any(errors.wrong(TOLERANCE) for errors in self._for_other_lengths(outcome, branches))
 
-    def sampled_errors(self, outcome: Outcome, branches: bool, *, other_lengths: bool = False) -> SampledErrors | None:
+    def _for_other_lengths(self, outcome: Outcome, branches: bool) -> Iterator[SampledErrors]:
+        """Yield the errors for other lengths than the model's; none for a proof in which no sign of a root was chosen."""
+        assert outcome.true is not None and outcome.printed is not None
+        own = self.sampled()
+        with self.exact.budget.paused():
+            from armproof.verification.equations.sampled_errors import with_lengths
+
+        sides = (outcome.true, outcome.printed)
+        if outcome.pair is not None and not (
+            self.exact.ring.signs_chosen and any(self._has_roots(side.node) for side in sides)
+        ):
+            return
+        for sampled in with_lengths(own, self.names.state.configuration):
+            self.exact.budget.check()
+            errors = self.sampled_errors(outcome, branches, sampled)
+            if errors is not None:
+                yield errors
+
+    def sampled_errors(
+        self, outcome: Outcome, branches: bool, sampled: SampledAlgebra | None = None
+    ) -> SampledErrors | None:
         """Return the errors of an equation on the double plant; None where a side cannot be evaluated there."""
         assert outcome.true is not None and outcome.printed is not None
-        sampled = self.sampled()
+        sampled = sampled or self.sampled()
         with self.exact.budget.paused():
-            from armproof.verification.equations.sampled_errors import errors_between, with_other_lengths
+            from armproof.verification.equations.sampled_errors import errors_between
 
-        sampled = with_other_lengths(sampled) if other_lengths else sampled
-        return errors_between(self.names, sampled, outcome.true.node, outcome.printed.node, outcome.pair, branches)
+        nodes = outcome.true.node, outcome.printed.node
+        return errors_between(self.names, sampled, *nodes, outcome.pair, branches)
 
 
 def _holds_arcs(outcome: Outcome) -> bool:

@@ -208,7 +208,7 @@ class Kind(MessageKind):
 
     # -- samples, relations, conditions ---------------------------------------------------------------------------------
     TO_DECIMALS = "to_decimals", "to the {decimals} decimals printed"
-    TO_DECIMALS_ON_A_BRANCH = "to_decimals_on_a_branch", "to the {decimals} decimals printed, on one branch of its arc functions"
+    TO_DECIMALS_ON_A_BRANCH = "to_decimals_on_a_branch", "to the {decimals} decimals printed, on one branch of its arc functions: at {holding} of {configurations} random configurations"
     TO_DECIMALS_THERE = "to_decimals_there", "to the decimals printed, at the configuration given before"
     WRONG_THERE = "wrong_there", "at the configuration given before", ""
     NUMBERS_OF_NOWHERE = "numbers_of_nowhere", "numbers at a configuration, or for lengths, that no display before states"
@@ -217,12 +217,16 @@ class Kind(MessageKind):
     ON_A_BRANCH = "on_a_branch", "on one branch of its square roots and arc functions: at {holding} of {configurations} random configurations; at the others another sign or half-turn is meant"
     UP_TO_A_SIGN = "up_to_a_sign", "holds up to the sign of a square root or the branch of an arc function only", ""
     FOR_THESE_LENGTHS = "for_these_lengths", "the sign of a square root is right for the lengths of this arm only", ""
+    FOR_SOME_LENGTHS = "for_some_lengths", "it holds for some lengths and not for others", ""
     ROOTS_POSITIVE = "roots_positive", "the two sides differ, square roots being taken as positive", ""
     PROOFS_DISAGREE = "proofs_disagree", "the proof and the double plant disagree"
     ALWAYS_EQUAL = "always_equal", "the two sides are equal for every configuration", ""
     INEQUALITY_HOLDS = "inequality_holds", "an inequality holds at every sample"
     INEQUALITY_FAILS = "inequality_fails", "the inequality fails at some configurations"
-    APPROXIMATION = "approximation", "an approximation, to about a hundredth"
+    APPROXIMATION = "approximation", "an approximation, to the decimals printed"
+    HAS_VALUE_WHERE = "has_value_where", "the formula has a value where ${divisor}$ is not zero"
+    PREMISE_DIFFERS = "premise_differs", "it follows, but what it follows from does not hold of the arm"
+    UNDER_MORE = "under_more", "it does not follow at every configuration; it may where joints are at rest, or with what else is said before it"
     DOES_NOT_FOLLOW = "does_not_follow", "the {holds} side holds and the {fails} does not at the configuration given"
 
     # -- wrong entries and what mends them ------------------------------------------------------------------------------

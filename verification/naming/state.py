@@ -46,6 +46,7 @@ class DocumentState:
         adopted: letters that only a frame the document adds brings in: a tool's length.
         beyond: a frame the document adds → (on which of the arm's, name).
         configuration: joint variables and lengths → the value that a display gave them.
+        compares_lengths: whether a display says which lengths are larger.
         rounded: names made of rounded numbers → to how many decimals.
         shown: the rows (from 1) in which a Jacobian was printed.
         signs: the named signs.
@@ -63,6 +64,7 @@ class DocumentState:
     adopted: set[str] = field(default_factory=set)
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)
     configuration: dict[str, float] = field(default_factory=dict)
+    compares_lengths: bool = False
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)
     signs: NamedSigns = field(default_factory=NamedSigns)
