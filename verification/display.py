@@ -155,7 +155,8 @@ class Statements:
         if not all(is_condition(chain) for chain in conclusions):
             return None
         judged = check_implication(self.checker, implication, equation, links)
-        if judged[0].verdict is Verdict.PROVED and any(o.verdict is Verdict.REFUTED for o in steps):
+        of_arm = any(self.checker.quantity_of(below) for chain in premises for below in n.walk(chain))
+        if judged[0].verdict is Verdict.PROVED and of_arm and any(o.verdict is Verdict.REFUTED for o in steps):
             return replace(judged[0], verdict=Verdict.UNCHECKED, findings=(say(Kind.PREMISE_DIFFERS),)), {}
         return judged if judged[0].verdict is not Verdict.UNCHECKED else None
 
