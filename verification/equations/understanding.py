@@ -84,7 +84,8 @@ def _sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Find
     held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
     explicit = all(_is_explicit(name) for name in by_convention)
-    if not by_convention or (explicit and (all(held) or _are_columns(outcome))):
+    points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
+    if not by_convention or (explicit and not points and (all(held) or _are_columns(outcome))):
         return None
     return say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
 

@@ -77,8 +77,8 @@ _NEXT_BAR = re.compile(
     r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
 )
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
-_UNIT_VECTOR = re.compile(
-    r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouwe]|\\omega)(?![A-Za-z])"
+_PLAIN_UNDER_HAT = re.compile(
+    r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
 _ENDS_OPERAND = frozenset(
@@ -350,9 +350,9 @@ class _Scanner:
         return [], end
 
     def _accent(self, name: str, end: int) -> str:
-        """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector."""
+        """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix."""
         accent = ACCENTS.get(name, "")
-        return "" if accent == "hat" and _UNIT_VECTOR.match(self.text, end) else accent
+        return "" if accent == "hat" and _PLAIN_UNDER_HAT.match(self.text, end) else accent
 
     def _variant(self, name: str) -> str:
         return name if name in self.spelling.told_apart else VARIANTS.get(name, name)
