@@ -40,7 +40,7 @@ class Corrector:
         """Return the corrections that mend a refuted display, at places of its LaTeX as the author wrote it, or none."""
         latex = normalise_unicode(record.latex)
         budget = self.checker.exact.budget
-        kept = self._quantities(statements)
+        kept = self._quantities(statements, outcomes)
         confirm, self.checker.confirm = self.checker.confirm, False
         try:
             with budget.of(SECONDS_TO_CORRECT):
@@ -58,7 +58,7 @@ class Corrector:
             self.checker.confirm = confirm
         return ()
 
-    def _quantities(self, statements: list[n.Statement]) -> list[n.Name]:
+    def _quantities(self, statements: list[n.Statement], outcomes: Sequence[Outcome]) -> list[n.Name]:
         """Return the names that say what an equation is about: a correction changes what is said of them, not them.
 
         A condition, with its arrow, may name another matrix; a cell of a matrix is an entry whatever stands in it.
@@ -66,7 +66,7 @@ class Corrector:
         if any(isinstance(statement, n.Connective) for statement in statements):
             return []
         names = self.checker.names
-        return [
+        found = [
             each
             for each in _outside_matrices(statements)
             if isinstance(each, n.Name)
@@ -74,6 +74,15 @@ class Corrector:
             and not names.is_free(each)
             and not IDENTITY.fullmatch(each.key)
         ]
+        said = [  # of another quantity, by a formula that has a value
+            outcome.printed.node.span
+            for outcome in outcomes
+            if outcome.pair is not None
+            and outcome.printed is not None
+            and outcome.true is not None
+            and any(_within(each, outcome.true.node.span) for each in found)
+        ]
+        return [each for each in found if not any(_within(each, span) for span in said)]
 
     def _left(self, latex: str, corrections: Corrections, before: Sequence[Outcome]) -> set[int] | None:
         """Return the equations that the corrections leave without a proof; None where they leave no display."""
@@ -160,6 +169,10 @@ def _outside_matrices(nodes: Iterable[object]) -> Iterator[n.Node]:
         if isinstance(node, n.Node) and not isinstance(node, n.Matrix):
             yield node
             yield from _outside_matrices(n.children(node))
+
+
+def _within(name: n.Name, span: tuple[int, int]) -> bool:
+    return span[0] <= name.span[0] and name.span[1] <= span[1]
 
 
 def keeps(latex: str, corrections: Corrections, names: Sequence[n.Name]) -> bool:
