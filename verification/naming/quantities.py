@@ -179,7 +179,7 @@ def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | No
 
 def _implied_vector(name: n.Name, arm: Arm) -> Quantity | None:
     reference = name.pre_sup or name.sup
-    if name.pre_sub or (name.pre_sup and name.sup):
+    if name.pre_sub or (name.pre_sup and name.sup) or (name.sup in arm.frames and name.sup.isdigit()):
         return None
     frame = _frame(arm, re.sub(r"(?<=\w),?(?:ORG|org|orig)$", "", name.sub))  # Craig's P_{3ORG}
     if frame is None:
