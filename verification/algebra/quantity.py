@@ -38,7 +38,12 @@ class Quantity:
             head = ("linear " if max(rows) <= 3 else "angular ") + head
             rows = tuple((row - 1) % 3 + 1 for row in rows)
         where = f" in frame {self.reference}" if self.kind in _PLACED else ""
-        if self.scalar and rows is not None and self.columns is None and self.kind in ("origin", "difference", "velocity", "axis"):
+        if (
+            self.scalar
+            and rows is not None
+            and self.columns is None
+            and self.kind in ("origin", "difference", "velocity", "axis")
+        ):
             return f"{head}{where}, {'xyz'[rows[0] - 1]}"
         if rows == (1, 2, 3) and self.kind == "velocity":
             rows = None

@@ -58,7 +58,11 @@ class Conventions:
     def _with_arrows(self, node: n.Node) -> n.Node:
         """Two points in braces are what stands under an arrow."""
         for below in [*n.walk(node)]:
-            if isinstance(below, n.Group) and below.brackets == "{}" and (name := self._between(below.inner)) is not None:
+            if (
+                isinstance(below, n.Group)
+                and below.brackets == "{}"
+                and (name := self._between(below.inner)) is not None
+            ):
                 node = n.substitute(node, below, name)
         return node
 
@@ -250,9 +254,11 @@ class Conventions:
         if outcome.verdict is Verdict.DEFINED and (named := set(outcome.defines) & set(self.open)):
             key = min(named)
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(self._finding(key, self.open[key]),))
-        if outcome.verdict is not Verdict.REFUTED or not self.weak:
+        if outcome.verdict is not Verdict.REFUTED or (outcome.pair is not None and is_near(outcome.pair)):
             return outcome
-        if outcome.pair is not None and is_near(outcome.pair):
+        if outcome.true is not None and _is_placed_above(outcome.true.node):  # p_0^2 may place frame 2 in frame 0
+            return replace(outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.WHICH_INDEX),), pair=None, wrong=[])
+        if not self.weak:
             return outcome
         key = min(self.weak)
         quantity = self.names.state.inferred.get(key)
@@ -314,3 +320,7 @@ def _plain_key(node: n.Node) -> str:
 
 def _is_point(name: n.Name) -> bool:
     return name.base in POINTS and not (name.sup or name.pre_sub or name.pre_sup or name.primes or name.dots)
+
+
+def _is_placed_above(node: n.Node) -> bool:
+    return isinstance(node, n.Name) and node.base in "pPoOd" and node.sup.isdigit() and node.sub.isdigit()

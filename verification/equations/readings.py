@@ -110,7 +110,11 @@ class Readings:
         fitting: list[Outcome] | None = None
         printed = self.names.state.shown.get(whole[0][1].key) or self.names.state.shown.get("J")
         value = self.members.evaluate(whole[0][0]).value
-        possible = jacobian_rows(value, printed) if mismatch and isinstance(value, Matrix) and len(value.rows) == 6 else [printed]
+        possible = (
+            jacobian_rows(value, printed)
+            if mismatch and isinstance(value, Matrix) and len(value.rows) == 6
+            else [printed]
+        )
         for rows in filter(None, possible):
             read = chain
             for below, name in whole:

@@ -62,6 +62,10 @@ class Kind(MessageKind):
         "not_as_usual_bound",
         "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}",
     )
+    WHICH_INDEX = (
+        "which_index",
+        "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter",
+    )
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
     LEFT_OUT = "left_out", "'{text}' stands beside the equation and in none: what it says is not decided"
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"

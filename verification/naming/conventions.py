@@ -73,7 +73,12 @@ def is_planar(arm: Arm) -> bool:
 
 def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Iterator[Quantity]:
     between = re.fullmatch(r"(\w+)to(\w+)", index)
-    if between is not None and base in "OPp" and (start := _frame(between[1], arm)) and (end := _frame(between[2], arm)):
+    if (
+        between is not None
+        and base in "OPp"
+        and (start := _frame(between[1], arm))
+        and (end := _frame(between[2], arm))
+    ):
         yield Quantity("difference", end, reference, start=start)
         return
     for frame, component, given in _indices(index, reference, arm):
