@@ -256,6 +256,10 @@ class Conventions:
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(self._finding(key, self.open[key]),))
         if outcome.verdict is not Verdict.REFUTED or (outcome.pair is not None and is_near(outcome.pair)):
             return outcome
+        if self._holds_numbers_for_lengths(outcome):
+            return replace(
+                outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.NUMBERS_FOR_LENGTHS),), pair=None, wrong=[]
+            )
         if outcome.true is not None and _is_placed_above(outcome.true.node):  # p_0^2 may place frame 2 in frame 0
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.WHICH_INDEX),), pair=None, wrong=[])
         if not self.weak:
@@ -265,6 +269,17 @@ class Conventions:
         self._forget(self.weak)
         finding = self._finding(key, quantity) if quantity is not None else say(Kind.NOT_BOUND, name=key)
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), pair=None, wrong=[])
+
+    def _holds_numbers_for_lengths(self, outcome: Outcome) -> bool:
+        """Whether decimals stand where the arm has lengths to which the document gives no values: det J_v = 0.15 s_2."""
+        if outcome.true is None or outcome.printed is None:
+            return False
+        lengths = set(self.names.arm.lengths) if self.names.arm is not None else set()
+        printed = [*n.walk(outcome.printed.node)]
+        if not any(isinstance(each, n.Number) and "." in each.text for each in printed):
+            return False
+        symbols = {self.names.known_symbol(each.key) for each in printed if isinstance(each, n.Name)}
+        return not symbols & lengths and not lengths & self.names.state.configuration.keys()
 
     def _finding(self, key: str, quantity: Quantity) -> Finding:
         if not quantity.front_matter:

@@ -62,6 +62,10 @@ class Kind(MessageKind):
         "not_as_usual_bound",
         "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}",
     )
+    NUMBERS_FOR_LENGTHS = (
+        "numbers_for_lengths",
+        "numbers stand where the arm has lengths, and the document gives the lengths no values: state them",
+    )
     WHICH_INDEX = (
         "which_index",
         "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter",
