@@ -272,7 +272,7 @@ class Conventions:
 
     def _holds_numbers_for_lengths(self, outcome: Outcome) -> bool:
         """Whether decimals stand where the arm has lengths to which the document gives no values: det J_v = 0.15 s_2."""
-        if outcome.true is None or outcome.printed is None:
+        if outcome.true is None or outcome.printed is None or outcome.true.rank < 3:
             return False
         lengths = set(self.names.arm.lengths) if self.names.arm is not None else set()
         printed = [*n.walk(outcome.printed.node)]
