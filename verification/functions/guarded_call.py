@@ -95,6 +95,7 @@ class Guard:
         self._buffer = _Bounded()
         self._stack = contextlib.ExitStack()
         self._by_signal = False
+        self._overdue = False  # whether the watchdog has raised in this thread
         self._deadline = math.inf
 
     @property
@@ -194,7 +195,19 @@ class Guard:
         finally:
             self._deadline = math.inf
             _SET_TIMER(signal.ITIMER_REAL, 0)
-            raise_in(threading.get_ident(), None)
+            self._let_pending_rise()
+
+    def _let_pending_rise(self) -> None:
+        """Let an exception of the watchdog that is still to come rise here and end.
+
+        Taking it back with NULL leaves CPython 3.11 looking for it: from then on a profiler or debugger never ends.
+        """
+        if self._overdue:
+            self._overdue = False
+            with contextlib.suppress(TimeUp):
+                raise_in(threading.get_ident(), TimeUp)
+                for _ in range(100):
+                    pass
 
     def _watch(self, thread: int) -> None:
         """Watch over a thread whose function may have stopped the alarm clock, until the guard is left."""
@@ -204,6 +217,7 @@ class Guard:
             while not left.wait(_REPEAT):
                 bound_recursion(limit)
                 if self._inside and time.monotonic() > self._deadline:
+                    self._overdue = True
                     raise_in(thread, Overtime)
 
         watchdog = threading.Thread(target=watch, daemon=True)

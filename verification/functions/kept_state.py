@@ -77,7 +77,6 @@ def end_threads(before: set[threading.Thread], seconds: float) -> None:
         thread.join(seconds / len(left))
 
 
-def raise_in(thread: int, problem: type[BaseException] | None) -> None:
-    """Raise an exception in a thread, at its next step in Python; None takes back one that is not yet raised."""
-    value = None if problem is None else ctypes.py_object(problem)
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), value)
+def raise_in(thread: int, problem: type[BaseException]) -> None:
+    """Raise an exception in a thread, at its next step in Python."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(problem))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -323,3 +324,14 @@ def test_an_alarm_that_was_set_still_rings() -> None:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, handler)
+
+
+def test_a_profiler_goes_on_after_a_call() -> None:
+    program = (
+        "import sys, faulthandler; faulthandler.dump_traceback_later(20, exit=True)\n"
+        "from armproof.verification.functions.guarded_call import Guard\n"
+        "with Guard(1.0) as guard: guard.call(lambda: 1)\n"
+        "sys.setprofile(lambda *_: None); (lambda: 1)(); sys.setprofile(None); print('done')"
+    )
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert ended.stdout == "done\n", ended.stderr
