@@ -16,7 +16,8 @@ SIZES = (
     Kind.WRONG_SIZE, Kind.WRONG_SIZE_OF_VALUE, Kind.SUM_OF_SIZES, Kind.PRODUCT_OF_SIZES, Kind.SUM_WITH_SCALAR,
     Kind.NO_INVERSE_OF_SIZE, Kind.NO_DETERMINANT, Kind.NO_COFACTORS,
 )  # fmt: skip
-TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", "Rot", "Rot3", "Trans")
+ELEMENTARY = ("Rot", "Rot3", "Trans")
+TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
 
 
 def counted(chain: n.Chain, names: Names) -> Finding | None:
@@ -85,7 +86,9 @@ def _sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Find
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
     explicit = all(_is_explicit(name) for name in by_convention)
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
-    if not by_convention or (explicit and not points and (all(held) or _are_columns(outcome))):
+    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for m in chain.members for b in n.walk(m))
+    understood = all(held) or elementary or _are_columns(outcome)
+    if not by_convention or (explicit and not points and understood):
         return None
     return say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
 
@@ -112,6 +115,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
         return None
     below = [each for member in chain.members for each in n.walk(member)]
     if any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below):
+        return None
+    if any(isinstance(b, n.Name) and b.pre_sup for b in below):  # a law of link matrices
         return None
     letters = [{b.key for b in n.walk(m) if isinstance(b, n.Name) and b.key not in ("pi", "I")} for m in chain.members]
     return say(Kind.NO_ARM_TO_COMPARE) if any(found != letters[0] for found in letters) else None
