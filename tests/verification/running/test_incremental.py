@@ -47,6 +47,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "shown": lambda state: state.shown.update(J=(1, 2)),
     "signs": lambda state: state.signs.values.update(sigma=1),
     "errors": lambda state: state.errors.append(PrintedError(1, "a", Name("a"), {(1, 1): "b"})),
+    "compares_lengths": lambda state: setattr(state, "compares_lengths", True),
     "consulted": lambda state: state.consulted.add(("x", 1)),
     "notation": lambda state: setattr(state, "notation", Notation(cosine="C")),
 }
