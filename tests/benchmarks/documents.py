@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.verification.check import verify
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import Role, Verdict
 
 ROOT = Path(__file__).resolve().parents[2]
 HANDOUTS = ROOT / "course" / "handouts"
@@ -122,7 +122,12 @@ def time_synthetic(displays: int) -> float:
         started = time.perf_counter()
         result = verify(path)
         seconds = time.perf_counter() - started
-    bad = [record for record in result.equations if record.verdict not in (Verdict.PROVED, Verdict.DEFINED)]
+    bad = [
+        record
+        for record in result.equations
+        if record.verdict is not Verdict.PROVED  # a coordinate that no later display uses is unchecked
+        and any(each.role is not Role.DEFINITION for each in record.outcomes)
+    ]
     if bad or len(result.equations) != displays:
         raise SystemExit(f"the synthetic document is not true: {bad[:1]}")
     return seconds
