@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Role, Verdict
 
-DEFINES = (Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.NUMBER_HERE, Kind.SIGN)
-OPEN = (Kind.PATTERN, Kind.VECTOR_HERE, Kind.CONDITION, Kind.NO_EQUATION)  # what was read, and decided by nothing
+DEFINES = {Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.NUMBER_HERE, Kind.SIGN}
 
 
 def with_role(outcome: Outcome, chain: n.Chain, names: Names) -> Outcome:
     """Give an outcome its role, which allows only some verdicts; what decides nothing is unchecked."""
     kinds = {finding.kind for finding in outcome.findings}
-    if outcome.verdict is Verdict.DEFINED and kinds & {*DEFINES}:
+    if outcome.verdict is Verdict.DEFINED and kinds & DEFINES:
         outcome.role = Role.DEFINITION
     elif outcome.verdict is Verdict.DEFINED and Kind.CONFIGURATION in kinds:
         outcome.role = Role.DATA
@@ -43,7 +44,7 @@ def _is_of_kinematics(node: n.Node, names: Names) -> bool:
     if not isinstance(node, n.Name) or node.base == "words":
         return False
     key = node.key
-    plain = node if not node.dots else n.Name(node.base, node.sub, node.sup, node.pre_sub, node.pre_sup, node.primes)
+    plain = replace(node, dots=0)
     return (
         key in names.quantities
         or key in names.state.definitions

@@ -47,7 +47,5 @@ def _rests(result: EquationResult, used: frozenset[Key]) -> bool:
 
 def _unused(result: EquationResult) -> EquationResult:
     names = sorted(name for name, _ in result.defines)
-    finding = say(Kind.NEVER_USED, names=names).at(result.index) if names else None
-    return replace(
-        result, verdict=Verdict.UNCHECKED, findings=(*result.findings, *([finding] if finding is not None else ()))
-    )
+    found = (say(Kind.NEVER_USED, names=names).at(result.index),) if names else ()
+    return replace(result, verdict=Verdict.UNCHECKED, findings=(*result.findings, *found))
