@@ -24,7 +24,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.tokens import Spelling, normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
-from armproof.verification.naming.uses import settle_definitions
+from armproof.verification.naming.state import settle_definitions
 from armproof.verification.tables import check_array_table, check_table
 from armproof.verification.verdict import DocumentResult, EquationResult, Record, Verdict, worst
 

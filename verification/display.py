@@ -14,17 +14,15 @@ from armproof.verification.conditions.implication import (
 )
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.general_links import GeneralStatements
-from armproof.verification.equations.given_values import Given
 from armproof.verification.equations.inequalities import check_relation, parts_of
-from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.roles import with_role
+from armproof.verification.equations.introduced import GivenValues, named_sign
+from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.understanding import counted, without_misreading
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.vocabulary import ASKED
-from armproof.verification.naming.signs import named_sign
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
 CHANGES = re.compile(
@@ -42,7 +40,7 @@ class Statements:
         self.names = checker.names
         self.ring = checker.exact.ring
         self.general = GeneralStatements(checker)
-        self.given = Given(checker)
+        self.given = GivenValues(checker.members)
 
     def check(
         self, statements: list[n.Statement], line: int, *, define: bool = True, latex: str = ""

@@ -21,7 +21,7 @@ from armproof.verification.algebra.written import write_bounded
 from armproof.verification.conditions.implication import Implication, is_condition
 from armproof.verification.conditions.system import Condition, System, Undecided, read_condition
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.numeric_matrices import depends_on
+from armproof.verification.equations.decimals import depends_on
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError, NoValue
 from armproof.verification.evaluation.evaluator import Evaluator

@@ -18,7 +18,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.trees import bare, has_branches
+from armproof.verification.latex.nodes import bare, has_branches
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.minors import maximal_minors
 

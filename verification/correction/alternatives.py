@@ -11,8 +11,8 @@ from armproof.verification.algebra.written import write_bounded
 from armproof.verification.correction.record import ELLIPSIS
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Correction, WrongEntry
 
 IDENTITY = re.compile(r"(?P<letter>(?:\\math(?:bf|rm|bb)\s*)?\{?\s*(?:I|1)\s*\}?)\s*_\s*(?:\d|\{\d+\})")

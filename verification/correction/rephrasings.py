@@ -10,8 +10,8 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.correction.alternatives import Corrections
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.latex.reader import key_as_latex
-from armproof.verification.naming.trees import bare, bare_key
 from armproof.verification.verdict import Correction
 
 _RELATIONS = re.compile(r"\\(?:neq|ne|leq?|geq?|l[te]|g[te])(?![A-Za-z])|[<>]|\\not\s*=")

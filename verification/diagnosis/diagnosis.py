@@ -19,8 +19,8 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Record, WrongEntry
 
 if TYPE_CHECKING:

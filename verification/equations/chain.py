@@ -9,7 +9,7 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.definitions import Definitions
 from armproof.verification.equations.equality import Equality
-from armproof.verification.equations.new_letters import adopts_letters, keys_alone, new_letters, new_name, renew_letter
+from armproof.verification.equations.introduced import adopts_letters, keys_alone, new_letters, new_name, renew_letter
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.second_route import SecondRoute
@@ -17,8 +17,8 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.trees import bare_key, has_branches
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra

@@ -7,7 +7,7 @@ from dataclasses import replace
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.equations.alignment import Pair
-from armproof.verification.equations.numeric_matrices import coarsest_decimals
+from armproof.verification.equations.decimals import coarsest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.sides import Member
@@ -15,7 +15,7 @@ from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.trees import bare_key, has_branches, has_dots, squared_name
+from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.verdict import Verdict
 
 
@@ -49,7 +49,7 @@ class Definitions:
             if located is not None and located.verdict is Verdict.REFUTED:
                 return replace(located, findings=(finding_of(member.problem),))
             return Outcome(Verdict.REFUTED, (finding_of(member.problem),), equation, true, member)
-        if has_dots(member.node):
+        if _has_dots(member.node):
             return Outcome(Verdict.DEFINED, (say(Kind.PATTERN),), equation, true, member)
         if isinstance(member.problem, UnboundName):
             key = bare_key(member.node)
@@ -61,7 +61,7 @@ class Definitions:
                     if isinstance(member.node, n.Name):
                         self.names.add_frame(member.node)
                 return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=key),), equation, true, member, defines=(key,))
-            if (root := squared_name(member.node)) is not None:
+            if (root := _squared_name(member.node)) is not None:
                 if self.defines:
                     square_root = n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)
                     self.names.define(root, self.members.meaning(square_root), self.line)
@@ -151,7 +151,7 @@ class Definitions:
 
     def nothing_known(self, members: list[Member], equation: int) -> list[Outcome]:
         """Nothing has a value: a bare new name on one side is a definition in words or symbols, else unchecked."""
-        if any(has_dots(m.node) for m in members):
+        if any(_has_dots(m.node) for m in members):
             return [Outcome(Verdict.DEFINED, (say(Kind.PATTERN),), equation)]
         outside = [m for m in members if isinstance(m.problem, OutsideAlgebra)]
         if len(outside) >= 2 and len(outside) == len(members):
@@ -181,3 +181,15 @@ class Definitions:
         problem = other or unbound
         findings = (finding_of(problem),) if problem is not None else ()
         return [Outcome(Verdict.UNCHECKED, findings, equation)]
+
+
+def _squared_name(node: n.Node) -> str | None:
+    """The r of r² = x² + y², which is a length and positive."""
+    if isinstance(node, n.Power) and isinstance(node.exponent, n.Number) and node.exponent.value == 2:
+        return bare_key(node.base)
+    return None
+
+
+def _has_dots(node: n.Node) -> bool:
+    """Whether an ellipsis stands in a tree."""
+    return any(isinstance(below, n.Dots) for below in n.walk(node))

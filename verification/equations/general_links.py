@@ -14,7 +14,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.trees import bare
+from armproof.verification.latex.nodes import bare
 from armproof.verification.verdict import Verdict
 
 PAIRS = {("i-1", "i"): False, ("i", "i-1"): True}

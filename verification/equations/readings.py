@@ -14,8 +14,8 @@ from armproof.verification.equations.sides import Member
 from armproof.verification.errors import UnboundName
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
-from armproof.verification.naming.trees import bare_key, has_branches
 from armproof.verification.verdict import Verdict
 
 

@@ -10,13 +10,11 @@ import numpy as np
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, align, angle_places
-from armproof.verification.equations.numeric_matrices import printed_decimals
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.trees import is_arc
 
 SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula and are left out
 LEAST_SHARE = 0.05  # of the configurations drawn at random
@@ -86,7 +84,7 @@ def errors_between(
     """
     places = angle_places(exact) if exact is not None else set()
     # without exact values the trees tell: a side that is an arc function is an angle
-    loose = exact is None and any(is_arc(node) for node in (true, printed))
+    loose = exact is None and any(_is_arc(node) for node in (true, printed))
 
     def angles(r: int, c: int) -> bool:
         return loose or (r, c) in places
@@ -168,14 +166,14 @@ class NumericComparison:
 
 
 def compare_numbers(
-    true: Matrix, printed: Matrix, node: n.Node, sampled: SampledAlgebra, configuration: Mapping[str, float]
+    true: Matrix, printed: Matrix, decimals: int, sampled: SampledAlgebra, configuration: Mapping[str, float]
 ) -> NumericComparison:
-    """Compare entry by entry, within one unit of the last decimal printed, at the values that the document gave before."""
+    """Compare entry by entry, within one unit of the last of the decimals printed, at the values that the document gave before."""
     assert sampled.arm is not None
     symbols = [joint.symbol for joint in sampled.arm.joints] + [*sampled.arm.lengths]
     values = {symbol: np.array([configuration.get(symbol, np.nan)]) for symbol in symbols}
     there = SampledAlgebra(sampled.exact, sampled.q[:1], sampled.seed, values)
-    tolerance = 10.0 ** -printed_decimals(node)
+    tolerance = 10.0**-decimals
     wrong, left_open, largest = [], [], 0.0
     for r, (true_row, printed_row) in enumerate(zip(true.rows, printed.rows, strict=True)):
         for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
@@ -187,3 +185,10 @@ def compare_numbers(
             else:
                 largest = max(largest, error)
     return NumericComparison(wrong, left_open, largest)
+
+
+def _is_arc(node: n.Node) -> bool:
+    """Whether an arc function stands in a tree outside of cosines and other functions."""
+    if isinstance(node, n.Call):
+        return node.function in ("acos", "asin", "atan", "atan2")
+    return any(_is_arc(below) for below in n.children(node))

@@ -9,7 +9,7 @@ import numpy as np
 
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.numeric_matrices import fewest_decimals
+from armproof.verification.equations.decimals import fewest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator

@@ -12,7 +12,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.trees import bare
+from armproof.verification.latex.nodes import bare
 from armproof.verification.verdict import Verdict
 
 if TYPE_CHECKING:

@@ -15,8 +15,8 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import call_key
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.trees import call_key
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra

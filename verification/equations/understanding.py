@@ -8,8 +8,8 @@ from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.trees import bare
 from armproof.verification.verdict import Verdict
 
 SIZES = (

@@ -16,8 +16,8 @@ from armproof.verification.evaluation.differentiation import time_derivative
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import call_key
 from armproof.verification.naming.quantities import numbered_frames, transform_pair
-from armproof.verification.naming.trees import call_key
 
 _MATRIX_CALLS: dict[str, Callable[[Matrix], Value]] = {
     "det": Matrix.determinant,

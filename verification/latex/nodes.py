@@ -227,14 +227,8 @@ def children(node: Node) -> Iterator[Node]:
 def _branching(kind: Any) -> tuple[str, ...]:
     """The fields of a class that may hold nodes."""
     plain = (
-        "str",
-        "int",
-        "Fraction",
-        "tuple[int, int]",
-        "tuple[int, int] | None",
-        "tuple[tuple[int, int], ...]",
-        "tuple[str, ...]",
-    )
+        "str", "int", "Fraction", "tuple[int, int]", "tuple[int, int] | None", "tuple[tuple[int, int], ...]", "tuple[str, ...]",
+    )  # fmt: skip
     return tuple(spec.name for spec in fields(kind) if spec.type not in plain)
 
 
@@ -260,6 +254,35 @@ def ungrouped(node: Node) -> Node:
     while isinstance(node, Group):
         node = node.inner
     return node
+
+
+def bare(node: Node) -> Node:
+    """Return a tree without the brackets and braces around it."""
+    while isinstance(node, Group | Labelled):
+        node = node.inner
+    return node
+
+
+def bare_key(node: Node) -> str | None:
+    """Return the key of a node that is one name, whatever brackets stand around it."""
+    node = bare(node)
+    if isinstance(node, Name):
+        return node.key if node.base not in ("words", "=") else None
+    if isinstance(node, Call) and node.function == "name" and all(isinstance(a, Name) for a in node.arguments):
+        return call_key(node)
+    return None
+
+
+def call_key(node: Call) -> str:
+    """Return the key of a name with arguments: J(q)."""
+    name, *arguments = node.arguments
+    head = name.key if isinstance(name, Name) else "?"
+    return f"{head}({','.join(a.key for a in arguments if isinstance(a, Name))})"
+
+
+def has_branches(node: Node) -> bool:
+    """Whether ± or ∓ stands in a tree."""
+    return any(sign in "±∓" for below in walk(node) if isinstance(below, Sum) for sign, _ in below.terms)
 
 
 def substitute(node: Node, old: Node, new: Node) -> Node:

@@ -15,11 +15,11 @@ from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
+from armproof.verification.latex.nodes import call_key
 from armproof.verification.latex.reader import Reader, key_as_latex
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.quantities import implied_quantity, read_quantity, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState
-from armproof.verification.naming.trees import call_key
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
 # words of a name that LaTeX reads without being told: letters, functions, accents and styles

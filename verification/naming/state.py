@@ -1,16 +1,20 @@
-"""The state of a document: all that its displays change, as one value."""
+"""The state of a document: all that its displays change, as one value, and which of the definitions count in the end."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from itertools import product
 from typing import Any
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.signs import NamedSigns
+from armproof.verification.verdict import EquationResult, Record, Verdict, worst
+
+Key = tuple[str, int]  # a name and the line of the display that defines it
 
 
 @dataclass(frozen=True)
@@ -31,6 +35,41 @@ class PrintedError:
     key: str
     node: n.Node
     cells: dict[tuple[int, int], str]
+
+
+@dataclass
+class NamedSigns:
+    """The named signs of a document, each with the value that it has on the branch at hand."""
+
+    values: dict[str, int] = field(default_factory=dict)
+    read: set[str] = field(default_factory=set)  # those that an evaluation has met since this was emptied
+    lines: dict[str, int] = field(default_factory=dict)  # of the displays that name them
+
+    def value(self, key: str) -> int | None:
+        """Return the value of a sign, or None for another name."""
+        if key in self.values:
+            self.read.add(key)
+        return self.values.get(key)
+
+    def name(self, key: str, line: int) -> None:
+        """Take a name for a sign, as a display says."""
+        self.values[key] = 1
+        self.lines.setdefault(key, line)
+
+    def copy(self) -> NamedSigns:
+        """Return the signs as they are now."""
+        return NamedSigns(self.values.copy(), self.read.copy(), self.lines.copy())
+
+    def branches(self, several: bool = True) -> Iterator[int]:
+        """Yield the sign of ± on every branch, the signs that have been met having their values on it."""
+        if not several:
+            yield 1
+            return
+        met = sorted(self.read)
+        for signs in product((1, -1), repeat=len(met)):
+            self.values.update(zip(met, signs, strict=True))
+            yield from (1, -1)
+        self.values.update(dict.fromkeys(met, 1))
 
 
 @dataclass
@@ -81,3 +120,43 @@ class DocumentState:
     def become(self, other: DocumentState) -> None:
         """Take over another state, which stays as it is: whoever holds this one goes on from there."""
         vars(self).update(vars(other.copy()))
+
+
+def settle_definitions(records: Iterable[Record]) -> tuple[Record, ...]:
+    """Return the records of a document; a definition that no decided claim uses is unchecked: nothing rests on it."""
+    records = tuple(records)
+    used = used_names([each for record in records if not record.erratum for each in record.outcomes])
+    return tuple(_settled(record, used) for record in records)
+
+
+def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
+    """Return the names that decided equations rest on, those of the definitions between included."""
+    results = list(results)
+    through = [each for each in results if each.defines]
+    used: set[Key] = set()
+    new = {key for each in results if each.is_decided for key in each.uses}
+    while new:
+        used |= new
+        new = {key for each in through if each.defines & new for key in each.uses} - used
+    return frozenset(used)
+
+
+def _settled(record: Record, used: frozenset[Key]) -> Record:
+    if not any(_rests(each, used) for each in record.outcomes):
+        return record
+    outcomes = tuple(_unused(each) if _rests(each, used) else each for each in record.outcomes)
+    verdict = worst([each.verdict for each in outcomes])
+    if verdict is not Verdict.UNCHECKED:
+        return replace(record, outcomes=outcomes, verdict=verdict)
+    findings = tuple(finding for each in outcomes if each.verdict is verdict for finding in each.findings)
+    return replace(record, outcomes=outcomes, verdict=verdict, findings=findings)
+
+
+def _rests(result: EquationResult, used: frozenset[Key]) -> bool:
+    return result.verdict is Verdict.DEFINED and not result.defines & used
+
+
+def _unused(result: EquationResult) -> EquationResult:
+    names = sorted(name for name, _ in result.defines)
+    found = (say(Kind.NEVER_USED, names=names).at(result.index),) if names else ()
+    return replace(result, verdict=Verdict.UNCHECKED, findings=(*result.findings, *found))
