@@ -25,7 +25,7 @@ from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.tokens import Spelling, normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
 from armproof.verification.naming.state import settle_definitions
-from armproof.verification.tables import check_array_table, check_table
+from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.verdict import DocumentResult, EquationResult, Record, Verdict, worst
 
 if TYPE_CHECKING:
@@ -204,7 +204,7 @@ class DocumentChecker:
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
-                if (table := check_array_table(self.checker, display)) is not None:
+                if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 return self._judge(record, display, self.names.reader.read(display.latex))
         except ReadError as error:

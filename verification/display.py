@@ -17,7 +17,8 @@ from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.introduced import GivenValues, named_sign
 from armproof.verification.equations.outcome import Outcome, with_role
-from armproof.verification.equations.understanding import counted, without_misreading
+from armproof.verification.equations.readings import counted
+from armproof.verification.equations.understanding import without_misreading
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -55,6 +56,7 @@ class Statements:
             for part in _without_vanishing_end(self._resolve_subject(statement))
         ]
         asked = [_asked(statement) for statement in statements]
+        connected = any(isinstance(statement, n.Connective) for statement in statements)
         outcomes: list[Outcome] = []
         extra: dict[str, float] = {}
         equation = 1
@@ -66,7 +68,7 @@ class Statements:
             if isinstance(statement, n.Connective):
                 index += 1
                 continue
-            implication = find_implication(asked, index)
+            implication = find_implication(asked, index) if connected else None
             if implication is None:
                 found = self._chain(statement, equation, line, define)
                 outcomes.extend(with_role(outcome, statement, self.names) for outcome in found)
@@ -235,7 +237,7 @@ class Statements:
         if any(isinstance(member, n.Cases) for member in chain.members):
             return self._cases(chain, equation, line, define)
         outcomes = self.general.check(chain, equation, line, define) or self._decided(chain, equation, line, define)
-        return [without_misreading(outcome, chain, self.names) for outcome in outcomes]
+        return [without_misreading(o, chain, self.names) if o.verdict is Verdict.REFUTED else o for o in outcomes]
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         outcomes = self.checker.check(chain, equation, line, define)

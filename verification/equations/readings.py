@@ -1,4 +1,4 @@
-"""The other readings that a display may have: fewer rows of a Jacobian, an angle of its own, a slipped index."""
+"""The other readings that a display may have: fewer rows of a Jacobian, an angle of its own, a slipped index, an index above."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import UnboundName
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key, has_branches
+from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
+from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Verdict
 
 
@@ -144,3 +145,23 @@ class Readings:
                 slip = say(Kind.NO_SUCH_LENGTH, name=name.key, length=length)
                 return Outcome(Verdict.REFUTED, (slip,), equation, true, member)
         return None
+
+
+def counted(chain: n.Chain, names: Names) -> Finding | None:
+    """Say that a joint variable has a script above it that may count it: θ^{(2)}, θ^1, or a θ^2 alone on its side."""
+    for member in chain.members:
+        for below in n.walk(member):
+            if not isinstance(below, n.Power) or not _is_joint(below.base, names):
+                continue
+            exponent = below.exponent
+            one = isinstance(exponent, n.Number) and exponent.value in (0, 1)
+            if isinstance(exponent, n.Group) or one or bare(member) is below:
+                return say(Kind.INDEX_OR_POWER)
+    return None
+
+
+def _is_joint(node: n.Node, names: Names) -> bool:
+    joints = (
+        {joint.symbol for joint in names.arm.joints if joint.kind == "revolute"} if names.arm is not None else set()
+    )
+    return isinstance(node, n.Name) and not node.dots and names.known_symbol(node.key) in joints

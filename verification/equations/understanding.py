@@ -20,23 +20,8 @@ ELEMENTARY = ("Rot", "Rot3", "Trans")
 TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
 
 
-def counted(chain: n.Chain, names: Names) -> Finding | None:
-    """Say that a joint variable has a script above it that may count it: θ^{(2)}, θ^1, or a θ^2 alone on its side."""
-    for member in chain.members:
-        for below in n.walk(member):
-            if not isinstance(below, n.Power) or not _is_joint(below.base, names):
-                continue
-            exponent = below.exponent
-            one = isinstance(exponent, n.Number) and exponent.value in (0, 1)
-            if isinstance(exponent, n.Group) or one or bare(member) is below:
-                return say(Kind.INDEX_OR_POWER)
-    return None
-
-
 def without_misreading(outcome: Outcome, chain: n.Chain, names: Names) -> Outcome:
-    """Return an outcome that refutes only what was understood."""
-    if outcome.verdict is not Verdict.REFUTED:
-        return outcome
+    """Return a refuted outcome, or an unchecked one where it was not understood."""
     reason = (
         _rotation_for_pose(outcome, names) or _own_name(chain, names) or _sizes_of_convention(outcome, chain, names)
     )
@@ -120,13 +105,6 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
         return None
     letters = [{b.key for b in n.walk(m) if isinstance(b, n.Name) and b.key not in ("pi", "I")} for m in chain.members]
     return say(Kind.NO_ARM_TO_COMPARE) if any(found != letters[0] for found in letters) else None
-
-
-def _is_joint(node: n.Node, names: Names) -> bool:
-    joints = (
-        {joint.symbol for joint in names.arm.joints if joint.kind == "revolute"} if names.arm is not None else set()
-    )
-    return isinstance(node, n.Name) and not node.dots and names.known_symbol(node.key) in joints
 
 
 def _is_bound(name: n.Name, names: Names) -> bool:

@@ -11,16 +11,16 @@ from lark import Token, Transformer
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.items import (
-    Differential,
-    Item,
+from armproof.verification.latex.items import Differential, Item
+from armproof.verification.latex.runs import (
+    RunReader,
     argument_end,
     node_item,
     partial_derivative,
+    product,
     scripts_before,
     total_derivative,
 )
-from armproof.verification.latex.runs import RunReader, product
 from armproof.verification.latex.statements import Cell, build_statements, environment_node
 from armproof.verification.latex.tokens import span_of_token
 

@@ -19,7 +19,7 @@ _OPENING = re.compile(
     r"\s*(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?\\begin\s*"
     r"\{(?:(?P<ruled>array|tabular)\}\s*(?:\[\w\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}|(?P<plain>[bpvB]?matrix|aligned)\})"
 )
-_TWIST = re.compile(r"alpha|α|twist|torsi", re.IGNORECASE)  # no DH table without that column
+TWIST = re.compile(r"alpha|α|twist|torsi", re.IGNORECASE)  # no DH table without that column
 _CLOSING = re.compile(
     r"\\end\s*\{(?P<name>\w+)\}\s*(?:\\right\s*\\?[\])}|.]\s*)?[.,;]?\s*(?:\\(?:tag|label)\{[^}]*\}\s*)?[.,;]?\s*"
 )
@@ -49,7 +49,7 @@ class ArrayTable:
 def read_array(display: Display) -> ArrayTable | None:
     """Return the table of a display that holds one array and nothing else, or None."""
     latex = display.latex
-    if "&" not in latex or not _TWIST.search(latex):
+    if "&" not in latex or not TWIST.search(latex):
         return None
     opening = _OPENING.match(latex)
     cut = _cut(latex, opening.end()) if opening is not None else None
