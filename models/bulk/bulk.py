@@ -22,8 +22,8 @@ from armproof.models.bulk.inputs import JointInputs
 from armproof.models.bulk.jacobian_part import JacobianPart, maximal_minors, read_part
 from armproof.models.bulk.program import Program
 from armproof.models.errors import Fault, ModelError
-from armproof.models.exact.chain import ChainKinematics, traced_link
-from armproof.models.exact.constants import constant_value
+from armproof.models.exact.chain import Algebra, ChainKinematics, traced_link
+from armproof.models.exact.numbers import constant_value
 from armproof.models.exact.polynomial import Generator
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.joint_values import read_joint_values
@@ -52,8 +52,9 @@ class BulkKinematics:
         self._variables = {joint.symbol for joint in arm.joints}
         trace = trace_of(arm)
         depths = {frame: trace.depth(frame) for frame in arm.frames}
-        self._graph = Graph(self._constant)
-        self._kinematics = ChainKinematics(depths, len(arm.joints), partial(traced_link, trace), self._graph)
+        self._graph = graph = Graph(self._constant)
+        algebra = Algebra(graph.entry, graph.add, graph.multiply, graph.scale)
+        self._kinematics = ChainKinematics(depths, len(arm.joints), partial(traced_link, trace), algebra)
         self._programs: dict[tuple[Any, ...], tuple[Program, list[tuple[int, int]]]] = {}
         self._lock = Lock()
         self._ranks: dict[JacobianPart, int] = {}

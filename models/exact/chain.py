@@ -11,28 +11,25 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import groupby, pairwise
-from typing import Generic, Protocol, TypeVar
+from typing import Generic, TypeVar
 
-from armproof.models.exact.polynomial import ONE, ZERO, Entry, Rows, add, matrix_product, scale, transpose
+from armproof.models.exact.polynomial import ONE, ZERO, Entry, Rows, add, matrix_product, multiply, scale, transpose
 from armproof.models.exact.trace import Trace
 
 T = TypeVar("T")
 
 
-class Algebra(Protocol[T]):
-    """What the links are multiplied in."""
+@dataclass(frozen=True)
+class Algebra(Generic[T]):
+    """What the links are multiplied in: `entry` brings an exact entry into it, `scale` multiplies by a whole number."""
 
-    def entry(self, entry: Entry) -> T:
-        """Return an exact entry."""
+    entry: Callable[[Entry], T]
+    add: Callable[..., T]
+    multiply: Callable[[T, T], T]
+    scale: Callable[[T, int], T]
 
-    def add(self, *terms: T) -> T:
-        """Return a sum."""
 
-    def multiply(self, left: T, right: T) -> T:
-        """Return a product."""
-
-    def scale(self, term: T, number: int) -> T:
-        """Return a multiple."""
+POLYNOMIALS: Algebra[Entry] = Algebra(lambda entry: entry, add, multiply, scale)
 
 
 @dataclass(frozen=True)

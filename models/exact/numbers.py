@@ -7,15 +7,16 @@ decimal within 1e-12, an entry of a rotation 0, ±1 or the square root of a rati
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import isfinite, isqrt, pi, sqrt
+from math import cos, isfinite, isqrt, pi, sin, sqrt
 
 from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.polynomial import (
     ONE,
     ZERO,
     Entry,
+    Generator,
     Rows,
     add,
     generator,
@@ -23,6 +24,7 @@ from armproof.models.exact.polynomial import (
     multiply,
     number,
     root,
+    root_value,
     scale,
     transpose,
 )
@@ -107,6 +109,22 @@ def angle_value(name: str) -> float:
     if not is_multiple:
         return float(name)
     return int(head.rstrip("*") or 1) * pi / int(denominator)
+
+
+def constant_value(generator: Generator, values: Mapping[str, float]) -> float:
+    """Return the number of a generator that no joint moves.
+
+    Args:
+        generator: a square root, a length, or the cosine or sine of a constant angle, named or numeric ("pi/5", "0.3").
+        values: lengths (m) and angles (rad) by their symbols.
+    """
+    kind, name = generator
+    if kind == "sqrt":
+        return root_value(name)
+    if kind == "symbol":
+        return values[name]
+    angle = values[name] if name in values else angle_value(name)
+    return cos(angle) if kind == "cos" else sin(angle)
 
 
 def rotation(axis: int, cos_sin: tuple[Entry, Entry]) -> Rows:

@@ -35,10 +35,9 @@ def exact_offsets(plant: Any) -> dict[int, Offset]:
     from pydrake.multibody.tree import FixedOffsetFrame
 
     context = plant.CreateDefaultContext()
-    frames = (frame_at(plant, index) for index in range(plant.num_frames()))
     return {
         int(frame.index()): exact_offset(frame.GetPoseInParentFrame(context))
-        for frame in frames
+        for frame in frames_of(plant)
         if isinstance(frame, FixedOffsetFrame)
     }
 
@@ -48,6 +47,11 @@ def frame_at(plant: Any, index: int) -> Any:
     from pydrake.multibody.tree import FrameIndex
 
     return plant.get_frame(FrameIndex(index))
+
+
+def frames_of(plant: Any) -> list[Any]:
+    """Return the frames of a plant; the world's, which is the arm's foot, among them."""
+    return [frame_at(plant, index) for index in range(plant.num_frames())]
 
 
 def nearly_right_angles(plant: Any, source: str) -> tuple[str, ...]:

@@ -160,23 +160,3 @@ def evaluate(entry: Entry, value: Callable[[Generator], T]) -> T | float:
 def root_value(name: str) -> float:
     """Return the value of the generator ("sqrt", name)."""
     return sqrt(int(name))
-
-
-class Polynomials:
-    """The algebra of the entries themselves, for models/exact/chain.py."""
-
-    def entry(self, entry: Entry) -> Entry:
-        """Return an entry."""
-        return entry
-
-    def add(self, *terms: Entry) -> Entry:
-        """Return the sum of entries."""
-        return add(*terms)
-
-    def multiply(self, left: Entry, right: Entry) -> Entry:
-        """Return the product of two entries, in normal form."""
-        return multiply(left, right)
-
-    def scale(self, term: Entry, number: int) -> Entry:
-        """Return an entry times a whole number."""
-        return scale(term, number)

@@ -15,7 +15,7 @@ from armproof.models.exact.offset import Offset, exact_offsets, frame_at
 from armproof.models.exact.polynomial import Entry, Generator, Rows, number
 from armproof.models.exact.polynomial import generators as generators_of
 from armproof.models.numeric.drake_arm import DrakeArm
-from armproof.models.numeric.jacobian import calc_jacobian
+from armproof.models.numeric.plant import calc_jacobian
 
 _ZERO_OFFSET = Offset(IDENTITY, (number(0),) * 3)
 

@@ -16,7 +16,6 @@ from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Entry, Generator, Rows
 
-AXES = {"x": 0, "y": 1, "z": 2}
 _MOST_GROWTH = 19
 
 
@@ -85,20 +84,6 @@ class Trace:
             self._check_size(below, (frame, reference))
             self._entries[key] = _read_only(self._kinematics.pose(frame, reference))
         return self._entries[key]
-
-    def rotation(self, frame: str, reference: str | None = None) -> Rows:
-        """Return the rotation matrix of a frame in a reference frame: 3 rows of 3 entries."""
-        return tuple(row[:3] for row in self.pose(frame, reference)[:3])
-
-    def origin(self, frame: str, reference: str | None = None) -> tuple[Entry, ...]:
-        """Return the origin of a frame from the origin of the reference frame, in its axes: 3 entries, metres."""
-        return tuple(row[3] for row in self.pose(frame, reference)[:3])
-
-    def axis(self, frame: str, axis: str = "z", reference: str | None = None) -> tuple[Entry, ...]:
-        """Return the unit vector of an axis, x, y or z, of a frame in the axes of the reference frame: 3 entries."""
-        if axis not in AXES:
-            raise ModelError(Fault.NO_SUCH_AXIS, axis=axis)
-        return tuple(row[AXES[axis]] for row in self.rotation(frame, reference))
 
     def jacobian(self, frame: str, expressed_in: str | None = None, reference: str | None = None) -> Rows:
         """Return the geometric Jacobian of the origin of a frame: [v; ω] = J(q) q̇.

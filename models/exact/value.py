@@ -18,8 +18,8 @@ from typing import Any
 from armproof.models.arm import Arm, Joint
 from armproof.models.dh.table import read_table, write_table
 from armproof.models.errors import Fault, ModelError
-from armproof.models.exact.chain import ChainKinematics, Link, traced_link
-from armproof.models.exact.polynomial import Entry, Generator, Polynomials
+from armproof.models.exact.chain import POLYNOMIALS, ChainKinematics, Link, traced_link
+from armproof.models.exact.polynomial import Entry, Generator
 from armproof.models.exact.trace import trace_of
 
 FORMAT = 1
@@ -38,7 +38,7 @@ class WrittenKinematics:
 
     @cached_property
     def _chain(self) -> ChainKinematics[Entry]:
-        return ChainKinematics(self.depths, self.joints, lambda before, after: self.links[before, after], Polynomials())
+        return ChainKinematics(self.depths, self.joints, lambda before, after: self.links[before, after], POLYNOMIALS)
 
     def depth(self, frame: str) -> int:
         """Return the number of moving joints between the base and a frame."""
@@ -61,7 +61,7 @@ def write_value(arm: Arm) -> str:
     """
     trace = trace_of(arm)
     depths = {frame: trace.depth(frame) for frame in arm.frames}
-    pairs = ChainKinematics(depths, len(arm.joints), partial(traced_link, trace), Polynomials()).pairs()
+    pairs = ChainKinematics(depths, len(arm.joints), partial(traced_link, trace), POLYNOMIALS).pairs()
     value = {
         "armproof arm": FORMAT,
         **{key: getattr(arm, key) for key in _TEXTS},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any, Literal
 from armproof.models.arm import Arm, Joint
 from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.numbers import TOLERANCE
-from armproof.models.exact.offset import Offset, exact_offset, frame_at, nearly_right_angles
+from armproof.models.exact.offset import Offset, exact_offset, frames_of, nearly_right_angles
 from armproof.models.exact.polynomial import generator, scale
 from armproof.models.exact.symbolic import SymbolicPlant
 from armproof.models.loading.card import Card, Place
@@ -29,34 +30,18 @@ def load_plain(path: Path) -> Arm:
     Raises:
         ModelError: the file cannot be read, or is not one serial chain.
     """
-    plant, warnings = read_model(path)
-    chain = find_chain(plant, str(path))
-    warnings += nearly_right_angles(plant, str(path))
+    plant, chain, warnings = _read_chain(path)
     symbols = [
         f"{'theta' if joint.type_name() == 'revolute' else 'd'}_{i}" for i, joint in enumerate(chain.joints, start=1)
     ]
     numbered = [chain.base, *(joint.child_body() for joint in chain.joints)]
     frames = {str(i): body.body_frame() for i, body in enumerate(numbered)}
-    for frame in _frames(plant):
+    for frame in frames_of(plant):
         if frame.is_body_frame() and not frame.is_world_frame():
             frames.setdefault(frame.name(), frame)
-    name, joints = path.name.split(".")[0], _joints(chain, symbols)
-    drake = DrakeArm(plant, chain.base, chain.joints, MappingProxyType(frames))
-    return Arm(
-        name=name,
-        title=name,
-        source=path.name,
-        zero="",
-        joints=joints,
-        lengths=MappingProxyType({}),
-        angles=MappingProxyType({}),
-        frames=tuple(frames),
-        exact=SymbolicPlant(name, joints, drake),
-        drake=drake,
-        path=path,
-        digest=_digest(path),
-        warnings=warnings,
-    )
+    name = path.name.split(".")[0]
+    texts: dict[str, Any] = {"name": name, "title": name, "source": path.name, "zero": ""}
+    return _arm(plant, chain, frames, symbols, **texts, path=path, digest=_digest(path), warnings=warnings)
 
 
 def load_card(card: Card, name: str) -> Arm:
@@ -65,32 +50,17 @@ def load_card(card: Card, name: str) -> Arm:
     Raises:
         ModelError: the model file cannot be read, or the card names what the model does not have; with file and line.
     """
-    plant, warnings = read_model(card.model)
-    chain = find_chain(plant, str(card.model))
-    warnings += nearly_right_angles(plant, str(card.model))
+    plant, chain, warnings = _read_chain(card.model)
     names = [joint.name() for joint in chain.joints]
     if list(card.joints) != names:
         card.fail("joints", Fault.JOINTS_OF_CARD, joints=list(card.joints), names=names)
     lengths, offsets = _bind_lengths(card, plant)
     frames = {frame: _find_frame(card, plant, frame, place) for frame, place in card.frames.items()}
-    joints = _joints(chain, list(card.joints.values()))
-    drake = DrakeArm(plant, chain.base, chain.joints, MappingProxyType(frames))
+    symbols, digest = list(card.joints.values()), _digest(card.path, card.model)
+    texts: dict[str, Any] = {"name": name, "title": card.title, "source": card.source, "zero": card.zero}
+    more = {"path": card.model, "digest": digest, "warnings": warnings}
     try:
-        return Arm(
-            name=name,
-            title=card.title,
-            source=card.source,
-            zero=card.zero,
-            joints=joints,
-            lengths=MappingProxyType(lengths),
-            angles=MappingProxyType({}),
-            frames=tuple(frames),
-            exact=SymbolicPlant(name, joints, drake, offsets),
-            drake=drake,
-            path=card.model,
-            digest=_digest(card.path, card.model),
-            warnings=warnings,
-        )
+        return _arm(plant, chain, frames, symbols, lengths, offsets, **texts, **more)
     except ModelError as error:
         raise ModelError(Fault.IN_MODEL, source=card.path, reason=error) from None
 
@@ -99,17 +69,42 @@ def _digest(*files: Path) -> str:
     return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
-def _joints(chain: Chain, symbols: list[str]) -> tuple[Joint, ...]:
+def _read_chain(path: Path) -> tuple[Any, Chain, tuple[str, ...]]:
+    plant, warnings = read_model(path)
+    chain = find_chain(plant, str(path))
+    return plant, chain, warnings + nearly_right_angles(plant, str(path))
+
+
+def _arm(
+    plant: Any,
+    chain: Chain,
+    frames: Mapping[str, Any],
+    symbols: Sequence[str],
+    lengths: Mapping[str, float] = MappingProxyType({}),
+    offsets: Mapping[int, Offset] | None = None,
+    **others: Any,
+) -> Arm:
+    """Return the arm of a plant, with the symbols of its joints, its lengths and the exact poses that these are in."""
+    joints = _joints(chain, symbols)
+    drake = DrakeArm(plant, chain.base, chain.joints, MappingProxyType(frames))
+    return Arm(
+        joints=joints,
+        lengths=MappingProxyType(lengths),
+        angles=MappingProxyType({}),
+        frames=tuple(frames),
+        exact=SymbolicPlant(others["name"], joints, drake, offsets),
+        drake=drake,
+        **others,
+    )
+
+
+def _joints(chain: Chain, symbols: Sequence[str]) -> tuple[Joint, ...]:
     joints = []
     for index, (joint, symbol) in enumerate(zip(chain.joints, symbols, strict=True), start=1):
         kind: Literal["revolute", "prismatic"] = "revolute" if joint.type_name() == "revolute" else "prismatic"
         lower, upper = float(joint.position_lower_limit()), float(joint.position_upper_limit())
         joints.append(Joint(index, joint.name(), symbol, kind, lower, upper))
     return tuple(joints)
-
-
-def _frames(plant: Any) -> list[Any]:
-    return [frame_at(plant, index) for index in range(plant.num_frames())]
 
 
 def _model_joints(plant: Any) -> dict[str, Any]:
@@ -158,7 +153,7 @@ def _find_frame(card: Card, plant: Any, name: str, place: str) -> Any:
     joint, _, end = place.rpartition(".")
     if end == "parent" and joint in joints:
         return joints[joint].frame_on_parent()
-    frames = {frame.name(): frame for frame in _frames(plant)}
+    frames = {frame.name(): frame for frame in frames_of(plant)}
     if place in frames:
         return frames[place]
     links = [frame.name() for frame in frames.values() if frame.is_body_frame()]

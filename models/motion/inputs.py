@@ -1,14 +1,10 @@
-"""Checks of what a user gives for a motion: numbers, vectors, times."""
+"""Checks of what a user gives for a motion: numbers, vectors, durations."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from armproof.models.arm import Arm
 from armproof.models.errors import Fault, ModelError
-from armproof.models.numeric.joint_values import read_joint_values
 
 SHORTEST = 1e-9  # s; Drake ends the process on breaks that are nearer to each other than its rounding
 
@@ -35,18 +31,6 @@ def read_vector(value: object, name: str, size: int | None = None) -> np.ndarray
     return vector
 
 
-def read_points(arm: Arm, points: object) -> np.ndarray:
-    """Return the configurations that a motion goes through, (K, n) with K ≥ 2.
-
-    Raises:
-        ModelError: no K configurations of finite numbers, or fewer than two.
-    """
-    configurations = read_joint_values(arm, points)
-    if len(configurations) < 2:
-        raise ModelError(Fault.ONE_CONFIGURATION, count=len(configurations))
-    return configurations
-
-
 def read_duration(value: object, name: str = "duration") -> float:
     """Return a duration in seconds.
 
@@ -57,17 +41,3 @@ def read_duration(value: object, name: str = "duration") -> float:
     if not SHORTEST <= duration <= 1 / SHORTEST:
         raise ModelError(Fault.DURATION, name=name, shortest=SHORTEST, longest=1 / SHORTEST, duration=duration)
     return duration
-
-
-def read_times(value: Sequence[float] | np.ndarray, count: int) -> np.ndarray:
-    """Return increasing times in seconds, one a point.
-
-    Raises:
-        ModelError: not finite numbers, another count, or not increasing.
-    """
-    times = read_vector(value, "times", count)
-    steps = np.diff(times)
-    if (steps < SHORTEST).any():
-        k = int(np.argmax(steps < SHORTEST))
-        raise ModelError(Fault.TIMES, after=times[k + 1], before=times[k])
-    return times

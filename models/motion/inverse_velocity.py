@@ -90,30 +90,6 @@ def pseudo_inverse(J: np.ndarray) -> np.ndarray:
     return left_inverse(J) if applicable_form(J) == "left inverse" else right_inverse(J)
 
 
-def svd_pseudo_inverse(J: np.ndarray, tolerance: float | None = None) -> np.ndarray:
-    """Return the Moore–Penrose inverse J⁺ = V Σ⁺ Uᵀ of Jacobians of any rank, as numpy.linalg.pinv does.
-
-    At a singular configuration it inverts J on the directions that are kept, and gives no rate for those that are lost.
-    It jumps there: arbitrarily near to it the rates for a lost direction grow without bound.
-
-    Args:
-        J: (m, n) or (N, m, n).
-        tolerance: singular values up to this part of the largest are taken as zero; max(m, n) times the machine
-            epsilon if not given.
-
-    Returns:
-        (n, m) or (N, n, m), read-only.
-
-    Raises:
-        ModelError: J is no matrix of finite numbers, or the tolerance is not in [0, 1).
-    """
-    U, singular_values, Vt = _decompose(J)
-    if tolerance is not None and not 0 <= tolerance < 1:
-        raise ModelError(Fault.TOLERANCE, tolerance=tolerance)
-    kept = _kept(singular_values, U.shape[-2], Vt.shape[-1], tolerance)
-    return _compose(U, np.divide(1, singular_values, out=np.zeros_like(singular_values), where=kept), Vt)
-
-
 def damped_inverse(J: np.ndarray, damping: float | np.ndarray) -> np.ndarray:
     """Return the damped least squares inverse Jᵀ (J Jᵀ + λ² I)⁻¹ of Jacobians of any rank.
 
@@ -191,19 +167,14 @@ def _compose(U: np.ndarray, inverted: np.ndarray, Vt: np.ndarray) -> np.ndarray:
     return inverse
 
 
-def _kept(singular_values: np.ndarray, rows: int, columns: int, tolerance: float | None = None) -> np.ndarray:
-    """Tell which singular values are not zero, by the rule of numpy.linalg.matrix_rank."""
-    tolerance = max(rows, columns) * np.finfo(float).eps if tolerance is None else tolerance
-    return np.asarray(singular_values > tolerance * singular_values[..., :1])
-
-
 def _require_rank(singular_values: np.ndarray, rank: int, form: str, kind: str) -> None:
     count = singular_values.shape[-1]
     if count < rank:
         raise ModelError(
             Fault.RANK_OF_SHAPE, form=form, of=kind, rank=rank, count=count, side="left" if kind == "row" else "right"
         )
-    ranks = np.sum(_kept(singular_values, rank, rank), axis=-1)
+    zero = rank * np.finfo(float).eps * singular_values[..., :1]  # the rule of numpy.linalg.matrix_rank
+    ranks = np.sum(singular_values > zero, axis=-1)
     if (ranks < rank).any():
         fault, number = Fault.SINGULAR_IN_BATCH if ranks.ndim else Fault.SINGULAR_JACOBIAN, int(np.argmax(ranks < rank))
         raise ModelError(fault, form=form, of=kind, rank=rank, least=int(ranks.min()), number=number)

@@ -1,4 +1,4 @@
-"""Motion in joint space: from one configuration to another, through via points, and along a path."""
+"""Motion in joint space: from one configuration to another, and along a path."""
 
 from __future__ import annotations
 
@@ -8,12 +8,11 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.errors import Fault, ModelError
-from armproof.models.motion.inputs import read_duration, read_points, read_times
+from armproof.models.motion.inputs import read_duration
 from armproof.models.motion.limits import read_rate_limits, require_within_limits
 from armproof.models.motion.quintic import quintic, shortest_duration
 from armproof.models.motion.samples import interval
-from armproof.models.motion.spline import cubic_spline
-from armproof.models.numeric.joint_values import read_configuration
+from armproof.models.numeric.joint_values import read_configuration, read_joint_values
 
 
 def point_to_point(arm: Arm, q_0: Any, q_f: Any, duration: float | None = None, *, acceleration: Any = None) -> Any:
@@ -43,31 +42,6 @@ def point_to_point(arm: Arm, q_0: Any, q_f: Any, duration: float | None = None, 
     return trajectory
 
 
-def via_points(arm: Arm, times: Any, points: Any, *, stop: bool = False) -> Any:
-    """Return a motion from rest to rest that is at given configurations at given times.
-
-    Between them it is the cubic spline with continuous velocity and acceleration; with `stop`, a quintic from rest to rest
-    between each two.
-
-    Args:
-        times: (K,), increasing (s).
-        points: (K, n), base to tool (rad, m), K of at least 2.
-        stop: stand still at every point.
-
-    Returns:
-        A pydrake PiecewisePolynomial on [times[0], times[-1]] with values of the shape (n, 1).
-
-    Raises:
-        ModelError: shapes that do not fit, numbers that are not finite, times that do not increase, or joint limits
-            that the motion passes, at the points or between them.
-    """
-    configurations = read_points(arm, points)
-    instants = read_times(times, len(configurations))
-    trajectory = _quintics(instants, configurations) if stop else cubic_spline(instants, configurations, at_rest=True)
-    require_within_limits(arm, trajectory)
-    return trajectory
-
-
 def joint_path(arm: Arm, points: Any) -> Any:
     """Return a path q(s), s from 0 to 1, through given configurations, with no time in it.
 
@@ -86,7 +60,9 @@ def joint_path(arm: Arm, points: Any) -> Any:
     """
     from pydrake.trajectories import PiecewisePolynomial
 
-    configurations = read_points(arm, points)
+    configurations = read_joint_values(arm, points)
+    if len(configurations) < 2:
+        raise ModelError(Fault.ONE_CONFIGURATION, count=len(configurations))
     chords = np.linalg.norm(np.diff(configurations, axis=0), axis=1)
     if (chords <= 1e-9 * max(chords.max(), 1e-9)).any():
         k = int(np.argmin(chords)) + 1
@@ -95,7 +71,7 @@ def joint_path(arm: Arm, points: Any) -> Any:
     if len(configurations) == 2:
         path = PiecewisePolynomial.FirstOrderHold(s, configurations.T)
     else:
-        path = cubic_spline(s, configurations, at_rest=False)
+        path = PiecewisePolynomial.CubicWithContinuousSecondDerivatives(s, configurations.T, False)
     require_within_limits(arm, path)
     return path
 
@@ -117,11 +93,3 @@ def follow_path(path: Any, duration: float) -> Any:
 
     start, end = interval(path)
     return PathParameterizedTrajectory(path, quintic(start, end, read_duration(duration)))
-
-
-def _quintics(times: np.ndarray, points: np.ndarray) -> Any:
-    trajectory = quintic(points[0], points[1], times[1] - times[0], start_time=times[0])
-    for k in range(1, len(times) - 1):
-        start = trajectory.end_time()  # not times[k], which rounding may put a little beside it
-        trajectory.ConcatenateInTime(quintic(points[k], points[k + 1], times[k + 1] - start, start_time=start))
-    return trajectory

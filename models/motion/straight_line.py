@@ -13,7 +13,6 @@ from armproof.models.arm import Arm
 from armproof.models.errors import Fault, ModelError
 from armproof.models.motion.differential_solver import ALL_ROWS, Solver, differential_solver, read_rows
 from armproof.models.motion.pose_error import pose_error, read_pose
-from armproof.models.motion.spline import cubic_spline
 from armproof.models.numeric.joint_values import limit_notes, read_configuration
 from armproof.models.numeric.plant import NumericKinematics
 
@@ -129,7 +128,9 @@ class _Line:
 
     def fit(self, s: np.ndarray, q: np.ndarray, tolerance: float) -> StraightLine:
         """Join the joint values by a spline, and measure how far it is from the line."""
-        path = cubic_spline(s, q, at_rest=False)
+        from pydrake.trajectories import PiecewisePolynomial
+
+        path = PiecewisePolynomial.CubicWithContinuousSecondDerivatives(s, q.T, False)
         between = np.sort(np.concatenate([s, (s[1:] + s[:-1]) / 2]))
         kinematics = NumericKinematics(self.arm, np.array([path.value(at)[:, 0] for at in between]))
         desired = np.array([self.poses.GetPose(at).GetAsMatrix4() for at in between])

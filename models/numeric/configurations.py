@@ -38,15 +38,8 @@ def sample(arm: Arm, count: int = 1000, rng: np.random.Generator | None = None) 
 
 
 def _generic(arm: Arm, count: int, rng: np.random.Generator) -> np.ndarray:
-    lower = np.array([_finite(joint.lower, joint.kind, -1) for joint in arm.joints])
-    upper = np.array([_finite(joint.upper, joint.kind, 1) for joint in arm.joints])
+    lower, upper = np.array([joint_range(j.lower, j.upper, j.kind, slide=1.0) for j in arm.joints]).T
     return rng.uniform(lower, upper, (count, len(arm.joints)))
-
-
-def _finite(limit: float, kind: str, sign: int) -> float:
-    if np.isfinite(limit):
-        return limit
-    return sign * (np.pi if kind == "revolute" else 1.0)
 
 
 def _zero(arm: Arm, count: int, rng: np.random.Generator) -> np.ndarray:
@@ -100,7 +93,7 @@ def generic_configuration(arm: Arm) -> np.ndarray:
     return np.array([low + part * (high - low) for part, (low, high) in zip(parts, ranges, strict=True)])
 
 
-def joint_range(lower: float, upper: float, kind: str) -> tuple[float, float]:
-    """Return the limits of a joint, with half a turn or half a metre to each side where there is none."""
-    most = np.pi if kind == "revolute" else 0.5
+def joint_range(lower: float, upper: float, kind: str, slide: float = 0.5) -> tuple[float, float]:
+    """Return the limits of a joint, with half a turn, or a length (m), to each side where there is none."""
+    most = np.pi if kind == "revolute" else slide
     return (lower if np.isfinite(lower) else -most, upper if np.isfinite(upper) else most)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.exact.offset import frames_of
 from armproof.models.motion.samples import interval, sample_motion
 from armproof.models.numeric.drake_arm import drake_of
 from armproof.models.showing.viewer import add_arm
@@ -59,19 +60,12 @@ def record_page(arm: Arm, trajectory: Any) -> str:
         context.SetTime(time)
         plant_context = plant.GetMyMutableContextFromRoot(context)
         plant.SetPositions(plant_context, positions)
-        seen += [frame.CalcPoseInWorld(plant_context).translation() for frame in _frames(plant)]
+        seen += [frame.CalcPoseInWorld(plant_context).translation() for frame in frames_of(plant)]
         diagram.ForcedPublish(context)
     visualizer.StopRecording()
     visualizer.PublishRecording()
     meshcat.SetCameraPose(*_camera(np.array(seen)))
     return str(meshcat.StaticHtml())
-
-
-def _frames(plant: Any) -> list[Any]:
-    """Return the frames of a plant; the world's, which is the arm's foot, among them."""
-    from pydrake.multibody.tree import FrameIndex
-
-    return [plant.get_frame(FrameIndex(index)) for index in range(plant.num_frames())]
 
 
 def _camera(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -12,6 +12,7 @@ from armproof.models.arm import Arm
 from armproof.models.errors import Fault, ModelError
 from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 from armproof.models.numeric.joint_values import read_configuration
+from armproof.models.showing.projection import look_along
 from armproof.models.showing.viewer import add_arm
 
 _RENDERER = "vtk"
@@ -57,13 +58,10 @@ def look_at(
     """
     if not (1 <= width <= _MOST and 1 <= height <= _MOST):
         raise ModelError(Fault.PICTURE_SIZE, most=_MOST, width=width, height=height)
-    into = -np.asarray(toward, dtype=float) / np.linalg.norm(toward)
-    up = np.array([0.0, 0.0, 1.0]) if abs(into[2]) < 1 - 1e-9 else np.array([0.0, 1.0, 0.0])
-    right = np.cross(into, up)
-    right /= np.linalg.norm(right)
+    view = look_along(toward)
     X_0C = np.eye(4)
-    X_0C[:3, :3] = np.column_stack([right, np.cross(into, right), into])
-    X_0C[:3, 3] = np.asarray(target, dtype=float) - distance * into
+    X_0C[:3, :3] = np.column_stack([view.right, -view.up, -view.toward])
+    X_0C[:3, 3] = np.asarray(target, dtype=float) + distance * view.toward
     return Camera(X_0C, width, height, field_of_view)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.exact.constants import constant_value
+from armproof.models.exact.numbers import constant_value
 from armproof.models.exact.polynomial import Entry, Generator, evaluate
 from armproof.models.numeric.joint_values import read_joint_values
 

@@ -110,8 +110,8 @@ def test_an_error_carries_its_kind_and_terms() -> None:
 
 
 def test_an_error_comes_out_of_a_process_whole() -> None:
-    error = ModelError(Fault.IN_TABLE, number=1, column="a", reason=ModelError(Fault.NO_SUCH_AXIS, axis="w"))
+    error = ModelError(Fault.IN_TABLE, number=1, column="a", reason=ModelError(Fault.NO_CHARACTER, found="w"))
     again = copy.deepcopy(error)  # as pickle makes it
-    assert str(again) == str(error) == "DH table, row 1, a: no axis 'w'; a frame has the axes x, y, z"
+    assert str(again) == str(error) == "DH table, row 1, a: 'w' is not understood"
     assert again.kind is Fault.IN_TABLE
     assert ArmproofError("a text").kind is None

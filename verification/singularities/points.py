@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.numeric.configurations import joint_range
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 
 STEPS = 30
@@ -33,8 +34,7 @@ def joint_unknowns(arm: Arm) -> tuple[Unknown, ...]:
         Unknown(
             joint.symbol,
             joint.kind == "revolute",
-            joint.lower if np.isfinite(joint.lower) else -1.0,
-            joint.upper if np.isfinite(joint.upper) else 1.0,
+            *joint_range(joint.lower, joint.upper, joint.kind, slide=1.0),
         )
         for joint in arm.joints
     )

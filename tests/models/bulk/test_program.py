@@ -14,7 +14,7 @@ from armproof.models.bulk.graph import ONE, ZERO, Graph
 from armproof.models.bulk.inputs import JointInputs
 from armproof.models.bulk.jacobian_part import maximal_minors
 from armproof.models.bulk.program import BLOCK, Program
-from armproof.models.exact.constants import constant_value
+from armproof.models.exact.numbers import constant_value
 from armproof.models.exact.polynomial import Entry, Generator, evaluate
 
 JOINTS = (

@@ -13,6 +13,7 @@ from armproof.models.exact.numbers import IDENTITY
 from armproof.models.exact.polynomial import (
     ONE,
     ZERO,
+    Rows,
     add,
     generator,
     generators,
@@ -92,8 +93,12 @@ def test_jacobian_is_the_derivative_of_the_forward_kinematics(arm: Arm) -> None:
         assert_agrees(exact[k], derivative, tolerance[k])
 
 
+def rotation_of(arm: Arm, frame: str, reference: str | None = None) -> Rows:
+    return tuple(row[:3] for row in trace_of(arm).pose(frame, reference)[:3])
+
+
 def test_rotations_are_orthonormal_exactly(arm: Arm) -> None:
-    R = trace_of(arm).rotation(arm.frames[1])
+    R = rotation_of(arm, arm.frames[1])
     assert matrix_product(R, transpose(R)) == IDENTITY
     minors = [
         add(multiply(R[1][j], R[2][k]), scale(multiply(R[1][k], R[2][j]), -1)) for j, k in ((1, 2), (2, 0), (0, 1))
@@ -109,7 +114,7 @@ def test_a_frame_seen_from_itself_is_the_identity_exactly(arm: Arm) -> None:
 
 def test_the_inverse_transform_is_that_of_the_swapped_frames_exactly(arm: Arm) -> None:
     base, frame = arm.frames[0], arm.frames[1]
-    assert transpose(trace_of(arm).rotation(frame)) == trace_of(arm).rotation(base, frame)
+    assert transpose(rotation_of(arm, frame)) == rotation_of(arm, base, frame)
 
 
 def test_entries_are_in_normal_form_and_exact(arm: Arm) -> None:
@@ -134,22 +139,13 @@ def test_every_generator_is_a_joint_a_length_a_constant_or_a_root(arm: Arm) -> N
         )
 
 
-def test_parts_of_a_pose_are_its_columns() -> None:
-    trace = trace_of(load_arm("scara"))
-    pose = trace.pose("4", "1")
-    assert trace.origin("4", "1") == tuple(row[3] for row in pose[:3])
-    assert trace.axis("4", "z", "1") == tuple(row[2] for row in pose[:3])
-    assert trace.axis("4", "x", "1") == tuple(row[0] for row in pose[:3])
-    assert trace.rotation("4", "1") == tuple(row[:3] for row in pose[:3])
-
-
 def test_scara_entries_are_those_of_its_document() -> None:
     c1, c2, s1, s2 = (generator(kind, f"theta_{i}") for kind in ("cos", "sin") for i in (1, 2))
     a1, a2, d3, d4 = (generator("symbol", name) for name in ("a_1", "a_2", "d_3", "d_4"))
     c12 = add(multiply(c1, c2), scale(multiply(s1, s2), -1))
     trace = trace_of(load_arm("scara"))
-    assert trace.origin("4")[0] == add(multiply(a1, c1), multiply(a2, c12))
-    assert trace.origin("4")[2] == scale(add(d3, d4), -1)
+    assert trace.pose("4")[0][3] == add(multiply(a1, c1), multiply(a2, c12))
+    assert trace.pose("4")[2][3] == scale(add(d3, d4), -1)
     assert [row[2] for row in trace.jacobian("4")] == [ZERO, ZERO, scale(ONE, -1), ZERO, ZERO, ZERO]
 
 
@@ -176,20 +172,18 @@ def test_a_trace_is_computed_once_and_read_only() -> None:
         trace_of(arm).pose("2")[0][0][()] = Fraction(1)  # type: ignore[index]
 
 
-@pytest.mark.parametrize("ask", [Trace.pose, Trace.rotation, Trace.origin, Trace.axis, Trace.jacobian])
+@pytest.mark.parametrize("ask", [Trace.pose, Trace.jacobian])
 def test_an_unknown_frame_is_named_with_those_there_are(ask) -> None:
     with pytest.raises(ModelError, match=r"^no frame '7' on arm 'scara'; its frames are 0, 1, 2, 3, 4$"):
         ask(trace_of(load_arm("scara")), "7")
 
 
-def test_an_unknown_reference_or_axis_is_refused() -> None:
+def test_an_unknown_reference_is_refused() -> None:
     trace = trace_of(load_arm("scara"))
     with pytest.raises(ModelError, match="no frame '9' on arm 'scara'"):
         trace.pose("4", "9")
     with pytest.raises(ModelError, match="no frame '9' on arm 'scara'"):
         trace.jacobian("4", expressed_in="9")
-    with pytest.raises(ModelError, match="no axis 'w'; a frame has the axes x, y, z"):
-        trace.axis("4", "w")
 
 
 def test_a_table_with_too_many_symbolic_angles_is_refused_at_once() -> None:

@@ -13,7 +13,6 @@ from armproof.models.motion.inverse_velocity import (
     left_inverse,
     pseudo_inverse,
     right_inverse,
-    svd_pseudo_inverse,
 )
 from armproof.models.numeric.configurations import sample
 from armproof.models.numeric.plant import NumericKinematics
@@ -39,18 +38,15 @@ def penrose_defect(J: np.ndarray, P: np.ndarray) -> float:
 def test_the_four_conditions_of_moore_and_penrose_hold(shape):
     J = random_jacobians(shape)
     assert penrose_defect(J, pseudo_inverse(J)) < 1e-10
-    assert penrose_defect(J, svd_pseudo_inverse(J)) < 1e-10
     assert penrose_defect(J, damped_inverse(J, 0.1)) > 1e-4, "the conditions cannot fail"
 
 
 def test_the_conditions_hold_on_every_arm_at_every_kind_of_configuration(arm: Arm):
     q, _ = sample(arm, 60, np.random.default_rng(0))
     J = NumericKinematics(arm, q).jacobian(arm.frames[-1])
-    # A singular value between these is neither zero nor far from it, and no inverse of it is accurate.
-    singular_values = np.linalg.svd(J, compute_uv=False)
-    clear = ((singular_values < 1e-13) | (singular_values > 1e-3)).all(axis=1)
-    assert clear.any()
-    assert penrose_defect(J[clear], svd_pseudo_inverse(J[clear], tolerance=1e-12)) < 1e-8
+    J = J[:, np.abs(J).max(axis=(0, 2)) > 1e-9]
+    J = J[np.linalg.svd(J, compute_uv=False)[:, -1] > 1e-3]  # of what is nearly singular no inverse is accurate
+    assert not len(J) or penrose_defect(J, pseudo_inverse(J)) < 1e-8
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -72,7 +68,7 @@ def test_the_forms_are_the_printed_ones(shape):
 
 def test_one_jacobian_and_a_batch_of_one_agree():
     J = random_jacobians((3, 6), 1)
-    for inverse in (right_inverse, pseudo_inverse, svd_pseudo_inverse, lambda J: damped_inverse(J, 0.2)):
+    for inverse in (right_inverse, pseudo_inverse, lambda J: damped_inverse(J, 0.2)):
         np.testing.assert_array_equal(inverse(J)[0], inverse(J[0]))
         assert inverse(J).shape == (1, 6, 3) and inverse(np.empty((0, 3, 6))).shape == (0, 6, 3)
 
@@ -91,7 +87,6 @@ def test_a_singular_arm_is_refused_with_its_rank():
         pseudo_inverse(J)
     with pytest.raises(ModelError, match=r"full row rank 2; the Jacobian has rank 1"):
         joint_rates(J[1], [0.1, 0.0])
-    assert np.abs(svd_pseudo_inverse(J[1])).max() < 10
 
 
 @pytest.mark.parametrize("damping", [1e-3, 0.05, 2.0])
@@ -144,10 +139,9 @@ def test_rates_move_the_tool_with_the_twist(arm: Arm):
     q = sample(arm, 6, np.random.default_rng(3))[0][:1]
     J = NumericKinematics(arm, q).jacobian(arm.frames[-1])[0]
     rates = np.linspace(0.3, 1.0, len(arm.joints))
-    rank = np.linalg.matrix_rank(J)
-    found = svd_pseudo_inverse(J, tolerance=1e-10) @ (J @ rates)
-    np.testing.assert_allclose(J @ found, J @ rates, atol=1e-9)
-    if rank == len(arm.joints):
+    if np.linalg.matrix_rank(J) == len(arm.joints):
+        found = joint_rates(J, J @ rates).rates
+        np.testing.assert_allclose(J @ found, J @ rates, atol=1e-9)
         np.testing.assert_allclose(found, rates, atol=1e-6)
 
 
@@ -181,8 +175,6 @@ def test_other_bad_input_is_refused():
         joint_rates(np.eye(2), np.ones(3))
     with pytest.raises(ModelError, match="a twist has finite numbers only"):
         joint_rates(np.eye(2), [1.0, np.nan])
-    with pytest.raises(ModelError, match="at least 0 and below 1, not 1"):
-        svd_pseudo_inverse(np.eye(2), tolerance=1)
 
 
 def test_inverses_are_read_only():

@@ -6,7 +6,7 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
-from armproof.models.motion.joint_space import follow_path, joint_path, point_to_point, via_points
+from armproof.models.motion.joint_space import follow_path, joint_path, point_to_point
 from armproof.models.motion.limits import extremes, read_rate_limits
 from armproof.models.motion.samples import sample_motion
 
@@ -37,24 +37,6 @@ def test_the_shortest_motion_reaches_a_velocity_limit_of_the_model_file():
         assert np.abs(extremes(slower, 2)).max() == pytest.approx(2.0) and slower.end_time() > trajectory.end_time()
 
 
-@pytest.mark.parametrize("stop", [False, True])
-def test_via_points_are_passed_at_their_times(arm: Arm, stop: bool):
-    points, times = configurations(arm, 4, margin=0.45), [0.5, 0.9, 2.0, 2.3]
-    trajectory = via_points(arm, times, points, stop=stop)
-    motion = sample_motion(trajectory, times)
-    np.testing.assert_allclose(motion.q, points, atol=1e-12)
-    np.testing.assert_allclose(motion.v[[0, 3]], 0, atol=1e-10)
-    assert (np.abs(motion.v[1:3]).max() < 1e-10) == stop
-    before, after = (sample_motion(trajectory, np.array(times[1:3]) + step) for step in (-1e-8, 1e-8))
-    np.testing.assert_allclose(before.v, after.v, atol=1e-5)
-    np.testing.assert_allclose(before.w, after.w, atol=1e-3)
-
-
-def test_two_via_points_do():
-    motion = sample_motion(via_points(load_arm("planar_2r"), [0, 1], [[0, 0], [1, 1]]), [0, 0.5, 1])
-    np.testing.assert_allclose(motion.q, [[0, 0], [0.5, 0.5], [1, 1]], atol=1e-14)
-
-
 def test_a_path_goes_through_its_points_and_takes_any_time_law(arm: Arm):
     for count in (2, 3, 5):
         points = configurations(arm, count, margin=0.45)
@@ -75,10 +57,11 @@ def test_joint_limits_hold_at_the_ends_and_between_the_points():
         ModelError, match=r"theta_2 of arm 'planar_2r' goes to 2.9 rad .*limits are \[-2.7925, 2.7925\]"
     ):
         point_to_point(arm, [0, 0], [0, 2.9], 1)
-    points = [[0, 0], [0, 2.75], [0, 2.75], [0, 0]]
+    points = [[0, 0], [0, 2.75], [1, 2.79], [0, 0]]
+    assert np.array(points).max() < arm.joints[1].upper
     with pytest.raises(ModelError, match="theta_2 of arm 'planar_2r' goes to"):
-        via_points(arm, [0, 1, 2, 3], points)
-    via_points(arm, [0, 1, 2, 3], points, stop=True)
+        joint_path(arm, points)
+    joint_path(arm, points[:2])
     lower, upper = np.array([[joint.lower, joint.upper] for joint in arm.joints]).T
     point_to_point(arm, lower, upper)  # the limits themselves are within
 
@@ -94,11 +77,7 @@ def test_joint_limits_hold_at_the_ends_and_between_the_points():
         (lambda arm: point_to_point(arm, [0, 0], [1, 1], -1), "positive time"),
         (lambda arm: point_to_point(arm, [0, 1], [0, 1]), "the same configuration; to stay there, give a duration"),
         (lambda arm: point_to_point(arm, [0, 0], [1, 1], acceleration=-1), "acceleration: one positive limit"),
-        (lambda arm: via_points(arm, [0, 1, 1], np.zeros((3, 2))), "each is after the one before; 1 s follows 1 s"),
-        (lambda arm: via_points(arm, [0, 2, 1], np.zeros((3, 2))), "1 s follows 2 s"),
-        (lambda arm: via_points(arm, [0, 1], np.zeros((3, 2))), r"times: a vector of the shape \(3,\)"),
-        (lambda arm: via_points(arm, [0], [[0, 0]]), "at least 2 configurations; 1 given"),
-        (lambda arm: via_points(arm, [0, np.inf], np.zeros((2, 2))), "times: every number is finite"),
+        (lambda arm: joint_path(arm, [[0, 0]]), "at least 2 configurations; 1 given"),
         (lambda arm: joint_path(arm, [[0, 0], [0, 0]]), "points 1 and 2 of the path are the same"),
         (lambda arm: joint_path(arm, [[0, 0], [1, 0], [1, 0]]), "points 2 and 3 of the path are the same"),
         (lambda arm: joint_path(arm, [0, 0]), r"shape \(N, 2\), not \(2,\)"),
