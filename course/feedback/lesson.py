@@ -8,6 +8,7 @@ import json
 import os
 import pkgutil
 import re
+import sys
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -130,7 +131,8 @@ def open_lesson(name: str, folder: str | Path | None = None) -> Lesson:
     Raises:
         LessonError: there is no such lesson, or its tasks are declared wrongly.
     """
-    show_figures()
+    if "IPython" in sys.modules:
+        show_figures()
     if folder is not None:
         key = str(Path(folder).resolve() / name)
         if key not in _opened:

@@ -14,35 +14,16 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.state import PrintedError
-from armproof.verification.verdict import WrongEntry
 
 
-def consequence_of(checker: ChainChecker, outcome: Outcome, entries: list[WrongEntry]) -> Finding | None:
+def consequence_of(checker: ChainChecker, outcome: Outcome, printed: PrintedError) -> Finding | None:
     """Return that an error repeats one printed before, or follows from it; None where it stands for itself."""
-    key, errors = _subject(checker, outcome), checker.names.state.errors
+    errors = checker.names.state.errors
     for error in errors:
-        same = error.key == key and all(error.cells.get((e.row or 0, e.column or 0)) == e.printed for e in entries)
-        if key and same and entries:
+        if error.key == printed.key and printed.cells and printed.cells.items() <= error.cells.items():
             return say(Kind.SAME_ERROR, line=error.line)
     followed = _follows(checker, errors, outcome)
     return say(Kind.FOLLOWS, line=followed) if followed else None
-
-
-def printed_error(checker: ChainChecker, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:
-    """Return the refuted equation as an error to remember, where it says something of a quantity or a name."""
-    assert outcome.true is not None and outcome.printed is not None
-    key = _subject(checker, outcome)
-    cells = {(e.row or 0, e.column or 0): e.printed for e in entries}
-    return PrintedError(line, key, outcome.printed.node, cells) if key else None
-
-
-def _subject(checker: ChainChecker, outcome: Outcome) -> str:
-    assert outcome.true is not None
-    node = n.ungrouped(outcome.true.node)
-    quantity = checker.quantity_of(node)
-    if quantity is not None:
-        return repr(quantity)
-    return node.key if isinstance(node, n.Name) else ""
 
 
 def _follows(checker: ChainChecker, errors: Sequence[PrintedError], outcome: Outcome) -> int | None:

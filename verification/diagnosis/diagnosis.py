@@ -10,7 +10,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
-from armproof.verification.diagnosis.carried_errors import consequence_of, printed_error
+from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
 from armproof.verification.diagnosis.slips import swapped_lengths
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
@@ -21,6 +21,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.writer import Notation
+from armproof.verification.naming.state import PrintedError
 from armproof.verification.verdict import Record, WrongEntry
 
 if TYPE_CHECKING:
@@ -51,15 +52,15 @@ class Diagnostician:
                 findings.extend(finding.at(outcome.equation) for finding in said)
                 continue
             why, found = self._explained(latex, outcome)
-            if consequence := consequence_of(self.checker, outcome, found):
-                why.append(consequence)
+            if (error := self._printed_error(record.line, outcome, found)) is not None:
+                errors = self.checker.names.state.errors
+                if errors and (consequence := consequence_of(self.checker, outcome, error)):
+                    why.append(consequence)
+                errors.append(error)
             findings.extend(finding.at(outcome.equation) for finding in why)
             entries.extend(found)
             if not counterexample and self._by_samples is not None:
                 counterexample, discrepancy = self._by_samples.counterexample(outcome)
-            error = printed_error(self.checker, record.line, outcome, found)
-            if error is not None:
-                self.checker.names.state.errors.append(error)
         return replace(
             record,
             findings=tuple(findings) or record.findings,
@@ -67,6 +68,15 @@ class Diagnostician:
             counterexample=counterexample,
             discrepancy=discrepancy,
         )
+
+    def _printed_error(self, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:
+        """Return the refuted equation as an error to remember, where it says something of a quantity or a name."""
+        assert outcome.true is not None and outcome.printed is not None
+        node = n.ungrouped(outcome.true.node)
+        quantity = self.checker.quantity_of(node)
+        key = repr(quantity) if quantity is not None else node.key if isinstance(node, n.Name) else ""
+        cells = {(e.row or 0, e.column or 0): e.printed for e in entries}
+        return PrintedError(line, key, outcome.printed.node, cells) if key else None
 
     def _explained(self, latex: str, outcome: Outcome) -> tuple[list[Finding], list[WrongEntry]]:
         """Return why an equation is wrong, as a whole or entry by entry, and its wrong entries."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 SMALL = dict(
@@ -40,3 +41,6 @@ NUMBERS = (
 def one_of(names: Iterable[str]) -> str:
     """Return the pattern of any of some names, the longest first."""
     return "|".join(sorted(names, key=len, reverse=True))
+
+
+SPELT = re.compile(r"(?<![\\A-Za-z])(%s)(?![A-Za-z])" % one_of(GREEK))  # a letter that lacks its backslash

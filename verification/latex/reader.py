@@ -14,7 +14,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.builder import TreeBuilder
-from armproof.verification.latex.greek import GREEK, one_of
+from armproof.verification.latex.greek import SPELT
 from armproof.verification.latex.tokens import LatexLexer, Spelling, normalise_unicode
 
 MAX_LENGTH = 100_000
@@ -93,12 +93,5 @@ def _grammar() -> Lark:
 
 def key_as_latex(key: str) -> str:
     """Write a front-matter name as LaTeX: `theta_12` → `\\theta_{12}`, `J'_P` as it stands, `T_w^tool` braced."""
-    spelled = re.sub(
-        r"(?<![\\A-Za-z])(%s)(?![A-Za-z])" % one_of(GREEK),
-        r"\\\1",
-        key,
-    )
-    spelled = re.sub(
-        r"(?<=[A-Za-z0-9'])([_^])([A-Za-z0-9]{2,})", r"\1{\2}", spelled
-    )  # pre-scripts are one digit, or braced
-    return spelled
+    # pre-scripts are one digit, or braced
+    return re.sub(r"(?<=[A-Za-z0-9'])([_^])([A-Za-z0-9]{2,})", r"\1{\2}", SPELT.sub(r"\\\1", key))

@@ -477,6 +477,7 @@ def original_offset(text: str, offset: int) -> int:
 
 
 _UNICODE = re.compile("[" + "".join(UNICODE) + "]")
+_VARIANT = re.compile(r"\\var(?=%s)" % one_of(VARIANTS.values()))
 
 
 @lru_cache(maxsize=4096)
@@ -489,7 +490,7 @@ def canonical_script(text: str) -> str:
     text = re.sub(r"\\[,;:!> ]|[{}\s$~]|\\left|\\right|\\quad", "", text)
     text = re.sub(r"\\(?:ast|star)(?![A-Za-z])", "*", text).replace("*", "")
     text = text.replace("\\prime", "'").replace("\\times", "x")
-    text = re.sub(r"\\var(?=%s)" % one_of(VARIANTS.values()), "", text)
+    text = _VARIANT.sub("", text)
     return text.replace("\\", "")
 
 

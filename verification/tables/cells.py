@@ -13,7 +13,7 @@ from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.greek import GREEK, one_of
+from armproof.verification.latex.greek import GREEK, SPELT, one_of
 from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.columns import plain
@@ -24,6 +24,7 @@ _KINDS = {
     "prismatic": r"1|p|t|pris\w*|trans\w*|gliss\w*|slid\w*|schub\w*",
     "fixed": r"f|fix\w*|weld",
 }
+_GLUED = re.compile(r"(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"}))
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
 
@@ -68,10 +69,8 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
     if _VARIABLE.fullmatch(spelt):
         return Cell(text.strip(), kind="variable")
     spelt = re.sub(r"(?<=[\w}])\s*\^?\s*\{?\*+\}?(?=\s*(?:$|[-+=)]))", "", spelt)  # θ_1*: the star of a variable
-    spelt = re.sub(r"(?<![\\A-Za-z])(%s)(?![A-Za-z])" % one_of(GREEK), r"\\\1", spelt)
-    spelt = re.sub(
-        r"(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"}), r"\1_{\2}", spelt
-    )
+    spelt = SPELT.sub(r"\\\1", spelt)
+    spelt = _GLUED.sub(r"\1_{\2}", spelt)
     spelt = re.sub(r"(?<=\d)\s*deg(?:rees)?\b", r"^\\circ", spelt)
     try:
         return Cell(text.strip(), tuple(names.reader.read_expression(part) for part in spelt.split("=")))
