@@ -270,7 +270,10 @@ class DocumentChecker:
         outcomes, extra = check()
         if len(self.names.state.definitions) > known and any(o.verdict is Verdict.UNCHECKED for o in outcomes):
             again, extra = check()
-            outcomes = [new_one(old, outcomes, again) if old.verdict is Verdict.UNCHECKED else old for old in outcomes]
+            outcomes = [
+                new_one(old, outcomes, again) if old.verdict is Verdict.UNCHECKED and not old.defines else old
+                for old in outcomes
+            ]
         return outcomes, extra
 
 

@@ -244,7 +244,7 @@ class Statements:
         if (
             self.names.arm is not None
             and outcomes
-            and all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes)
+            and all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)
         ):
             return self.general.identity(chain, equation, line) or outcomes
         return outcomes

@@ -26,7 +26,8 @@ Check = Callable[..., DocumentResult]
     [
         (r"z_2 = \begin{bmatrix} 0 \\ 0 \\ -1 \end{bmatrix}", Verdict.PROVED, ""),
         (r"|c_1| = \sqrt{c_1^2}", Verdict.CONFIRMED, "an absolute value is not exact"),
-        (r"x = a_1 c_1", Verdict.UNCHECKED, "gives x its meaning; no claim that is decided uses x"),
+        (r"u = a_1 c_1", Verdict.UNCHECKED, "gives u its meaning; no claim that is decided uses u"),
+        (r"x = a_1 c_1", Verdict.UNCHECKED, "x is usually origin of frame 4 in frame 0, x"),
         (r"\theta_1 = 0", Verdict.UNCHECKED, "a configuration, not a claim"),
         (r"a_1 c_1", Verdict.UNCHECKED, "states no equation"),
         (r"z_2 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}", Verdict.REFUTED, "entry (3, 1): wrong sign"),
@@ -50,7 +51,7 @@ def test_there_is_one_record_a_display_in_their_order(check: Check) -> None:
 
 
 def test_a_display_carries_the_worst_of_its_equations(judge: Judge) -> None:
-    assert judge(r"c_1 = c_1, \quad x = c_1, \quad 2x = 2c_1").verdict is Verdict.PROVED
+    assert judge(r"c_1 = c_1, \quad u = c_1, \quad 2u = 2c_1").verdict is Verdict.PROVED
     assert judge(r"c_1 = c_1, \quad |c_1| = \sqrt{c_1^2}").verdict is Verdict.CONFIRMED
     assert judge(r"c_1 = c_1, \quad u + v = 1").verdict is Verdict.UNCHECKED
     record = judge(r"c_1 = c_1, \quad u + v = 1, \quad s_1 = c_1, \quad s_2 = c_2")

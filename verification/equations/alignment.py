@@ -114,14 +114,14 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
 def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
     """The rows a shorter Jacobian is likely to hold: linear, then those that are not zero, then planar, angular."""
     tried: list[tuple[int, ...]] = []
-    nonzero = tuple(i for i in range(6) if not all(is_zero(cell) for cell in true.rows[i]))
+    nonzero = tuple(i for i in range(len(true.rows)) if not all(is_zero(cell) for cell in true.rows[i]))
     candidates: list[tuple[int, ...]] = [tuple(range(count))] if count <= 3 else []
     candidates.append(nonzero)
     if count == 3:
-        candidates += [(0, 1, 5), (3, 4, 5)]
+        candidates += [(0, 1, 5), (3, 4, 5)] if len(true.rows) == 6 else []
     if count == 2:  # motion in the plane x, z or y, z
         candidates += [(i, 2) for i in (0, 1) if 1 - i not in nonzero]
-    if count == 1:
+    if count == 1 and len(true.rows) == 6:
         candidates += [(5,)]
     for rows in candidates:
         if len(rows) == count and rows not in tried:
@@ -130,7 +130,7 @@ def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
 
 
 def square_rows(true: Matrix) -> tuple[int, ...] | None:
-    """Return the rows (from 0) that make a Jacobian square and hold no row of zeros, or None."""
+    """Return the rows (from 0) that make a Jacobian, or its rows of v, square and hold no row of zeros, or None."""
     for rows in _jacobian_rows(true, true.shape[1]):
         if not any(all(is_zero(cell) for cell in true.rows[row]) for row in rows):
             return rows

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import Definitions
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.introduced import adopts_letters, keys_alone, new_letters, new_name, renew_letter
@@ -19,6 +21,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.names import Names
+from armproof.verification.verdict import Verdict
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -35,6 +38,7 @@ class ChainChecker:
         self.route = SecondRoute(self.members)
         self.equality = Equality(self.members, self.route)
         self.readings = Readings(self.equality)
+        self.conventions = Conventions(self.members, self.route)
 
     @property
     def confirm(self) -> bool:
@@ -60,6 +64,7 @@ class ChainChecker:
     def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
         """Return one outcome an equation, numbered from `first_equation`."""
         self.names.state.signs.read.clear()
+        chain = self.conventions.read(chain)
         if define:
             renew_letter(self.equality, chain)
         self.readings.choose_square_rows(chain)
@@ -80,11 +85,13 @@ class ChainChecker:
             fresh = frozenset()
         definitions = Definitions(self.readings, line, define, fresh)
         known = [member for member in members if member.known]
+        members = [self.readings.part(member, known) for member in members] if known else members
+        members = self.conventions.bind(members)
+        known = [member for member in members if member.known]
         if not known:
             if define and adopts_letters(self.members, members):
                 return self.check(chain, first_equation, line, define)
             return definitions.nothing_known(members, first_equation)
-        members = [self.readings.part(member, known) for member in members]
         if define:
             members = [self.readings.own_angle(member, members) for member in members]
         known = [member for member in members if member.known]
@@ -98,11 +105,13 @@ class ChainChecker:
                 outcomes.append(self.equality.compare(true, member, equation, branches))
             else:
                 outcomes.append(definitions.define(true, member, equation))
-        if any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes):
-            outcomes = (
-                self.readings.with_fewer_rows(chain, lambda read: self.check(read, first_equation, line, define))
-                or outcomes
-            )
+        if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+            mismatch = any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes)
+            check = partial(self.check, first_equation=first_equation, line=line, define=define)
+            outcomes = self.readings.with_fewer_rows(chain, check, mismatch) or outcomes
             outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
+        outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
+        for outcome in outcomes:
+            outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
         outcomes.extend(definitions.labels(chain, first_equation))
         return outcomes

@@ -34,7 +34,7 @@ class Readings:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
             if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
                 continue
-            name = jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], self.names)  # type: ignore[attr-defined]
+            name = jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], self.names, True)  # type: ignore[attr-defined]
             if name is None:
                 continue
             value = self.members.evaluate(name).value
@@ -101,13 +101,22 @@ class Readings:
             return outcome
         return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VECTOR_HERE, name=rate.key),))
 
-    def with_fewer_rows(self, chain: n.Chain, check: Callable[[n.Chain], list[Outcome]]) -> list[Outcome] | None:
+    def with_fewer_rows(
+        self, chain: n.Chain, check: Callable[[n.Chain], list[Outcome]], mismatch: bool
+    ) -> list[Outcome] | None:
         """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
-        whole = [(below, name) for below in n.walk(chain) if (name := jacobian_name(below, self.names)) is below]
+        whole = [(below, name) for below in n.walk(chain) if (name := jacobian_name(below, self.names, True)) is below]
         if not whole or any(member is name for member in chain.members for name, _ in whole):
             return None
         fitting: list[Outcome] | None = None
-        for rows in jacobian_rows(self.members.evaluate(whole[0][0]).value, self.names.state.shown.get("J")):
+        printed = self.names.state.shown.get(whole[0][1].key) or self.names.state.shown.get("J")
+        value = self.members.evaluate(whole[0][0]).value
+        possible = (
+            jacobian_rows(value, printed)
+            if mismatch and isinstance(value, Matrix) and len(value.rows) == 6
+            else [printed]
+        )
+        for rows in filter(None, possible):
             read = chain
             for below, name in whole:
                 quantity = self.names.quantity(replace(name, dots=0))

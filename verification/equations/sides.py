@@ -64,6 +64,8 @@ class Members:
     def _rank(self, node: n.Node) -> int:
         if isinstance(node, n.Group | n.Labelled):
             return self._rank(node.inner)
+        if isinstance(node, n.Derivative) and self._rank(node.operand) == 4:
+            return 4
         quantity = self.quantity_of(node)
         if quantity is not None or (
             isinstance(node, n.Name) and node.dots and self.names.quantity(replace(node, dots=0)) is not None
@@ -90,6 +92,16 @@ class Members:
             found = self.names.quantities.get(call_key(node))
             return found or self.quantity_of(node.arguments[0])
         return self.names.quantity(node) if isinstance(node, n.Name) else None
+
+    def read_as(self, node: n.Node) -> str:
+        """Return in words what a side is taken for: its quantity, or those of the names in it; empty for a plain formula."""
+        found: dict[str, str] = {}
+        for below in n.walk(node):
+            if isinstance(below, n.Name) and (quantity := self.quantity_of(replace(below, dots=0))) is not None:
+                times = "rate of change of the " if below.dots == 1 else "derivative of the " if below.dots else ""
+                found.setdefault(below.base if below.sub.startswith("rows") else below.key, times + quantity.words)
+        alone = len(found) == 1 and isinstance(n.ungrouped(node), n.Name | n.Call)
+        return next(iter(found.values())) if alone else "; ".join(f"{key}: {words}" for key, words in found.items())
 
     def is_symbol(self, node: n.Node) -> bool:
         """Whether a tree is the name of a joint variable or a length."""

@@ -68,6 +68,7 @@ def _sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Find
     if not outcome.findings or outcome.findings[0].kind not in SIZES:
         return None
     held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
+    held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
     explicit = all(_is_explicit(name) for name in by_convention)
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
@@ -82,6 +83,11 @@ def _quantity(name: n.Name, names: Names) -> bool:
     """Whether a name stands for a quantity of the arm, by the front matter or by convention."""
     plain = replace(name, dots=0)
     return names.known_symbol(plain.key) is None and names.quantity(plain) is not None
+
+
+def _is_scalar(name: n.Name, names: Names) -> bool:
+    quantity = names.quantity(replace(name, dots=0))
+    return quantity is not None and quantity.scalar
 
 
 def _is_explicit(name: n.Name) -> bool:

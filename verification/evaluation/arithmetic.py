@@ -253,6 +253,6 @@ def printed_rows(evaluator: Evaluating, node: n.Node, value: Value) -> Value:
         if isinstance(node, n.Name) and node.key not in evaluator.names.quantities
         else None
     )
-    if rows is None or not isinstance(value, Matrix) or value.shape[0] != 6 or len(rows) != value.shape[1]:
+    if rows is None or not isinstance(value, Matrix) or value.shape[0] < max(rows) or len(rows) != value.shape[1]:
         return value
     return value.block([row - 1 for row in rows], range(value.shape[1]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -56,7 +56,8 @@ class ArmAlgebra(Algebra):
     def quantity(self, quantity: Quantity) -> Value:
         """Return a quantity of the arm: a Matrix, or a scalar where one component is meant."""
         if quantity not in self._cache:
-            self._cache[quantity] = _select(quantity, self.whole(quantity))
+            whole = self.whole(quantity)
+            self._cache[quantity] = whole.rows[0][0] if whole.shape == (1, 1) else _select(quantity, whole)
         return self._cache[quantity]
 
     def whole(self, quantity: Quantity) -> Matrix:
@@ -70,12 +71,55 @@ class ArmAlgebra(Algebra):
             return column([self.symbol(joint.symbol) for joint in self.arm.joints])
         if quantity.kind == "jacobian":
             return self.jacobian(quantity.frame, quantity.reference)
+        if quantity.kind in _OF_JACOBIAN:
+            return _OF_JACOBIAN[quantity.kind](self, quantity)
         pose = self.pose(quantity.frame, quantity.reference)
         if quantity.kind == "difference":
             start = self.pose(quantity.start, quantity.reference)
             pairs = zip(_origin(pose), _origin(start), strict=True)
             return column([to - since for to, since in pairs])
         return _part_of_pose(quantity, pose)
+
+
+def _velocity(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
+    assert algebra.arm is not None
+    rates = column([algebra.symbol(f"dot {joint.symbol}") for joint in algebra.arm.joints])
+    return algebra.jacobian(quantity.frame, quantity.reference) @ rates
+
+
+def _angle(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
+    """The sum of the joints' angles of a planar arm, each with the sign of its axis: what J's last row holds."""
+    assert algebra.arm is not None
+    joints = column([algebra.symbol(joint.symbol) for joint in algebra.arm.joints])
+    return algebra.jacobian(quantity.frame, algebra.arm.frames[0]).block([5], range(len(algebra.arm.joints))) @ joints
+
+
+def _task(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
+    pose = algebra.pose(quantity.frame, quantity.reference)
+    return Matrix((*pose.block(range(2), [3]).rows, *_angle(algebra, quantity).rows))
+
+
+def _determinant(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
+    return column([_rows_of_jacobian(algebra, quantity).determinant()])
+
+
+def _manipulability(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
+    part = _rows_of_jacobian(algebra, quantity)
+    return column([algebra.sqrt((part @ part.transpose).determinant())])
+
+
+def _rows_of_jacobian(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
+    whole = algebra.jacobian(quantity.frame, quantity.reference)
+    return whole.block([row - 1 for row in quantity.rows or range(1, 7)], range(whole.shape[1]))
+
+
+_OF_JACOBIAN: Mapping[str, Callable[[ArmAlgebra, Quantity], Matrix]] = {
+    "velocity": _velocity,
+    "angle": _angle,
+    "task": _task,
+    "determinant": _determinant,
+    "manipulability": _manipulability,
+}
 
 
 def _origin(pose: Matrix) -> Sequence[Any]:

@@ -57,6 +57,19 @@ class Kind(MessageKind):
     DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
+    NOT_AS_USUAL = "not_as_usual", "`{name}` is usually {reading}, and that is something else: not decided"
+    NOT_AS_USUAL_BOUND = (
+        "not_as_usual_bound",
+        "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}",
+    )
+    NUMBERS_FOR_LENGTHS = (
+        "numbers_for_lengths",
+        "numbers stand where the arm has lengths, and the document gives the lengths no values: state them",
+    )
+    WHICH_INDEX = (
+        "which_index",
+        "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter",
+    )
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
     LEFT_OUT = "left_out", "'{text}' stands beside the equation and in none: what it says is not decided"
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"

@@ -67,12 +67,15 @@ def _whole(names: Names, reference: str) -> Quantity | None:
     return Quantity("jacobian", frames[-1], reference or frames[0])
 
 
-def jacobian_name(node: n.Node, names: Names) -> n.Name | None:
-    """Return the name of a whole Jacobian that notation implies (the front matter lists no rows for it), or None."""
+def jacobian_name(node: n.Node, names: Names, parts: bool = False) -> n.Name | None:
+    """Return the name of a Jacobian that notation implies (the front matter lists no rows for it), or None.
+
+    It is that of all six rows, or with `parts` that of some, J_v.
+    """
     node = n.ungrouped(node)
     if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
         node = node.arguments[0]
     if not isinstance(node, n.Name) or node.base != "J" or node.key in names.quantities:
         return None
     quantity = names.quantity(replace(node, dots=0))
-    return node if quantity is not None and quantity.kind == "jacobian" and quantity.rows is None else None
+    return node if quantity is not None and quantity.kind == "jacobian" and (parts or quantity.rows is None) else None

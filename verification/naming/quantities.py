@@ -135,7 +135,7 @@ def implied_quantity(name: n.Name, arm: Arm, transforms: str) -> Quantity | None
     if base in ("T", "A", "H", "R"):
         return _implied_transform(name, arm, transforms)
     if base in ("p", "P", "o", "O", "d", "z", "Z", "x", "X", "y", "Y"):
-        return _implied_vector(name, arm)
+        return _implied_vector(name, arm, transforms)
     if base == "J":
         return _implied_jacobian(name, arm)
     return None
@@ -177,10 +177,12 @@ def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | No
     return Quantity("rotation" if name.base == "R" else "pose", frame, reference)
 
 
-def _implied_vector(name: n.Name, arm: Arm) -> Quantity | None:
+def _implied_vector(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
     reference = name.pre_sup or name.sup
     if name.pre_sub or (name.pre_sup and name.sup):
         return None
+    if transforms == "lower" and name.sup.isdigit() and name.sub.isdigit():
+        name = replace(name, sub=name.sup, sup=name.sub)
     frame = _frame(arm, re.sub(r"(?<=\w),?(?:ORG|org|orig)$", "", name.sub))  # Craig's P_{3ORG}
     if frame is None:
         return None

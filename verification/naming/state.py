@@ -81,6 +81,7 @@ class DocumentState:
         subject: the first member of the last display: one that begins with a relation goes on about it.
         definitions: what names mean.
         inferred: names whose meaning the other side of an equation told.
+        conventional: those of them that only convention binds.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
         beyond: a frame the document adds → (on which of the arm's, name).
@@ -98,6 +99,7 @@ class DocumentState:
     subject: n.Node | None = None
     definitions: dict[str, Definition] = field(default_factory=dict)
     inferred: dict[str, Quantity] = field(default_factory=dict)
+    conventional: set[str] = field(default_factory=set)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
     adopted: set[str] = field(default_factory=set)

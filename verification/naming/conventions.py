@@ -1,0 +1,195 @@
+"""Names that handouts use for an arm's quantities without saying so: what each may stand for, by its letter and indices.
+
+A letter with few indices has several meanings: x_2 is a coordinate or an axis, J_{v2} a block or a column. All are given
+here, the likelier first; what the name is equated to chooses among them (equations/conventional.py).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from armproof.models.arm import Arm, once_per_arm
+from armproof.models.exact.trace import trace_of
+from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames, transform_pair
+
+END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".split())
+PERHAPS_END = frozenset("P T t G g h H OT ot".split())
+LAST = frozenset("n N".split())
+POSITIONS = frozenset("p P o O r d t X x c".split())
+POSES = frozenset("T H A M X g".split())
+FUNCTIONS = frozenset("f F FK fk fkine DK MGD DGM h k".split())  # of q: the pose or the position of the tool
+LINEAR_VELOCITIES, ANGULAR_VELOCITIES = frozenset("v V".split()), frozenset("omega w W Omega".split())
+TWISTS = frozenset("V xi nu eta t".split())
+ORIENTATIONS = frozenset("phi varphi psi alpha gamma theta Phi".split())
+MANIPULABILITIES = frozenset("w mu m M".split())
+WHOLE_JACOBIAN = frozenset("geo G g".split())
+USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi".split())  # seldom anything else, of an arm
+AXES = "xyz"
+
+
+def is_usual(name: n.Name) -> bool:
+    """Whether a name is so common for a quantity of the arm that another value for it is worth a word."""
+    return (name.base in USUAL and name.sub not in PERHAPS_END) or "to" in name.sub
+
+
+def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:
+    """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
+    if name.primes or (name.pre_sub and name.pre_sup and name.sub):
+        return ()
+    if name.base in POSES | {"R"} and (name.pre_sup or name.sup) and (name.pre_sub or name.sub):
+        first, second = transform_pair(name, arm, transforms) or ("", "")
+        reference, index = _frame(first, arm), second
+    else:
+        above = name.pre_sup or name.sup
+        if name.sup and name.sub and transforms == "lower":
+            name = replace(name, sub=above, sup=(above := name.sub))
+        reference, index = (_frame(above, arm) if above else arm.frames[0]), name.pre_sub or name.sub
+    if reference is None or (name.pre_sup and name.sup):
+        return ()
+    placed = bool(name.pre_sup or name.sup)
+    return tuple(dict.fromkeys(_all(name.base, index, reference, arm, placed)))
+
+
+def applied(name: n.Name, arm: Arm) -> tuple[Quantity, ...]:
+    """Return what f(q) or FK(q) may stand for: the tool's position, its pose, or its position and orientation in a plane."""
+    if name.base not in FUNCTIONS or name.sub or name.sup or name.pre_sub or name.pre_sup or name.dots:
+        return ()
+    tools = dict.fromkeys((_tool(arm), _last(arm)))
+    kinds = ("origin", "pose", "task") if is_planar(arm) else ("origin", "pose")
+    return tuple(Quantity(kind, frame, arm.frames[0]) for frame in tools for kind in kinds)
+
+
+@once_per_arm
+def is_planar(arm: Arm) -> bool:
+    """Whether every revolute axis is parallel to z_0: then the tool's orientation is a sum of the joints' angles."""
+    rows = trace_of(arm).jacobian(arm.frames[-1], arm.frames[0], arm.frames[0])
+    turning = [index for index, joint in enumerate(arm.joints) if joint.kind == "revolute"]
+    return bool(turning) and not any(rows[row][index] for row in (3, 4) for index in turning)
+
+
+def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Iterator[Quantity]:
+    between = re.fullmatch(r"(\w+)to(\w+)", index)
+    if (
+        between is not None
+        and base in "OPp"
+        and (start := _frame(between[1], arm))
+        and (end := _frame(between[2], arm))
+    ):
+        yield Quantity("difference", end, reference, start=start)
+        return
+    for frame, component, given in _indices(index, reference, arm):
+        origin = Quantity("origin", frame, given)
+        if component is None:
+            yield from _of_frame(base, index, origin, arm, placed)
+        elif base in POSITIONS:
+            yield _component(origin, component)
+        yield from _velocities(base, frame, given, component)
+    if base == "J":
+        yield from _blocks(index, reference, arm)
+    if base in MANIPULABILITIES and not index and not placed:
+        yield Quantity("manipulability", _last(arm), reference, scalar=True)
+    if base == "Delta" and not index and not placed:
+        yield Quantity("determinant", _last(arm), reference, scalar=True)
+
+
+def _of_frame(base: str, index: str, origin: Quantity, arm: Arm, placed: bool) -> Iterator[Quantity]:
+    if base.lower() in AXES and len(base) == 1:
+        yield _component(origin, base.lower())
+    if base in POSITIONS:
+        yield origin
+        if base in ("X", "x", "p") and is_planar(arm):
+            yield replace(origin, kind="task")
+    if base.lower() in AXES and len(base) == 1 and index:
+        yield replace(origin, kind="axis", along=base.lower())
+    if base in POSES and (index or base in "THA"):
+        yield replace(origin, kind="pose")
+    if base == "R":
+        yield replace(origin, kind="rotation")
+    if base == "J" and index:
+        yield replace(origin, kind="jacobian")
+    if base in ORIENTATIONS and not placed and is_planar(arm):
+        yield replace(origin, kind="angle", scalar=True)
+
+
+def _velocities(base: str, frame: str, reference: str, component: str | None) -> Iterator[Quantity]:
+    """v_i and ω_i as J_i q̇, whole or one component; of a planar arm ω is its z component."""
+    for letters, first in ((LINEAR_VELOCITIES, 1), (ANGULAR_VELOCITIES, 4)):
+        if base not in letters:
+            continue
+        if component is None:
+            yield Quantity("velocity", frame, reference, rows=(first, first + 1, first + 2))
+        if component is not None or first == 4:
+            row = first + AXES.index(component or "z")
+            yield Quantity("velocity", frame, reference, rows=(row,), scalar=True)
+    if base in TWISTS and component is None:
+        yield Quantity("velocity", frame, reference)
+
+
+def _blocks(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
+    """J_{v2}, J_{ω_2}, J_{P_2}: the rows of one velocity in the Jacobian of a frame."""
+    if index in WHOLE_JACOBIAN:
+        yield Quantity("jacobian", _last(arm), reference)
+    found = re.fullmatch(r"([A-Za-z]+?)_?,?(\d|[eEnN]|tool|EE|ee)?", index)
+    if found is None:
+        return
+    letters, number = found.groups()
+    frame = _frame(number, arm) if number else _last(arm)
+    rows = (1, 2, 3) if letters in LINEAR else (4, 5, 6) if letters in ANGULAR else None
+    if frame is not None and rows is not None:
+        yield Quantity("jacobian", frame, reference, rows=rows)
+
+
+def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | None, str]]:
+    """Yield (frame, component or None, reference) for the readings of an index: "", "2", "e,x", "x2", "02", "0→2"."""
+    tools = dict.fromkeys((_tool(arm), _last(arm)))
+    plain = re.sub(r",?(?:ORG|org|orig)$", "", index)
+    if not index or plain in END | PERHAPS_END or plain in AXES:
+        yield from ((frame, plain if plain in AXES and plain else None, reference) for frame in tools)
+        return
+    if (frame := _frame(plain, arm)) is not None:
+        yield frame, None, reference
+        return
+    for first, second in _splits(plain):
+        if second in AXES and (frame := _frame(first, arm)) is not None:
+            yield frame, second, reference
+        elif first in AXES and (frame := _frame(second, arm)) is not None:
+            yield frame, first, reference
+        elif (start := _frame(first, arm)) is not None and (frame := _frame(second, arm)) is not None:
+            yield frame, None, start
+            if start == arm.frames[0]:
+                continue
+            yield frame, None, reference
+
+
+def _splits(index: str) -> Iterator[tuple[str, str]]:
+    """Yield the ways to cut an index in two: at its separator, or between any two letters."""
+    parts = re.split(r",|_|-|to(?=\w)", index, maxsplit=1)
+    if len(parts) == 2 and all(parts):
+        yield parts[0], parts[1]
+        return
+    for place in range(1, len(index)):
+        yield index[:place], index[place:]
+
+
+def _frame(text: str, arm: Arm) -> str | None:
+    if text in arm.frames:
+        return text
+    if text in LAST:
+        return _last(arm)
+    return _tool(arm) if text in END else None
+
+
+def _tool(arm: Arm) -> str:
+    return arm.frames[-1]
+
+
+def _last(arm: Arm) -> str:
+    return numbered_frames(arm)[-1]
+
+
+def _component(quantity: Quantity, axis: str) -> Quantity:
+    return replace(quantity, rows=(AXES.index(axis) + 1,), scalar=True)
