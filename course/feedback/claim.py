@@ -27,12 +27,14 @@ from armproof.verification.findings import Kind
 from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, one_of
+from armproof.verification.naming.conventions import applied, conventional
 from armproof.verification.report.html.figures import Figure, painter_of
-from armproof.verification.verdict import Record, Verdict
+from armproof.verification.verdict import Record, Role, Verdict
 
 _FILE = Path("answer")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
 ANGLE = re.compile(rf"{one_of(ANGLES)}|q(_|$)")  # letters of angles
+_READ = (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED)
 SAMPLES = 200
 SEED = 11
 _JOINTS = {"revolute": (-2.6, 2.6), "prismatic": (0.1, 0.9)}
@@ -81,6 +83,8 @@ class Claim:
                 self._picture(record),
                 findings=findings,
             )
+        if record.says(Kind.NUMBERS_FOR_LENGTHS):
+            return Feedback(Outcome.WRONG, f"numbers stand for lengths that are to stay letters; {self._letters()}")
         if record.verdict is Verdict.DEFINED:
             return Feedback(Outcome.ERROR, f"the answer is made of names that mean nothing here; {self._letters()}")
         return Feedback(Outcome.ERROR, f"{write_all(without_asked(record.findings))}; {self._letters()}")
@@ -103,7 +107,7 @@ class Claim:
         """
         result = check_document(self._document(latex), confirm=False)
         for record in result.equations[:-1]:
-            if record.verdict not in (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED):
+            if record.verdict not in _READ and any(each.role is not Role.DEFINITION for each in record.outcomes):
                 raise LessonError("the task itself cannot be read: {latex}: {message}", latex=record.latex, message=record.message)  # fmt: skip
         return result.equations[-1]
 
@@ -163,7 +167,6 @@ class Claim:
         Raises:
             AnswerError: it cannot be read, or names what is asked instead of working it out.
         """
-        checker = self._checker.checker
         try:
             node = self._checker.names.reader.read_expression(latex)
         except ReadError as error:
@@ -171,19 +174,27 @@ class Claim:
         if any(isinstance(part, n.Sum) and {"±", "∓"} & set(_signs(part)) for part in n.walk(node)):
             return "an answer has one value: which of the two signs?"
         self._refuse_unknown(latex, node)
+        axes = _axes(node)
         for name in n.walk(node):
-            if isinstance(name, n.Name) and (
-                name.key == "Xi" or (not self.names and checker.quantity_of(name) is not None)
-            ):
+            if not isinstance(name, n.Name) or id(name) in axes:
+                continue
+            if name.key == "Xi" or (not self.names and self._is_of_the_arm(name)):
                 shown = latex[name.span[0] : name.span[1]]
                 raise AnswerError("work the entries out: the answer may not name {shown} of the arm itself", shown=shown)  # fmt: skip
         return self._size_problem(node)
 
+    def _is_of_the_arm(self, name: n.Name) -> bool:
+        """Whether a name, of none of the task's letters, stands for a quantity of the arm, if only by convention."""
+        names = self._checker.names
+        if name.key in (*self.letters, *names.state.definitions) or self.arm is None:
+            return False
+        usual = conventional(name, self.arm, names.transforms) or applied(name, self.arm)
+        return bool(usual) or self._checker.checker.quantity_of(name) is not None
+
     def _refuse_unknown(self, latex: str, node: n.Node) -> None:
         """Refuse a letter that would be free in a general document, and is none of the task's."""
         names = self._checker.names
-        calls = [call for call in n.walk(node) if isinstance(call, n.Call) and call.function in ("Rot", "Trans")]
-        axes = [id(call.arguments[0]) for call in calls]  # the z of Rot_z is no letter
+        axes = _axes(node)
         for name in n.walk(node):
             if (
                 not isinstance(name, n.Name)
@@ -253,3 +264,9 @@ def _as_formula(latex: str) -> str:
 
 def _signs(node: n.Sum) -> list[str]:
     return [sign for sign, _ in node.terms]
+
+
+def _axes(node: n.Node) -> list[int]:
+    """The z of Rot_z, which is no letter."""
+    calls = [call for call in n.walk(node) if isinstance(call, n.Call) and call.function in ("Rot", "Trans")]
+    return [id(call.arguments[0]) for call in calls]

@@ -70,10 +70,20 @@ class Conventions:
         if not isinstance(node, n.Product) or len(node.factors) != 2 or node.operators != ("",):
             return None
         first, second = node.factors
-        if not (isinstance(first, n.Name) and isinstance(second, n.Name) and _is_point(first) and _is_point(second)):
+        if not (isinstance(first, n.Name) and isinstance(second, n.Name)):
+            return None
+        if not (self._is_point(first) and self._is_point(second)):
             return None
         start, end = (first.sub or (first.base if first.base != "O" else self._base)), second.sub or second.base
         return n.Name("O", f"{start}to{end}", span=node.span)
+
+    def _is_point(self, name: n.Name) -> bool:
+        """Whether a letter may be a point of a figure: it is no matrix A_1, and the document gives it no value."""
+        placed = name.sup or name.pre_sub or name.pre_sup or name.primes or name.dots
+        if name.base not in POINTS or placed or name.key in self.names.state.definitions:
+            return False
+        quantity = self.names.quantity(name)
+        return self.names.known_symbol(name.key) is None and (quantity is None or quantity.kind == "origin")
 
     def _as_name(self, node: n.Node) -> n.Node:
         inner = bare(node)
@@ -168,8 +178,10 @@ class Conventions:
             return member
         for block in blocks:
             cell = self.members.evaluate(block.cell)
-            if _plain(block.cell) is not None and not cell.known:
-                self._bound(cell, [Member(known[0].node, block.of(value))])
+            if (name := _plain(block.cell)) is not None and not cell.known:
+                bound = self._bound(cell, [Member(known[0].node, block.of(value))])
+                if bound.known and known[0].rank > 1:  # its place in a matrix of the arm tells it, not convention
+                    self.names.state.conventional.discard(name.key)
         return self.members.evaluate(member.node)
 
     def _tried(self, node: n.Node, name: n.Name, quantity: Quantity) -> Member:
@@ -331,10 +343,6 @@ def _plain(node: n.Node) -> n.Name | None:
 def _plain_key(node: n.Node) -> str:
     name = _plain(node)
     return name.key if name is not None else ""
-
-
-def _is_point(name: n.Name) -> bool:
-    return name.base in POINTS and not (name.sup or name.pre_sub or name.pre_sup or name.primes or name.dots)
 
 
 def _is_placed_above(node: n.Node) -> bool:

@@ -106,7 +106,8 @@ class Readings:
     ) -> list[Outcome] | None:
         """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
         whole = [(below, name) for below in n.walk(chain) if (name := jacobian_name(below, self.names, True)) is below]
-        if not whole or any(member is name for member in chain.members for name, _ in whole):
+        fixed = any(name.sub.startswith("rows") for name, _ in whole)  # these are read so already
+        if not whole or fixed or any(member is name for member in chain.members for name, _ in whole):
             return None
         fitting: list[Outcome] | None = None
         printed = self.names.state.shown.get(whole[0][1].key) or self.names.state.shown.get("J")

@@ -171,6 +171,8 @@ def test_a_stub_is_not_attempted(asks: Any) -> None:
     [
         (POSITION, "p_2", "may not name p_2"),
         (POSITION, r"T^0_2 + \Xi", "may not name"),
+        (POSITION, r"\begin{bmatrix} p_x \\ p_y \end{bmatrix}", "may not name p_x"),
+        (POSITION, r"f(q)", "may not name f"),
         (DETERMINANT, r"\det J_v", "may not name J_v"),
         (POSITION, r"\frac{l_1", "cannot be read at character"),
         (POSITION, "k_7 l_1", "the letters are theta_1, theta_2, l_1, l_2"),

@@ -34,18 +34,18 @@ POINT = r"\begin{bmatrix} c_1(a_2c_2+a_3c_{23}) \\ s_1(a_2c_2+a_3c_{23}) \\ d_1%
 
 
 @pytest.mark.parametrize(
-    ("whole", "part"),
+    ("whole", "part", "alone"),
     [
-        (r"\begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}", "p"),
-        (r"\begin{bmatrix} R_{3\times3} & P_{3\times1} \\ 0_{1\times3} & 1 \end{bmatrix}", "P"),
-        (r"\left[\begin{array}{c|c} \mathbf{R} & \mathbf{t} \\ \hline 0\;0\;0 & 1 \end{array}\right]", "t"),
-        (r"\begin{bmatrix} n & o & a & p \\ 0 & 0 & 0 & 1 \end{bmatrix}", "p"),
-        (r"\begin{bmatrix} {}^0R_3 & p \\ \mathbf{0}^T & 1 \end{bmatrix}", "p"),
+        (r"\begin{bmatrix} R & p \\ 0 & 1 \end{bmatrix}", "p", Verdict.PROVED),
+        (r"\begin{bmatrix} R_{3\times3} & P_{3\times1} \\ 0_{1\times3} & 1 \end{bmatrix}", "P", Verdict.PROVED),
+        (r"\left[\begin{array}{c|c} \mathbf{R} & \mathbf{t} \\ \hline 0\;0\;0 & 1 \end{array}\right]", "t", Verdict.PROVED),
+        (r"\begin{bmatrix} n & o & a & p \\ 0 & 0 & 0 & 1 \end{bmatrix}", "p", Verdict.UNCHECKED),
+        (r"\begin{bmatrix} {}^0R_3 & p \\ \mathbf{0}^T & 1 \end{bmatrix}", "p", Verdict.PROVED),
     ],
-)
-def test_a_block_of_a_pose_gives_its_name_a_meaning(judge: Judge, whole: str, part: str) -> None:
+)  # fmt: skip
+def test_a_block_of_a_pose_gives_its_name_a_meaning(judge: Judge, whole: str, part: str, alone: Verdict) -> None:
     display = rf"{{}}^0T_3 = {whole}"
-    assert not judge(display, arm=ARM).is_decided
+    assert judge(display, arm=ARM).verdict is alone
     assert judge(display, f"{part} = {POINT % '+'}", arm=ARM).verdict is Verdict.PROVED
     assert judge(display, f"{part} = {POINT % '-'}", arm=ARM).verdict is Verdict.REFUTED
 
