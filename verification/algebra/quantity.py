@@ -64,6 +64,22 @@ class Quantity:
         options += [f"columns: {list(self.columns)}"] if self.columns is not None else []
         return "{" + ", ".join(options) + "}"
 
+    def places(self, width: int) -> tuple[list[int], list[int]]:
+        """Return its rows and columns, from 0, in the 4×4 pose or the Jacobian of so many columns that it is a part of."""
+        height, along = 4 if self.homogeneous else 3, COMPONENTS[self.along]
+        parts = {
+            "jacobian": (range(6), range(width)),
+            "rotation": (range(3), range(3)),
+            "axis": (range(height), range(along, along + 1)),
+            "origin": (range(height), range(3, 4)),
+            "difference": (range(height), range(3, 4)),
+        }
+        rows, columns = parts.get(self.kind, (range(4), range(4)))
+        return (
+            list(rows) if self.rows is None else [rows[row - 1] for row in self.rows],
+            list(columns) if self.columns is None else [columns[column - 1] for column in self.columns],
+        )
+
 
 _PLACED = ("pose", "rotation", "origin", "axis", "difference", "jacobian", "velocity", "task")
 _WORDS = {

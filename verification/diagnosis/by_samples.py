@@ -11,6 +11,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.diagnosis.causes.case import Explanation
 from armproof.verification.diagnosis.causes.display import display_case
 from armproof.verification.diagnosis.causes.find import find_other, find_slip
+from armproof.verification.diagnosis.causes.probes import stack
 from armproof.verification.diagnosis.counterexample import SAMPLED, Probe, count_terms
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
@@ -24,12 +25,12 @@ _TOLERANCE = 1e-9  # of two poses that are the same at every probe
 
 def discrepancy_of(checker: ChainChecker, probe: Probe, outcome: Outcome, sample: int) -> Discrepancy | None:
     """Return what an equation says at its counterexample, a sample of the probe; None where that is not known, or too long."""
-    pair = outcome.pair
+    pair, samples = outcome.pair, probe.samples
     if pair is None or outcome.sampled_only or not outcome.wrong or _is_long(pair):
         return None
     try:
         with np.errstate(all="ignore"):  # what has no value there is found below
-            true, printed = (_numbers(probe, side) for side in (pair.true, pair.printed))
+            true, printed = (stack(samples.from_exact(side), samples.samples) for side in (pair.true, pair.printed))
     except EvaluationError:
         return None
     values = tuple((float(printed[sample, r, c]), float(true[sample, r, c])) for r, c in outcome.wrong)
@@ -43,14 +44,6 @@ def _is_long(pair: Pair) -> bool:
     """Whether evaluating both sides would take its time: nobody reads such a matrix."""
     cells = [cell for side in (pair.true, pair.printed) for row in side.rows for cell in row]
     return sum(map(count_terms, cells)) > 2 * SAMPLED
-
-
-def _numbers(probe: Probe, matrix: object) -> np.ndarray:
-    """Return a matrix of exact scalars at the probes, (N, rows, columns)."""
-    sampled = probe.samples.from_exact(matrix)
-    count = probe.samples.samples
-    rows = [[np.broadcast_to(cell, (count,)) for cell in row] for row in sampled.rows]
-    return np.moveaxis(np.array(rows, dtype=float), -1, 0)
 
 
 class _Drawing:

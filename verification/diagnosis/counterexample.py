@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 import numpy as np
 
@@ -53,18 +54,14 @@ class Probe:
     def __init__(self, checker: ChainChecker) -> None:
         self.checker = checker
         self.names = checker.names
-        self._samples: SampledAlgebra | None = None
 
-    @property
+    @cached_property
     def samples(self) -> SampledAlgebra:
         """The algebra of arrays over these configurations."""
-        if self._samples is None:
-            arm = self.names.arm
-            generator = np.random.default_rng(SEED)
-            columns = [_round_values(joint, generator) for joint in arm.joints] if arm is not None else []
-            q = np.array(columns).T if columns else np.zeros((PROBES, 0))
-            self._samples = RoundSamples(self.checker.exact, q, SEED)
-        return self._samples
+        arm, generator = self.names.arm, np.random.default_rng(SEED)
+        columns = [_round_values(joint, generator) for joint in arm.joints] if arm is not None else []
+        q = np.array(columns).T if columns else np.zeros((PROBES, 0))
+        return RoundSamples(self.checker.exact, q, SEED)
 
     def agreement(self, true: Scalar) -> Callable[[n.Node], bool] | None:
         """Return whether trees have the value of a scalar at these configurations; None where it has none itself."""
@@ -153,14 +150,10 @@ class Probe:
     def _sampled_difference(self, outcome: Outcome, probe: SampledAlgebra) -> np.ndarray:
         assert outcome.true is not None and outcome.printed is not None
         if outcome.pair is not None and not outcome.sampled_only:
-            cells = _shortest(
-                [(outcome.pair.true.rows[r][c], outcome.pair.printed.rows[r][c]) for r, c in outcome.wrong]
-            )
-            return (
-                np.max([np.abs(probe.from_exact(a - b)) for a, b in cells], axis=0)
-                if cells
-                else np.zeros(probe.samples)
-            )
+            rows, printed_rows = outcome.pair.true.rows, outcome.pair.printed.rows
+            cells = _shortest([(rows[r][c], printed_rows[r][c]) for r, c in outcome.wrong])
+            off = [np.abs(probe.from_exact(a - b)) for a, b in cells]
+            return np.max(off, axis=0) if off else np.zeros(probe.samples)
         true, printed = (
             as_scalar(Evaluator(self.names, probe).evaluate(m.node)) for m in (outcome.true, outcome.printed)
         )

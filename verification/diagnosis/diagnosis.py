@@ -14,7 +14,7 @@ from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
 from armproof.verification.diagnosis.slips import swapped_lengths
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
-from armproof.verification.equations.alignment import Pair, different_entries, exactly_equal
+from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
@@ -104,11 +104,7 @@ class Diagnostician:
         assert outcome.pair is not None and outcome.printed is not None
         for edit in swapped_lengths(outcome.printed.node, self.learnt.letters(outcome.printed.node)):
             member = self.checker.member(edit.node)
-            if not (
-                member.known and isinstance(member.value, Matrix) and member.value.shape == outcome.pair.true.shape
-            ):
-                continue
-            if not different_entries(replace(outcome.pair, printed=member.value), exactly_equal):
+            if member.known and isinstance(member.value, Matrix) and equal_matrices(outcome.pair.true, member.value):
                 return say(Kind.THROUGHOUT, change=edit.finding)
         return None
 
@@ -197,13 +193,9 @@ def _cell_of_blocks(node: n.Matrix, row: int, column: int) -> n.Node | None:
             left = 0
             for cell, size in zip(cells, sizes, strict=True):
                 if column < left + size[1]:
-                    return (
-                        find_cell(cell, row - top, column - left)
-                        if isinstance(cell, n.Matrix)
-                        else cell
-                        if height == 1
-                        else None
-                    )
+                    if isinstance(cell, n.Matrix):
+                        return find_cell(cell, row - top, column - left)
+                    return cell if height == 1 else None
                 left += size[1]
             return None
         top += height

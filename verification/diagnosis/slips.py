@@ -9,10 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
+from itertools import combinations
 
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import SWAPPED, bare_head
+
+_FLIPPED = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
 
 
 @dataclass(frozen=True)
@@ -52,8 +56,7 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
 
 def _negated(node: n.Node) -> n.Node:
     if isinstance(node, n.Sum):
-        flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
-        return replace(node, terms=tuple((flipped[sign], term) for sign, term in node.terms), span=node.span)
+        return replace(node, terms=tuple((_FLIPPED[sign], term) for sign, term in node.terms), span=node.span)
     return n.Sum((("-", node),), span=node.span)
 
 
@@ -69,9 +72,8 @@ Change = tuple[n.Node, str, Finding]
 def _signs(node: n.Node) -> Iterator[Change]:
     if not isinstance(node, n.Sum) or (len(node.terms) == 1):
         return
-    flipped = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
     for k, (sign, term) in enumerate(node.terms):
-        terms = (*node.terms[:k], (flipped[sign], term), *node.terms[k + 1 :])
+        terms = (*node.terms[:k], (_FLIPPED[sign], term), *node.terms[k + 1 :])
         yield replace(node, terms=terms), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
 
 
@@ -133,18 +135,12 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
         if rest:
             yield replace(node, terms=rest), "index", say(Kind.EXTRA_INDEX, index=index)
             if k:
-                yield (
-                    replace(node, terms=(*node.terms[:k], (-sign, index), *node.terms[k + 1 :])),
-                    "index",
-                    say(Kind.WRONG_SIGN_OF_ANGLE, index=index),
-                )
+                terms = (*node.terms[:k], (-sign, index), *node.terms[k + 1 :])
+                yield replace(node, terms=terms), "index", say(Kind.WRONG_SIGN_OF_ANGLE, index=index)
     for joint in letters.joints:
         if joint not in present:
-            yield (
-                replace(node, terms=tuple(sorted((*node.terms, (1, joint)), key=lambda t: t[1]))),
-                "index",
-                say(Kind.MISSING_INDEX, index=joint),
-            )
+            terms = tuple(sorted((*node.terms, (1, joint)), key=lambda term: term[1]))
+            yield replace(node, terms=terms), "index", say(Kind.MISSING_INDEX, index=joint)
 
 
 def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
@@ -178,16 +174,10 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
 
 def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Two lengths, exchanged throughout."""
-    keys = [
-        length.key
-        for length in letters.lengths
-        if any(isinstance(b, n.Name) and b.key == length.key for b in n.walk(root))
-    ]
-    named = {length.key: length for length in letters.lengths}
-    for i, a in enumerate(keys):
-        for b in keys[i + 1 :]:
-            swapped = _rename(root, {a: named[b], b: named[a]})
-            yield Edit(swapped, "length", say(Kind.SWAPPED_LENGTHS, one=_show(named[a]), other=_show(named[b])))
+    present = {below.key for below in n.walk(root) if isinstance(below, n.Name)}
+    for a, b in combinations([length for length in letters.lengths if length.key in present], 2):
+        swapped = _rename(root, {a.key: b, b.key: a})
+        yield Edit(swapped, "length", say(Kind.SWAPPED_LENGTHS, one=_show(a), other=_show(b)))
 
 
 def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
@@ -222,16 +212,13 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
     for node in n.walk(root):
         if isinstance(node, n.Number) and node.value and id(node) not in exponents:
             for value in (node.value * 2, node.value / 2, node.value + 1):
-                yield Edit(
-                    n.substitute(root, node, n.Number(value, span=node.span)),
-                    "number",
-                    say(Kind.WRONG_NUMBER, number=node.text),
-                )
+                changed = n.substitute(root, node, n.Number(value, span=node.span))
+                yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=node.text))
     for power in powers:
         assert isinstance(power.exponent, n.Number)
         higher = n.Number(power.exponent.value + 1, str(power.exponent.value + 1), span=power.exponent.span)
-        for changed in (power.base, replace(power, exponent=higher)):
-            yield Edit(n.substitute(root, power, changed), "number", say(Kind.WRONG_POWER))
+        for other in (power.base, replace(power, exponent=higher)):
+            yield Edit(n.substitute(root, power, other), "number", say(Kind.WRONG_POWER))
 
 
 def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
@@ -284,19 +271,17 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
 
 def _functions_of(style: n.Call, letters: Letters) -> Iterator[tuple[n.Node, Finding]]:
     """Yield the cosines and sines of the joints, written as `style` is, each with what is said where it is missing."""
-    arguments: list[tuple[n.Node, Kind, dict[str, int | str]]]
+    arguments: list[tuple[n.Node, partial[Finding]]]
     if isinstance(style.arguments[0], n.JointAngles):
-        arguments = [
-            (n.JointAngles(((1, joint),)), Kind.MISSING_FUNCTION, {"index": joint}) for joint in letters.joints
-        ]
+        arguments = [(n.JointAngles(((1, k),)), partial(say, Kind.MISSING_FUNCTION, index=k)) for k in letters.joints]
     else:
-        arguments = [(angle, Kind.MISSING_FUNCTION_OF, {"angle": _show(angle)}) for angle in letters.angles]
-    for argument, kind, terms in arguments:
+        arguments = [(name, partial(say, Kind.MISSING_FUNCTION_OF, angle=_show(name))) for name in letters.angles]
+    for argument, missing in arguments:
         for function in ("cos", "sin"):
             other = SWAPPED.get(bare_head(style), f"\\{function}")
             head = bare_head(style) if style.function == function else other
             call = replace(style, function=function, head=head, arguments=(argument,))
-            yield call, say(kind, function=function, **terms)
+            yield call, missing(function=function)
 
 
 def _show(name: n.Name) -> str:

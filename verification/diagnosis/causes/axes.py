@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from armproof.verification.diagnosis.causes.case import Candidate, Case
+from armproof.verification.diagnosis.causes.case import Candidate, Case, changed
 from armproof.verification.findings import Finding, Kind, say
 
 _CLOSE = 1e-9
@@ -60,9 +60,7 @@ class Construction:
         if not (self.local[:, :2] == 0).all():
             return ""
         n = len(self.index)
-        return (
-            "classic" if self.index == tuple(range(n)) else "modified" if self.index == tuple(range(1, n + 1)) else ""
-        )
+        return {tuple(range(n)): "classic", tuple(range(1, n + 1)): "modified"}.get(self.index, "")
 
 
 def constructions(case: Case, J: np.ndarray) -> list[Construction]:
@@ -102,7 +100,7 @@ def axis_candidates(case: Case) -> Iterator[Candidate]:
     """Yield Jacobians constructed with a usual slip."""
     if case.quantity.kind != "jacobian":
         return
-    J = case.kinematics.jacobian(case.quantity.frame, case.quantity.reference, case.arm.frames[0])
+    J = case.whole
     reaches = np.abs(J).max(axis=(0, 1)) > 0  # joints that move the frame at all
     ways = constructions(case, J)
     for search in (_by_formula, _by_neighbours, _by_z):
@@ -168,27 +166,23 @@ def _taken_for_axis(convention: str, shift: int) -> Finding:
 
 def _by_kind(case: Case, J: np.ndarray) -> Iterator[Candidate]:
     """One prismatic joint treated as a revolute one, or the other way round."""
+
+    def column(k: int, v: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        return case.selected(changed(J, np.s_[:, :, k], np.concatenate([v, omega], axis=1)))
+
     end = case.kinematics.pose(case.quantity.frame, case.quantity.reference)[:, :3, 3]
     for k, joint in enumerate(case.arm.joints):
         if joint.kind == "revolute":
-            slid = J.copy()
-            slid[:, :3, k], slid[:, 3:, k] = J[:, 3:, k], 0
             yield (
                 say(Kind.COLUMN_AS_PRISMATIC, number=k + 1, joint=joint.symbol),
-                case.selected(slid),
+                column(k, J[:, 3:, k], 0 * J[:, 3:, k]),
             )
             continue
         z, place = J[:, :3, k], {"number": k + 1, "joint": joint.symbol}
         for sign in (1, -1):
-            turning = J.copy()
-            turning[:, 3:, k] = sign * z
-            yield say(Kind.COLUMN_TURNING, **place), case.selected(turning)
+            yield say(Kind.COLUMN_TURNING, **place), column(k, z, sign * z)
         for frame in case.arm.frames:
             point = case.kinematics.pose(frame, case.quantity.reference)[:, :3, 3]
             for sign in (1, -1):
-                turned = J.copy()
-                turned[:, :3, k], turned[:, 3:, k] = np.cross(sign * z, end - point), sign * z
-                yield say(Kind.COLUMN_AS_REVOLUTE, **place), case.selected(turned)
-        still = J.copy()
-        still[:, :3, k], still[:, 3:, k] = 0, z
-        yield say(Kind.COLUMN_AS_REVOLUTE, **place), case.selected(still)
+                yield say(Kind.COLUMN_AS_REVOLUTE, **place), column(k, np.cross(sign * z, end - point), sign * z)
+        yield say(Kind.COLUMN_AS_REVOLUTE, **place), column(k, 0 * z, z)

@@ -5,18 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property, reduce
+from typing import Any
 
 import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.quantities import numbered_frames
 
 TOLERANCE = 1e-7
 Candidate = tuple[Finding, np.ndarray]  # what the result is instead, and the values it would have: (N, rows, columns)
 Place = tuple[Finding, np.ndarray]  # a block of the matrix, and its mask (rows, columns)
+
+
+def changed(values: np.ndarray, place: Any, by: Any) -> np.ndarray:
+    """Return a copy of an array with other values in one place."""
+    copy = values.copy()
+    copy[place] = by
+    return copy
 
 
 @dataclass(frozen=True)
@@ -81,24 +89,18 @@ class Case:
         """The size 1 + |obtained| by which differences are scaled."""
         return np.asarray(1 + np.abs(self.obtained))
 
+    @cached_property
+    def whole(self) -> np.ndarray:
+        """The 4×4 pose, or the 6×n Jacobian, that the quantity is or is a part of, at each configuration."""
+        quantity = self.quantity
+        if quantity.kind == "jacobian":
+            return self.kinematics.jacobian(quantity.frame, quantity.reference, self.arm.frames[0])
+        return self.kinematics.pose(quantity.frame, quantity.reference)
+
     def selected(self, whole: np.ndarray) -> np.ndarray:
         """Return what the quantity names of a 4×4 pose, or of a 6×n Jacobian, at each configuration."""
-        quantity = self.quantity
-        if quantity.kind == "rotation":
-            whole = whole[:, :3, :3]
-        elif quantity.kind in ("origin", "difference"):
-            whole = whole[:, : 4 if quantity.homogeneous else 3, 3:]
-        elif quantity.kind == "axis":
-            column = COMPONENTS[quantity.along]
-            whole = whole[:, : 4 if quantity.homogeneous else 3, column : column + 1]
-        rows = [r - 1 for r in quantity.rows] if quantity.rows else range(whole.shape[1])
-        columns = [c - 1 for c in quantity.columns] if quantity.columns else range(whole.shape[2])
-        return np.asarray(whole[:, list(rows)][:, :, list(columns)])
-
-    def selected_columns(self, rows: np.ndarray) -> np.ndarray:
-        """Return the columns that the quantity names of rows of a Jacobian."""
-        columns = self.quantity.columns
-        return rows if columns is None else rows[:, :, [c - 1 for c in columns]]
+        rows, columns = self.quantity.places(whole.shape[2])
+        return np.asarray(whole[:, rows][:, :, columns])
 
     @cached_property
     def blocks(self) -> list[Place]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -10,7 +11,8 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.diagnosis.causes.case import Case
-from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes
+from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes, stack
+from armproof.verification.diagnosis.counterexample import count_terms
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -26,7 +28,7 @@ def display_case(checker: ChainChecker, outcome: Outcome) -> Case | None:
     if arm is None or quantity is None or outcome.pair is None:
         return None
     printed, at, there = outcome.pair.printed, probes(arm), partners(arm)
-    if sum(len(cell.numerator) + len(cell.denominator) for row in printed.rows for cell in row) > _MOST_TERMS:
+    if sum(count_terms(cell) for row in printed.rows for cell in row) > _MOST_TERMS:
         return None
     try:
         with np.errstate(all="ignore"):
@@ -34,16 +36,8 @@ def display_case(checker: ChainChecker, outcome: Outcome) -> Case | None:
             true = at.true(quantity)
             if obtained.shape != true.shape or not np.isfinite(obtained).all():
                 return None
-            return Case(
-                arm,
-                quantity,
-                at.numeric,
-                true,
-                obtained,
-                there.numeric,
-                lambda: _at(checker.exact, printed, there),
-                is_printed=True,
-            )
+            obtained_there = partial(_at, checker.exact, printed, there)
+            return Case(arm, quantity, at.numeric, true, obtained, there.numeric, obtained_there, is_printed=True)
     except ArmproofError:
         return None
 
@@ -60,5 +54,4 @@ def _quantity(checker: ChainChecker, outcome: Outcome) -> Quantity | None:
 
 
 def _at(exact: ExactAlgebra, value: Matrix, at: Configurations) -> np.ndarray:
-    sampled = SampledAlgebra(exact, at.q).from_exact(value)
-    return np.moveaxis(np.array([list(row) for row in sampled.rows]), -1, 0)
+    return stack(SampledAlgebra(exact, at.q).from_exact(value), len(at.q))

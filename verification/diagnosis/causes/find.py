@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from itertools import chain, pairwise
+from itertools import accumulate, chain, pairwise
 
 import numpy as np
 
 from armproof.verification.diagnosis.causes.axes import axis_candidates, constructions
 from armproof.verification.diagnosis.causes.case import Candidate, Case, Explanation
-from armproof.verification.diagnosis.causes.frames import constant_offset, inverse, other_poses, pose_slips
+from armproof.verification.diagnosis.causes.frames import constant_offset, other_poses, pose_slips
 from armproof.verification.diagnosis.causes.jacobian import jacobian_slips, other_jacobians, point_candidates
 from armproof.verification.diagnosis.causes.joint_variables import joint_candidates, offset_candidates
 from armproof.verification.diagnosis.causes.lengths import length_cause, lengths_cause
@@ -27,6 +27,7 @@ from armproof.verification.diagnosis.causes.links import (
 from armproof.verification.diagnosis.causes.shapes import permutation_cause, shape_candidates
 from armproof.verification.findings import Kind, say
 
+Search = Callable[[Case], Explanation]
 FAR_FETCHED = 1000  # exceptions: what only bounds a mistake yields to any that names it
 
 
@@ -35,10 +36,9 @@ def chain_candidates(case: Case) -> Iterator[Candidate]:
     frames, reference = case.frames, case.quantity.reference
     if case.quantity.kind != "jacobian" or reference != frames[0]:
         return
-    J = case.kinematics.jacobian(case.quantity.frame, reference, frames[0])
-    ways = constructions(case, J)
+    ways = constructions(case, case.whole)
     poses = [case.kinematics.pose(frame, reference) for frame in frames]
-    links = [inverse(before) @ after for before, after in pairwise(poses)]
+    links = [np.linalg.inv(before) @ after for before, after in pairwise(poses)]
     last = frames.index(case.quantity.frame)
 
     def jacobians(changed: list[np.ndarray]) -> Iterator[np.ndarray]:
@@ -51,19 +51,12 @@ def chain_candidates(case: Case) -> Iterator[Candidate]:
         other = other_convention(convention)
         rebuilt = [build(other, p) for L in links if (p := parameters(convention, L)) is not None]
         finding = say(Kind.LINKS_OF_OTHER_CONVENTION, other=other, convention=convention)
-        yield from ((finding, J) for J in jacobians(_chained(poses[0], rebuilt)))
+        yield from ((finding, J) for J in jacobians(list(accumulate(rebuilt, np.matmul, initial=poses[0]))))
     for k, true in enumerate(links):
         for slip, L in link_slips(true, convention_of(links)):
-            before = poses[k] @ L @ inverse(poses[k + 1])
+            before = poses[k] @ L @ np.linalg.inv(poses[k + 1])
             finding = say(Kind.WRONG_LINK, link=link_name(frames, k), slip=slip)
             yield from ((finding, J) for J in jacobians([*poses[: k + 1], *(before @ pose for pose in poses[k + 1 :])]))
-
-
-def _chained(first: np.ndarray, links: list[np.ndarray]) -> list[np.ndarray]:
-    poses = [first]
-    for link in links:
-        poses.append(poses[-1] @ link)
-    return poses
 
 
 def find_cause(case: Case) -> Explanation:
@@ -101,39 +94,22 @@ def _is_zero(case: Case) -> bool:
     return case.fits and not case.obtained.any()
 
 
-def _matrix(case: Case) -> Explanation:
-    return case.explained_by(jacobian_slips(case) if case.quantity.kind == "jacobian" else pose_slips(case))
-
-
-def _joints(case: Case) -> Explanation:
-    return case.explained_by(joint_candidates(case))
-
-
-def _lengths(case: Case) -> Explanation:
-    return Explanation(length_cause(case))
-
-
-def _axes(case: Case) -> Explanation:
-    return case.explained_by(axis_candidates(case))
-
-
-def _products(case: Case) -> Explanation:
-    return case.explained_by(product_candidates(case))
-
-
-def _offsets(case: Case) -> Explanation:
-    return case.explained_by(chain(offset_candidates(case), point_candidates(case)))
-
-
 def _rest(case: Case) -> Explanation:
     """Return what is less a mistake than a place: one wrong link, several lengths, a constant offset."""
     found = wrong_link(case) or lengths_cause(case) or constant_offset(case) or permutation_cause(case)
     return Explanation(found, FAR_FETCHED)
 
 
-def _chains(case: Case) -> Explanation:
-    return case.explained_by(chain_candidates(case))
+def _explained(*sources: Callable[[Case], Iterable[Candidate]]) -> Search:
+    return lambda case: case.explained_by(chain.from_iterable(source(case) for source in sources))
 
 
-_OF_POSES = (_matrix, _joints, _lengths, _offsets, _products)
-_OF_JACOBIANS = (_matrix, _joints, _lengths, _axes, _offsets, _chains)
+def _length(case: Case) -> Explanation:
+    return Explanation(length_cause(case))
+
+
+_JOINTS, _OFFSETS = _explained(joint_candidates), _explained(offset_candidates, point_candidates)
+_OF_POSES = (_explained(pose_slips), _JOINTS, _length, _OFFSETS, _explained(product_candidates))
+_OF_JACOBIANS = (
+    _explained(jacobian_slips), _JOINTS, _length, _explained(axis_candidates), _OFFSETS, _explained(chain_candidates)
+)  # fmt: skip

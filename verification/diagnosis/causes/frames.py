@@ -7,18 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from armproof.verification.algebra.quantity import COMPONENTS
-from armproof.verification.diagnosis.causes.case import Candidate, Case
+from armproof.verification.diagnosis.causes.case import Candidate, Case, changed
 from armproof.verification.findings import Finding, Kind, say
 
 _OF_FRAMES = ("pose", "rotation", "origin", "axis")
-
-
-def inverse(X: np.ndarray) -> np.ndarray:
-    """Return the inverses of homogeneous transforms, (N, 4, 4)."""
-    result = np.zeros_like(X)
-    R = X[:, :3, :3].transpose(0, 2, 1)
-    result[:, :3, :3], result[:, :3, 3:], result[:, 3, 3] = R, -R @ X[:, :3, 3:], 1.0
-    return result
 
 
 def other_poses(case: Case) -> Iterator[Candidate]:
@@ -40,8 +32,7 @@ def other_poses(case: Case) -> Iterator[Candidate]:
 def _inverted(case: Case, kind: Kind) -> Iterator[Candidate]:
     quantity = case.quantity
     if quantity.kind in ("pose", "rotation"):
-        X = case.kinematics.pose(quantity.frame, quantity.reference)
-        yield say(kind, reference=quantity.reference, frame=quantity.frame), case.selected(inverse(X))
+        yield say(kind, reference=quantity.reference, frame=quantity.frame), case.selected(np.linalg.inv(case.whole))
 
 
 def _other_frames(case: Case) -> Iterator[Candidate]:
@@ -59,8 +50,7 @@ def _other_frames(case: Case) -> Iterator[Candidate]:
 
 
 def _other_axes(case: Case) -> Iterator[Candidate]:
-    quantity = case.quantity
-    X = case.kinematics.pose(quantity.frame, quantity.reference)
+    quantity, X = case.quantity, case.whole
     own = COMPONENTS[quantity.along]
     for name, column in COMPONENTS.items():
         if name != quantity.along:
@@ -73,25 +63,19 @@ def pose_slips(case: Case) -> Iterator[Candidate]:
     quantity = case.quantity
     if quantity.kind not in _OF_FRAMES:
         return
-    X = case.kinematics.pose(quantity.frame, quantity.reference)
-    turned = X.copy()
-    turned[:, :3, :3] = X[:, :3, :3].transpose(0, 2, 1)
-    yield say(Kind.ROTATION_TRANSPOSED), case.selected(turned)
+    X, rotation, origin = case.whole, np.s_[:, :3, :3], np.s_[:, :3, 3]
+    yield say(Kind.ROTATION_TRANSPOSED), case.selected(changed(X, rotation, X[rotation].transpose(0, 2, 1)))
     if quantity.kind != "axis":
         yield from _rows_and_columns(case, X)
     if quantity.kind in ("origin", "axis"):
         yield from _turned(case, X)
     if quantity.kind in ("pose", "origin"):
         for unit, factor in (("millimetres", 1000.0), ("kilometres", 0.001)):
-            scaled = X.copy()
-            scaled[:, :3, 3] *= factor
+            scaled = changed(X, origin, X[origin] * factor)
             yield say(Kind.ORIGIN_IN_OTHER_UNIT, unit=unit), case.selected(scaled)
     if quantity.kind == "pose":
-        straight, moved = X.copy(), X.copy()
-        straight[:, :3, :3] = np.eye(3)
-        yield say(Kind.ROTATION_MISSING), straight
-        moved[:, :3, 3] = 0
-        yield say(Kind.ORIGIN_MISSING), moved
+        yield say(Kind.ROTATION_MISSING), changed(X, rotation, np.eye(3))
+        yield say(Kind.ORIGIN_MISSING), changed(X, origin, 0)
 
 
 def _rows_and_columns(case: Case, X: np.ndarray) -> Iterator[Candidate]:
@@ -116,9 +100,8 @@ def _turned(case: Case, X: np.ndarray) -> Iterator[Candidate]:
     quantity = case.quantity
     for frame in case.arm.frames:
         if frame != quantity.reference:
-            turned = X.copy()
             R = case.kinematics.pose(frame, quantity.reference)[:, :3, :3].transpose(0, 2, 1)
-            turned[:, :3] = R @ turned[:, :3]
+            turned = changed(X, np.s_[:, :3], R @ X[:, :3])
             yield say(Kind.IN_OTHER_AXES, other=frame, reference=quantity.reference), case.selected(turned)
 
 
@@ -133,8 +116,8 @@ def constant_offset(case: Case) -> Finding | None:
     if case.quantity.kind != "pose" or case.true.shape[1:] != (4, 4):
         return None
     for kind, off in (
-        (Kind.OTHER_BASE, case.obtained @ inverse(case.true)),
-        (Kind.OTHER_TOOL, inverse(case.true) @ case.obtained),
+        (Kind.OTHER_BASE, case.obtained @ np.linalg.inv(case.true)),
+        (Kind.OTHER_TOOL, np.linalg.inv(case.true) @ case.obtained),
     ):
         if np.ptp(off, axis=0).max() < 1e-9:
             return say(kind)

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from armproof.verification.diagnosis.causes.case import Candidate, Case
+from armproof.verification.diagnosis.causes.case import Candidate, Case, changed
 from armproof.verification.findings import Kind, say
 
 _SWAPPED = [3, 4, 5, 0, 1, 2]
@@ -15,7 +15,7 @@ _SWAPPED = [3, 4, 5, 0, 1, 2]
 
 def other_jacobians(case: Case) -> Iterator[Candidate]:
     """Yield what else of the arm a Jacobian could be taken for."""
-    J = _true(case)
+    J = case.whole
     yield say(Kind.BLOCKS_SWAPPED), case.selected(J[:, _SWAPPED])
     yield say(Kind.TRANSPOSED if case.is_printed else Kind.JACOBIAN_TRANSPOSED), case.selected(J).transpose(0, 2, 1)
     yield from _in_other_frames(case, J)
@@ -26,18 +26,13 @@ def jacobian_slips(case: Case) -> Iterator[Candidate]:
     """Yield a Jacobian with a slip in it as a matrix: its blocks, its columns, its rows, its units."""
     if case.quantity.kind != "jacobian":
         return
-    J = _true(case)
+    J = case.whole
     yield from _transposed_too(case, J)
     yield from _blocks_of_rows(case, J)
     yield from _absolute_angles(case, J)
     yield from _columns(case, J)
     yield from _scaled(case, J)
     yield from _rows(case, J)
-
-
-def _true(case: Case) -> np.ndarray:
-    """Return the whole Jacobian of the frame, (N, 6, n)."""
-    return case.kinematics.jacobian(case.quantity.frame, case.quantity.reference, case.arm.frames[0])
 
 
 def _transposed_too(case: Case, J: np.ndarray) -> Iterator[Candidate]:
@@ -50,7 +45,7 @@ def _blocks_of_rows(case: Case, J: np.ndarray) -> Iterator[Candidate]:
     rows = [row - 1 for row in case.quantity.rows or ()]
     order = [row for row in rows if row >= 3] + [row for row in rows if row < 3]
     if order != rows:
-        yield say(Kind.SOME_BLOCKS_SWAPPED), case.selected_columns(J[:, order])
+        yield say(Kind.SOME_BLOCKS_SWAPPED), J[:, order][:, :, case.quantity.places(J.shape[2])[1]]
 
 
 def _in_other_frames(case: Case, J: np.ndarray) -> Iterator[Candidate]:
@@ -59,15 +54,11 @@ def _in_other_frames(case: Case, J: np.ndarray) -> Iterator[Candidate]:
         if other == reference:
             continue
         kind = Kind.IN_TOOL_FRAME if other == frame and not case.is_printed else Kind.IN_OTHER_FRAME
-        yield (
-            say(kind, other=other, reference=reference),
-            case.selected(case.kinematics.jacobian(frame, other, case.arm.frames[0])),
-        )
+        seen = case.kinematics.jacobian(frame, other, case.arm.frames[0])
+        yield say(kind, other=other, reference=reference), case.selected(seen)
         R = case.kinematics.pose(other, reference)[:, :3, :3]
-        yield (
-            say(Kind.TURNED, other=other),
-            case.selected(np.concatenate([R @ J[:, :3], R @ J[:, 3:]], axis=1)),
-        )
+        turned = np.concatenate([R @ J[:, :3], R @ J[:, 3:]], axis=1)
+        yield say(Kind.TURNED, other=other), case.selected(turned)
 
 
 def _of_other_points(case: Case, J: np.ndarray) -> Iterator[Candidate]:
@@ -83,16 +74,14 @@ def _of_other_points(case: Case, J: np.ndarray) -> Iterator[Candidate]:
 
 
 def point_candidates(case: Case) -> Iterator[Candidate]:
-    """Yield the Jacobian of another point of the last body."""
-    quantity = case.quantity
+    """Yield the Jacobian of another point of the last body: with v of the point at the origin of another frame."""
+    quantity, J = case.quantity, case.whole
     if quantity.kind != "jacobian":
         return
-    J = _true(case)
+    end = case.kinematics.pose(quantity.frame, quantity.reference)[:, :3, 3:]
     for other in case.arm.frames:
-        shift = case.kinematics.pose(other, quantity.reference)[:, None, :3, 3]
-        end = case.kinematics.pose(quantity.frame, quantity.reference)[:, None, :3, 3]
-        moved = J.copy()  # v of the body's point at the origin of another frame
-        moved[:, :3] = J[:, :3] + np.cross(J[:, 3:].transpose(0, 2, 1), shift - end).transpose(0, 2, 1)
+        lever = case.kinematics.pose(other, quantity.reference)[:, :3, 3:] - end
+        moved = changed(J, np.s_[:, :3], J[:, :3] + np.cross(J[:, 3:], lever, axis=1))
         yield say(Kind.OTHER_POINT, other=other, frame=quantity.frame), case.selected(moved)
 
 
@@ -100,11 +89,10 @@ def _columns(case: Case, J: np.ndarray) -> Iterator[Candidate]:
     joints = case.arm.joints
     n = len(joints)
     for k, joint in enumerate(joints):
-        turned, gone = J.copy(), J.copy()
-        turned[:, :, k] *= -1
-        gone[:, :, k] = 0
+        place = np.s_[:, :, k]
+        turned = changed(J, place, -J[place])
         yield say(Kind.COLUMN_THE_OTHER_WAY, number=k + 1, joint=joint.symbol), case.selected(turned)
-        yield say(Kind.COLUMN_MISSING, number=k + 1), case.selected(gone)
+        yield say(Kind.COLUMN_MISSING, number=k + 1), case.selected(changed(J, place, 0))
     yield say(Kind.COLUMNS_REVERSED), case.selected(J[:, :, ::-1])
     for i in range(n):
         for j in range(i + 1, n):
@@ -129,8 +117,7 @@ def _absolute_angles(case: Case, J: np.ndarray) -> Iterator[Candidate]:
     yield say(Kind.ABSOLUTE_DERIVATIVES), case.selected(absolute)
     yield say(Kind.ABSOLUTE_DERIVATIVES), case.selected(np.concatenate([absolute[:, :3], J[:, 3:]], axis=1))
     for k, after in pairwise(revolute):
-        one = J.copy()
-        one[:, :3, k] -= J[:, :3, after]
+        one = changed(J, np.s_[:, :3, k], J[:, :3, k] - J[:, :3, after])
         symbol, other = case.arm.joints[k].symbol, case.arm.joints[after].symbol
         yield say(Kind.CHAIN_RULE_IN_COLUMN, number=k + 1, joint=symbol, other=other), case.selected(one)
     for k in reversed(revolute[:-1]):
@@ -143,33 +130,25 @@ def _scaled(case: Case, J: np.ndarray) -> Iterator[Candidate]:
     for kind, factor in ((Kind.PER_DEGREE, np.pi / 180), (Kind.IN_DEGREES, 180 / np.pi)):
         yield say(kind), case.selected(np.where(revolute, J * factor, J))
     for unit, factor in (("millimetres", 1000.0), ("kilometres", 0.001)):
-        scaled = J.copy()
-        scaled[:, :3] *= np.where(revolute, factor, 1.0)
-        yield say(Kind.LENGTHS_IN_OTHER_UNIT, unit=unit), case.selected(scaled)
-        scaled = J.copy()
-        scaled[:, :3] *= factor
-        yield say(Kind.LINEAR_PART_IN_OTHER_UNIT, unit=unit), case.selected(scaled)
+        for kind, factors in (
+            (Kind.LENGTHS_IN_OTHER_UNIT, np.where(revolute, factor, 1.0)),
+            (Kind.LINEAR_PART_IN_OTHER_UNIT, factor),
+        ):
+            yield say(kind, unit=unit), case.selected(changed(J, np.s_[:, :3], J[:, :3] * factors))
     for kind, factor in ((Kind.SIGN_OF_WHOLE, -1.0), (Kind.DOUBLED, 2.0)):
         yield say(kind), case.selected(J * factor)
 
 
 def _rows(case: Case, J: np.ndarray) -> Iterator[Candidate]:
-    for part, rows in (("linear", slice(0, 3)), ("angular", slice(3, 6))):
-        gone, turned = J.copy(), J.copy()
-        gone[:, rows] = 0
-        turned[:, rows] *= -1
-        yield say(Kind.PART_MISSING, part=part), case.selected(gone)
-        yield say(Kind.SIGN_OF_PART, part=part), case.selected(turned)
+    for part, rows in (("linear", np.s_[:, :3]), ("angular", np.s_[:, 3:])):
+        yield say(Kind.PART_MISSING, part=part), case.selected(changed(J, rows, 0))
+        yield say(Kind.SIGN_OF_PART, part=part), case.selected(changed(J, rows, -J[rows]))
     for block, start in (("v", 0), ("ω", 3)):
         for i, j in ((0, 1), (0, 2), (1, 2)):
             order = list(range(6))
             order[start + i], order[start + j] = start + j, start + i
             axes = {"axis": "xyz"[i], "other_axis": "xyz"[j], "part": block}
-            yield (
-                say(Kind.ROWS_OF_PART_SWAPPED, one=start + i + 1, other=start + j + 1, **axes),
-                case.selected(J[:, order]),
-            )
+            finding = say(Kind.ROWS_OF_PART_SWAPPED, one=start + i + 1, other=start + j + 1, **axes)
+            yield finding, case.selected(J[:, order])
     for i in range(6):
-        turned = J.copy()
-        turned[:, i] *= -1
-        yield say(Kind.SIGN_OF_ROW, number=i + 1), case.selected(turned)
+        yield say(Kind.SIGN_OF_ROW, number=i + 1), case.selected(changed(J, np.s_[:, i], -J[:, i]))

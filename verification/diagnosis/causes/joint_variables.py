@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -12,9 +12,8 @@ from armproof.verification.diagnosis.causes.case import Candidate, Case
 from armproof.verification.diagnosis.causes.varied import Values, evaluate_varied
 from armproof.verification.findings import Finding, Kind, say
 
-Named = tuple[
-    Finding, Values, np.ndarray | None
-]  # the slip, the variables changed, the inner derivatives that go with it
+# the slip, the variables changed, the inner derivatives that go with it
+Named = tuple[Finding, Values, np.ndarray | None]
 _TURNS = (("π/2", np.pi / 2), ("-π/2", -np.pi / 2), ("π", np.pi))
 
 
@@ -32,11 +31,8 @@ def _varied(case: Case, named: list[Named]) -> Iterator[Candidate]:
     varied = evaluate_varied(case, [values for _, values, _ in named])
     for (finding, _, rates), values in zip(named, varied, strict=True):
         yield finding, values
-        if (
-            rates is not None and case.quantity.kind == "jacobian"
-        ):  # the derivative, with the slip's own inner derivative
-            columns = [c - 1 for c in case.quantity.columns or range(1, len(case.arm.joints) + 1)]
-            yield finding, values * rates[columns]
+        if rates is not None and case.quantity.kind == "jacobian":  # with the slip's own inner derivative
+            yield finding, values * rates[case.quantity.places(len(rates))[1]]
 
 
 def _revolute(case: Case) -> list[Joint]:
@@ -58,35 +54,20 @@ def _on_all(case: Case) -> Iterator[Named]:
     joints = _revolute(case)
     if not joints:
         return
-    every = [joint.index for joint in joints]
-    degrees = {joint.symbol: np.degrees(_of(case, joint)) for joint in joints}
-    radians = {joint.symbol: np.radians(_of(case, joint)) for joint in joints}
-    yield (
-        say(Kind.ANGLES_AS_DEGREES),
-        radians,
-        _rates(case, dict.fromkeys(every, np.pi / 180)),
-    )
-    yield (
-        say(Kind.ANGLES_TO_DEGREES),
-        degrees,
-        _rates(case, dict.fromkeys(every, 180 / np.pi)),
-    )
+    slips: list[tuple[Kind, Callable[[np.ndarray], np.ndarray], float]] = [
+        (Kind.ANGLES_AS_DEGREES, np.radians, np.pi / 180),
+        (Kind.ANGLES_TO_DEGREES, np.degrees, 180 / np.pi),
+    ]
     if len(joints) < len(case.arm.joints):  # degrees made of all of q, slides included
-        scale = np.pi / 180
-        for kind, factor in ((Kind.ANGLES_AS_DEGREES, scale), (Kind.ANGLES_TO_DEGREES, 1 / scale)):
+        for kind, _, factor in slips:
             every_joint = {joint.symbol: factor * _of(case, joint) for joint in case.arm.joints}
             yield say(kind), every_joint, np.full(len(case.arm.joints), factor)
     if len(joints) > 1:
-        yield (
-            say(Kind.EXCHANGED_THROUGHOUT),
-            {joint.symbol: np.pi / 2 - _of(case, joint) for joint in joints},
-            _rates(case, dict.fromkeys(every, -1.0)),
-        )
-        yield (
-            say(Kind.EVERY_JOINT_THE_OTHER_WAY),
-            {joint.symbol: -_of(case, joint) for joint in joints},
-            _rates(case, dict.fromkeys(every, -1.0)),
-        )
+        slips.append((Kind.EXCHANGED_THROUGHOUT, lambda q: np.pi / 2 - q, -1.0))
+        slips.append((Kind.EVERY_JOINT_THE_OTHER_WAY, np.negative, -1.0))
+    for kind, slip, rate in slips:
+        values = {joint.symbol: slip(_of(case, joint)) for joint in joints}
+        yield say(kind), values, _rates(case, {joint.index: rate for joint in joints})
     yield from _absolute(case, joints)
 
 
@@ -104,22 +85,12 @@ def _absolute(case: Case, joints: list[Joint]) -> Iterator[Named]:
 def _on_one(case: Case) -> Iterator[Named]:
     for joint in case.arm.joints:
         symbol, q = joint.symbol, _of(case, joint)
-        yield (
-            say(Kind.JOINT_THE_OTHER_WAY, joint=symbol),
-            {symbol: -q},
-            _rates(case, {joint.index: -1.0}),
-        )
+        slips = [(Kind.JOINT_THE_OTHER_WAY, -q, -1.0)]
         if joint.kind == "revolute":
-            yield (
-                say(Kind.SINE_COSINE_OF_JOINT, joint=symbol),
-                {symbol: np.pi / 2 - q},
-                _rates(case, {joint.index: -1.0}),
-            )
-            yield (
-                say(Kind.JOINT_AS_DEGREES, joint=symbol),
-                {symbol: np.radians(q)},
-                _rates(case, {joint.index: np.pi / 180}),
-            )
+            slips.append((Kind.SINE_COSINE_OF_JOINT, np.pi / 2 - q, -1.0))
+            slips.append((Kind.JOINT_AS_DEGREES, np.radians(q), np.pi / 180))
+        for kind, values, rate in slips:
+            yield say(kind, joint=symbol), {symbol: values}, _rates(case, {joint.index: rate})
         yield say(Kind.JOINT_MISSING, joint=symbol), {symbol: 0 * q}, None
 
 
@@ -134,19 +105,10 @@ def _offsets(case: Case) -> Iterator[Named]:
 
 
 def _between_neighbours(case: Case) -> Iterator[Named]:
-    revolute = _revolute(case)
-    for before, joint in pairwise(revolute):
-        symbol = joint.symbol
-        yield (
-            say(Kind.JOINT_ABSOLUTE, joint=symbol, before=before.symbol),
-            {symbol: _of(case, joint) - _of(case, before)},
-            None,
-        )
-        yield (
-            say(Kind.JOINT_SUMMED, joint=symbol, before=before.symbol),
-            {symbol: _of(case, joint) + _of(case, before)},
-            None,
-        )
+    for before, joint in pairwise(_revolute(case)):
+        symbol, q, q_before = joint.symbol, _of(case, joint), _of(case, before)
+        yield say(Kind.JOINT_ABSOLUTE, joint=symbol, before=before.symbol), {symbol: q - q_before}, None
+        yield say(Kind.JOINT_SUMMED, joint=symbol, before=before.symbol), {symbol: q + q_before}, None
 
 
 def _between_two(case: Case) -> Iterator[Named]:

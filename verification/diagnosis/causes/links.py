@@ -9,7 +9,6 @@ import numpy as np
 
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.diagnosis.causes.case import TOLERANCE, Candidate, Case
-from armproof.verification.diagnosis.causes.frames import inverse
 from armproof.verification.findings import Finding, Kind, say
 
 CONVENTIONS = ("classic", "modified")
@@ -140,7 +139,7 @@ def wrong_link(case: Case) -> Finding | None:
 def _implied(matrices: list[np.ndarray], obtained: np.ndarray, k: int) -> np.ndarray:
     """Return the k-th link matrix that a pose implies where the others are right."""
     count = len(obtained)
-    return inverse(product(matrices[:k], count)) @ obtained @ inverse(product(matrices[k + 1 :], count))
+    return np.linalg.inv(product(matrices[:k], count)) @ obtained @ np.linalg.inv(product(matrices[k + 1 :], count))
 
 
 def slip_in_link(implied: np.ndarray, true: np.ndarray, conventions: list[str]) -> Finding | None:
@@ -164,7 +163,7 @@ def _places(implied: np.ndarray, true: np.ndarray) -> Finding:
 
 def link_slips(true: np.ndarray, conventions: list[str]) -> Iterator[Candidate]:
     """Yield a link matrix with the usual slips in it."""
-    yield say(Kind.LINK_INVERTED), inverse(true)
+    yield say(Kind.LINK_INVERTED), np.linalg.inv(true)
     turned = true.copy()
     turned[:, :3, :3] = true[:, :3, :3].transpose(0, 2, 1)
     yield say(Kind.LINK_TRANSPOSED), turned

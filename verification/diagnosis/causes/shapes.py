@@ -23,7 +23,7 @@ def shape_candidates(case: Case) -> Iterator[Candidate]:
             yield say(kind), values.reshape(case.obtained.shape)
     quantity = case.quantity
     if quantity.kind == "jacobian":
-        J = case.kinematics.jacobian(quantity.frame, quantity.reference, case.arm.frames[0])
+        J = case.whole
         for kind, part in (
             (Kind.LINEAR_PART_ALONE, J[:, :3]),
             (Kind.ANGULAR_PART_ALONE, J[:, 3:]),
@@ -36,7 +36,7 @@ def shape_candidates(case: Case) -> Iterator[Candidate]:
             yield say(Kind.AND_TRANSPOSED, cause=say(kind)), part.transpose(0, 2, 1)
         return
     if quantity.kind in ("pose", "rotation", "origin", "axis"):
-        X = case.kinematics.pose(quantity.frame, quantity.reference)
+        X = case.whole
         for kind, part in (
             (Kind.IS_ROTATION, X[:, :3, :3]),
             (Kind.IS_ORIGIN, X[:, :3, 3]),
