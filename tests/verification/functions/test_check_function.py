@@ -152,6 +152,13 @@ def test_each_quantity_can_be_asked_for(quantity: Any, function: Callable[..., A
     assert wrong.verdict is REFUTED and wrong.table
 
 
+def test_a_joint_variable_has_no_cause_that_lies_in_frames() -> None:
+    found = check_function("planar_2r", lambda q: 2 * q[0], {"joint": "theta_1"})
+    assert found.verdict is REFUTED and not any("internal error" in note for note in found.notes)
+    assert [(entry.printed, entry.correct) for entry in found.entries] == [("2 \\theta_1", "\\theta_1")]
+    assert check_function("planar_2r", lambda q: q[0], {"joint": "theta_1"}).verdict is PROVED
+
+
 def test_several_quantities_are_judged_one_by_one() -> None:
     found = check(lambda q: (p2(q), j2(q)), ("p_2", V))
     assert found.verdicts == (PROVED, PROVED) and found.quantities == ("p_2", "jacobian: 2, rows: [1, 2]")

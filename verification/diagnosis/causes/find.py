@@ -28,6 +28,7 @@ from armproof.verification.diagnosis.causes.shapes import permutation_cause, sha
 from armproof.verification.findings import Kind, say
 
 Search = Callable[[Case], Explanation]
+_KINDS = ("pose", "rotation", "origin", "axis", "difference", "jacobian")
 FAR_FETCHED = 1000  # exceptions: what only bounds a mistake yields to any that names it
 
 
@@ -70,7 +71,7 @@ def find_cause(case: Case) -> Explanation:
 
 def find_other(case: Case) -> Explanation:
     """Return which other matrix of the arm was obtained: transposed, inverted, of another frame, in another frame."""
-    if _is_zero(case):
+    if _has_no_cause(case):
         return Explanation()
     others = other_jacobians(case) if case.quantity.kind == "jacobian" else other_poses(case)
     return case.explained_by(others if case.fits else chain(shape_candidates(case), others))
@@ -78,7 +79,7 @@ def find_other(case: Case) -> Explanation:
 
 def find_slip(case: Case, best: Explanation) -> Explanation:
     """Return the slip in the making of the right matrix, where it explains the result better than what was found."""
-    if _is_zero(case) or best.is_whole:
+    if _has_no_cause(case) or best.is_whole:
         return best
     if not case.fits:
         return best.or_better(case.explained_by(jacobian_slips(case)))
@@ -89,9 +90,9 @@ def find_slip(case: Case, best: Explanation) -> Explanation:
     return best if best.finding is not None else _rest(case)
 
 
-def _is_zero(case: Case) -> bool:
-    """Whether nothing but zeros was obtained: they are everything's special case."""
-    return case.fits and not case.obtained.any()
+def _has_no_cause(case: Case) -> bool:
+    """Whether none is sought: of zeros, everything's special case; and of what is no pose, Jacobian or a part of one."""
+    return case.quantity.kind not in _KINDS or (case.fits and not case.obtained.any())
 
 
 def _rest(case: Case) -> Explanation:
