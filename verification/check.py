@@ -16,6 +16,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.index_direction import shown_direction
 from armproof.verification.equations.outcome import Outcome, new_one
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -115,6 +116,16 @@ class DocumentChecker:
         self.statements = Statements(self.checker)
         self.correct = correct
         self.samples = samples
+        self.direction = self.direction_in(document)
+        self.names.state.transforms = self.direction[0]
+
+    def direction_in(self, document: Document) -> tuple[str, int]:
+        """Return which index names the reference, as a document's first link matrix shows it, and its line; else ("", 0)."""
+        try:
+            with self.ring.budget.of(SECONDS_TO_DECIDE):
+                return shown_direction(self.checker, document.displays) or ("", 0)
+        except TooComplex:
+            return "", 0
 
     def sampled(self) -> SampledAlgebra:
         """The double plant at the configurations of the six families; raises NotSampled where none may be taken."""
@@ -224,6 +235,8 @@ class DocumentChecker:
         outcomes, extra = self._with_later_definitions(statements, display)
         if not outcomes:
             return replace(record, verdict=Verdict.DEFINED, findings=(say(Kind.NO_EQUATION),))
+        if self.direction == ("lower", display.line):
+            outcomes[0].also(say(Kind.LOWER_IS_REFERENCE))
         verdict = worst([outcome.verdict for outcome in outcomes])
         leading = [outcome for outcome in outcomes if outcome.verdict is verdict]
         errors = [outcome.max_error for outcome in outcomes if outcome.max_error is not None]

@@ -113,5 +113,9 @@ class ChainChecker:
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
         for outcome in outcomes:
             outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
+        doubt = self.readings.other_direction(
+            chain, outcomes, partial(self.check, first_equation=first_equation, line=line, define=False)
+        )
+        outcomes = [outcome.left_open(doubt) for outcome in outcomes] if doubt else outcomes
         outcomes.extend(definitions.labels(chain, first_equation))
         return outcomes

@@ -38,6 +38,10 @@ class Outcome:
         """Add a finding to those of the equation."""
         self.findings = (*self.findings, finding)
 
+    def left_open(self, reason: Finding) -> Outcome:
+        """Return the outcome where it is not known what the equation says."""
+        return replace(self, verdict=Verdict.UNCHECKED, findings=(reason,), wrong=[], pair=None)
+
     def result(self, line: int) -> EquationResult:
         """Return what the report keeps of it, for a display at a line."""
         return EquationResult(

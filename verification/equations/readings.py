@@ -17,7 +17,10 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
 from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import leads_outwards
 from armproof.verification.verdict import Verdict
+
+Check = Callable[[n.Chain], list[Outcome]]
 
 
 class Readings:
@@ -101,9 +104,7 @@ class Readings:
             return outcome
         return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VECTOR_HERE, name=rate.key),))
 
-    def with_fewer_rows(
-        self, chain: n.Chain, check: Callable[[n.Chain], list[Outcome]], mismatch: bool
-    ) -> list[Outcome] | None:
+    def with_fewer_rows(self, chain: n.Chain, check: Check, mismatch: bool) -> list[Outcome] | None:
         """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
         whole = [(below, name) for below in n.walk(chain) if (name := jacobian_name(below, self.names, True)) is below]
         fixed = any(name.sub.startswith("rows") for name, _ in whole)  # these are read so already
@@ -133,6 +134,22 @@ class Readings:
                     return outcomes
                 fitting = fitting or outcomes
         return fitting
+
+    def other_direction(self, chain: n.Chain, now: list[Outcome], check: Check) -> Finding | None:
+        """Say which index must name the reference for an equation to hold, where nothing tells and only one of them may."""
+        names = self.names
+        indexed = [b for m in chain.members for b in n.walk(m) if isinstance(b, n.Name) and b.sub and b.sup]
+        if names.arm is None or names.stated_transforms or names.state.transforms or not indexed:
+            return None
+        if not all(leads_outwards(name, names.arm, "lower") for name in indexed):
+            return None
+        names.state.transforms = "lower"
+        try:
+            holding = [all(each.verdict is Verdict.PROVED for each in outcomes) for outcomes in (now, check(chain))]
+        finally:
+            names.state.transforms = ""
+        index = "upper" if holding[0] else "lower"
+        return say(Kind.HOLDS_IF_REFERENCE, index=index, name=indexed[0].text) if holding[0] != holding[1] else None
 
     def slipped_index(self, true: Member, member: Member, equation: int) -> Outcome | None:
         """A length that the arm does not have (a_3 of a 2R arm) is a slip where one of its lengths makes the equation hold."""

@@ -10,7 +10,6 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import Verdict
 
 SIZES = (
     Kind.WRONG_SIZE, Kind.WRONG_SIZE_OF_VALUE, Kind.SUM_OF_SIZES, Kind.PRODUCT_OF_SIZES, Kind.SUM_WITH_SCALAR,
@@ -28,7 +27,7 @@ def without_misreading(outcome: Outcome, chain: n.Chain, names: Names) -> Outcom
     reason = reason or _nothing_to_compare(outcome, chain, names)
     if reason is None:
         return outcome
-    return replace(outcome, verdict=Verdict.UNCHECKED, findings=(reason,), wrong=[], pair=None)
+    return outcome.left_open(reason)
 
 
 def _rotation_for_pose(outcome: Outcome, names: Names) -> Finding | None:

@@ -297,6 +297,8 @@ class Kind(MessageKind):
     INVERTED = "inverted", "the inverse is printed"
     INVERSE_PRINTED = "inverse_printed", "the inverse is printed: the pose of frame {reference} in frame {frame}"
     INVERSE_COMPUTED = "inverse_computed", "the inverse is computed: the pose of frame {reference} in frame {frame}"
+    LOWER_IS_REFERENCE = "lower_is_reference", "the lower index names the reference, as this link matrix shows; so it is read throughout"
+    HOLDS_IF_REFERENCE = "holds_if_reference", "holds only if the {index} index of `{name}` names the reference frame; then say 'transforms: {index}' in the front matter"
     OTHER_DIRECTION = "other_direction", "if the {index} index of `{name}` names the reference frame, say 'transforms: {index}' in the front matter"
     ROTATION_TRANSPOSED = "rotation_transposed", "the rotation is transposed"
     ROTATION_MISSING = "rotation_missing", "the rotation is missing: an identity stands in its place"

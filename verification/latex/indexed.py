@@ -93,7 +93,7 @@ class NameReader:
         primes = dots = 0
         end = self._end_of_base(item)
         above: list[Script] = []
-        has_sub = any(kind == "SUB" for kind, _, _ in item.scripts)
+        below = ",".join(canonical_script(text) for kind, text, _ in item.scripts if kind == "SUB")
         for kind, text, span in item.scripts:
             canonical = canonical_script(text)
             if kind == "PRIME":
@@ -107,7 +107,7 @@ class NameReader:
                 pass  # R_{3×3}: how large it is
             elif kind == "SUB":
                 sub = f"{sub},{canonical}" if sub else canonical
-            elif self._is_index(item.base, canonical, sub, has_sub, bool(item.pre)):
+            elif self._is_index(item.base, canonical, below, bool(item.pre)):
                 sup = f"{sup},{canonical}" if sup else canonical
             elif canonical == "":
                 pass
@@ -128,7 +128,7 @@ class NameReader:
         letter = re.sub(r"\s*(?:\{\s*\})?\s*[_^]?\s*\{?\s*$", "", head)
         return item.start + max(1, len(letter))
 
-    def _is_index(self, base: str, canonical: str, sub: str, has_sub: bool, prescripted: bool) -> bool:
+    def _is_index(self, base: str, canonical: str, sub: str, prescripted: bool) -> bool:
         """Whether what stands above a name is part of the name (T^0_1, P^0_{1,G}) and not a power or an operator."""
         if not canonical:
             return False
@@ -142,12 +142,12 @@ class NameReader:
         if canonical == "0":
             return True
         digits = canonical.isdigit()
-        if base in TRANSFORM_LETTERS and has_sub and not prescripted:
+        if base in TRANSFORM_LETTERS and sub and not prescripted:
             return True
-        if base in VECTOR_LETTERS and has_sub and not prescripted:
+        if base in VECTOR_LETTERS and sub and not prescripted:
             of_frame = sub[:1].isdigit() or bool(re.match(r"[a-zA-Z]-\d", sub))
             return not digits or (of_frame and not re.search(r"[xyzXYZ]$", sub))
-        return not digits and has_sub and len(canonical) <= 3 and canonical not in ("n", "k", "m")
+        return not digits and bool(sub) and len(canonical) <= 3 and canonical not in ("n", "k", "m")
 
 
 def _spaced_row(node: n.Node) -> n.Sequence | None:

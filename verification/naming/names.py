@@ -45,10 +45,15 @@ class Names:
     arm: Arm | None
     symbols: Mapping[str, str] = field(default_factory=dict)
     quantities: Mapping[str, Quantity] = field(default_factory=dict)
-    transforms: str = "upper"
+    stated_transforms: str = ""
     reader: Reader = field(default_factory=Reader)
     state: DocumentState = field(default_factory=DocumentState)
     general: bool = False
+
+    @property
+    def transforms(self) -> str:
+        """Which index of T^i_j names the reference: as stated, else as the first link matrix shows, else the upper one."""
+        return self.stated_transforms or self.state.transforms or "upper"
 
     @property
     def used(self) -> set[str]:
@@ -175,11 +180,11 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     """Return the bindings of a front matter; raises DocumentError with the key and the valid choices."""
     symbols_spec = front.get("symbols") or {}
     quantities_spec = front.get("quantities") or {}
-    transforms = front.get("transforms", "upper")
+    transforms = front.get("transforms", "")
     for key, value in (("symbols", symbols_spec), ("quantities", quantities_spec)):
         if not isinstance(value, Mapping):
             raise DocumentError(say(Kind.NO_MAPPING, key=key, value=repr(value)), key)
-    if transforms not in ("upper", "lower"):
+    if transforms not in ("", "upper", "lower"):
         raise DocumentError(say(Kind.UNKNOWN_TRANSFORMS, value=repr(transforms)), "transforms")
     found = (re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key)) for key in [*symbols_spec, *quantities_spec])
     words = frozenset(word for words in found for word in words) - READ_ALREADY

@@ -167,6 +167,14 @@ def transform_pair(name: n.Name, arm: Arm, transforms: str) -> tuple[str, str] |
     return None
 
 
+def leads_outwards(name: n.Name, arm: Arm, transforms: str) -> bool:
+    """Whether an index above and one below lead from a frame to one that is farther from the base, as link matrices do."""
+    pair = transform_pair(name, arm, transforms) if name.sub and name.sup else None
+    if pair is None or not all(frame in arm.frames for frame in pair):
+        return False
+    return arm.frames.index(pair[0]) < arm.frames.index(pair[1])
+
+
 def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
     pair = transform_pair(name, arm, transforms)
     if pair is None:
@@ -178,12 +186,11 @@ def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | No
 
 
 def _implied_vector(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
-    reference = name.pre_sup or name.sup
     if name.pre_sub or (name.pre_sup and name.sup):
         return None
-    if transforms == "lower" and name.sup.isdigit() and name.sub.isdigit():
-        name = replace(name, sub=name.sup, sup=name.sub)
-    frame = _frame(arm, re.sub(r"(?<=\w),?(?:ORG|org|orig)$", "", name.sub))  # Craig's P_{3ORG}
+    above, below = name.pre_sup or name.sup, re.sub(r"(?<=\w),?(?:ORG|org|orig)$", "", name.sub)  # Craig's P_{3ORG}
+    reference, sub = (below, above) if name.sup and transforms == "lower" else (above, below)
+    frame = _frame(arm, sub)
     if frame is None:
         return None
     first = numbered_frames(arm)[0]

@@ -77,6 +77,7 @@ class DocumentState:
     """What the displays of a document have changed so far; two documents go on alike where it is equal.
 
     Attributes:
+        transforms: which index of T^i_j names the reference, where a link matrix of the document shows it.
         section: the heading under which the display stands that is being checked.
         subject: the first member of the last display: one that begins with a relation goes on about it.
         definitions: what names mean.
@@ -95,6 +96,7 @@ class DocumentState:
         notation: how cosines, sums of angles, joints and lengths are written.
     """
 
+    transforms: str = ""
     section: str = ""
     subject: n.Node | None = None
     definitions: dict[str, Definition] = field(default_factory=dict)

@@ -34,6 +34,7 @@ PARTS = [
 
 
 CHANGES: dict[str, Callable[[DocumentState], object]] = {
+    "transforms": lambda state: setattr(state, "transforms", "lower"),
     "section": lambda state: setattr(state, "section", "A title"),
     "subject": lambda state: setattr(state, "subject", Name("a")),
     "definitions": lambda state: state.definitions.update(a=Definition(float)),
