@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from math import prod
 
 from flint import fmpq_mpoly
 
@@ -89,13 +90,11 @@ def _replaced(value: Scalar, replacements: Mapping[Generator, Scalar]) -> Scalar
 
 
 def _replace(ring: Ring, polynomial: fmpq_mpoly, replacements: Mapping[Generator, Scalar]) -> Scalar:
-    total = ring.zero
-    for powers, coefficient in ring.terms(polynomial):
-        term = ring.rational(coefficient)
-        for generator, power in powers.items():
-            term = term * _replacement(ring, generator, replacements) ** power
-        total = total + term
-    return total
+    terms = (
+        prod((_replacement(ring, g, replacements) ** power for g, power in powers.items()), start=ring.rational(factor))
+        for powers, factor in ring.terms(polynomial)
+    )
+    return sum(terms, ring.zero)
 
 
 def _replacement(ring: Ring, generator: Generator, replacements: Mapping[Generator, Scalar]) -> Scalar:

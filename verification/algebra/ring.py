@@ -6,9 +6,10 @@ ring: sines and cosines (angles), square roots and arc functions (roots), deriva
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
@@ -157,6 +158,7 @@ class Ring:
         self.budget = Budget() if budget is None else budget
         self.polynomials = Polynomials(self.budget)
         self.reduce, self.multiply = self.polynomials.reduce, self.polynomials.multiply
+        self.terms, self.generators_of = self.polynomials.terms, self.polynomials.generators_of
         self.parts: dict[str, int] = {}
         self.radicals: dict[str, Radical] = {}
         self.arcs: dict[str, tuple[Scalar, Scalar]] = {}
@@ -215,13 +217,13 @@ class Ring:
 
     def from_entry(self, entry: Entry) -> Scalar:
         """Return a traced entry (armproof.models.exact.trace) as a scalar of this ring."""
-        total = self.zero
-        for monomial, coefficient in entry.items():
-            term = self.rational(coefficient)
-            for generator, power in monomial:
-                term = term * self.generator(generator) ** power
-            total = total + term
-        return total
+        terms = (
+            prod(
+                (self.generator(generator) ** power for generator, power in monomial), start=self.rational(coefficient)
+            )
+            for monomial, coefficient in entry.items()
+        )
+        return sum(terms, self.zero)
 
     def lift(self, value: Scalar) -> Scalar:
         """Bring the scalar, in place, into the ring as it is today (it may have grown since the scalar was made)."""
@@ -229,14 +231,6 @@ class Ring:
             value.numerator = self.polynomials.lift(value.numerator)
             value.denominator = self.polynomials.lift(value.denominator)
         return value
-
-    def terms(self, polynomial: fmpq_mpoly) -> Iterator[tuple[dict[Generator, int], Fraction]]:
-        """Yield the terms as (powers of generators, coefficient)."""
-        return self.polynomials.terms(polynomial)
-
-    def generators_of(self, polynomial: fmpq_mpoly) -> list[tuple[int, Generator]]:
-        """Return the generators that a polynomial holds, each with its place among the exponents of a term."""
-        return self.polynomials.generators_of(polynomial)
 
     def forget_signs(self) -> None:
         """Begin anew: what is evaluated from now on has chosen no sign of a root yet."""

@@ -44,9 +44,7 @@ class Compiled:
     @property
     def arm(self) -> Arm:
         """The arm."""
-        arm = self.derivation.names.arm
-        assert arm is not None
-        return arm
+        return self.derivation.arm
 
     @cached_property
     def _forward(self) -> Program:

@@ -99,14 +99,12 @@ def find_lost_step(derivation: Derivation, budget: Budget) -> str | None:
 
 class _Search:
     def __init__(self, derivation: Derivation, budget: Budget) -> None:
-        arm = derivation.names.arm
-        assert arm is not None
         self.derivation = derivation
-        self.arm: Arm = arm
+        self.arm: Arm = derivation.arm
         self.ring = Ring(budget)
-        self.roots = ConfigurationRoots(self.ring, arm.lengths)
-        given = forward_values(derivation, free_algebra(self.ring, arm, self.roots))
-        self.algebra = SymbolicAlgebra(self.ring, arm, derivation.target, given, roots=self.roots)
+        self.roots = ConfigurationRoots(self.ring, self.arm.lengths)
+        given = forward_values(derivation, free_algebra(self.ring, self.arm, self.roots))
+        self.algebra = SymbolicAlgebra(self.ring, self.arm, derivation.target, given, roots=self.roots)
 
     def lost(self, index: int, chosen: Signs, factors: Signs) -> str | None:
         """Return the joint lost at a step or after it, given the branch so far and the signs of some factors."""

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import product
-from typing import Any, Protocol
 
-from armproof.verification.algebra.protocol import Algebra
+from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
 from armproof.verification.inverse.formulas import Formula
@@ -24,20 +23,6 @@ class UnsolvedJoint(EvaluationError):
     def __init__(self, joint: str) -> None:
         super().__init__(f"it uses {joint}, which is not solved before")
         self.joint = joint
-
-
-class SolvingAlgebra(Algebra, Protocol):
-    """An algebra in which joints get their values one after the other."""
-
-    solved: dict[str, Any]
-
-    def solve(self, joint: str, value: Any) -> None:
-        """Give a joint its value."""
-        ...
-
-    def named(self, key: str, value: Any) -> Any:
-        """Return what stands for the value of a name from here on."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -64,6 +49,12 @@ class Derivation:
     steps: tuple[Step, ...] = ()
     choice: Mapping[str, Meaning] = field(default_factory=dict)
     signs: tuple[str, ...] = ()
+
+    @property
+    def arm(self) -> Arm:
+        """The arm."""
+        assert self.names.arm is not None
+        return self.names.arm
 
     @property
     def branches(self) -> tuple[dict[str, int], ...]:

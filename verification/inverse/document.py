@@ -13,7 +13,6 @@ from armproof.verification.document import Document, read_document
 from armproof.verification.errors import DocumentError, EvaluationError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.inverse.branch_graph import BranchGraph
-from armproof.verification.inverse.claim import read_claim
 from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.formulas import read_formulas
 from armproof.verification.inverse.kinematics import InverseKinematics
@@ -21,7 +20,7 @@ from armproof.verification.inverse.numeric_algebra import NumericAlgebra
 from armproof.verification.inverse.planning import NoDerivation, plan
 from armproof.verification.inverse.resolution import forward_values
 from armproof.verification.inverse.symbolic_algebra import free_algebra
-from armproof.verification.inverse.target import read_target
+from armproof.verification.inverse.target import read_claim
 from armproof.verification.naming.names import Names, read_names
 from armproof.verification.verdict import Record, Verdict
 
@@ -49,19 +48,16 @@ def read_inverse(source: Path | str | Document) -> InverseKinematics:
 
 def read_derivation(document: Document, names: Names) -> Derivation:
     """Return the steps of a document's solution; raises DocumentError where a joint is not solved for."""
-    claim = read_claim(document.front["inverse"], names.arm, names)
-    assert names.arm is not None
-    target = read_target(claim)
+    target, order = read_claim(document.front["inverse"], names)
     start = Derivation(names, target, read_formulas(document, names))
     _check_target(start)
-    values = {**names.arm.lengths, **names.arm.angles}
-    return plan(start, claim.joints, NumericAlgebra(names.arm, target, BranchGraph(), values))
+    values = {**start.arm.lengths, **start.arm.angles}
+    return plan(start, order, NumericAlgebra(start.arm, target, BranchGraph(), values))
 
 
 def _check_target(derivation: Derivation) -> None:
     """Raise DocumentError for a name of the target without a meaning on the arm."""
-    arm = derivation.names.arm
-    assert arm is not None
+    arm = derivation.arm
     try:
         forward_values(derivation, free_algebra(Ring(), arm))
     except EvaluationError as error:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from armproof.models.arm import Arm
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
@@ -16,14 +17,12 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.target import Target
 
 
-class NotGiven(EvaluationError):
-    """A cell of the target's pose that the target leaves open."""
-
-
 class GivenTarget(ArmAlgebra):
     """An algebra over an arm in which the poses of the target are what is given, and every other is that of the joints."""
 
+    arm: Arm
     target: Target
+    solved: dict[str, Any]  # the value of each joint; filled as a derivation goes on
     given: dict[str, Any]  # the value of each slot that a display defines
 
     def give(self, target: Target, values: Sequence[Any]) -> None:
@@ -33,8 +32,12 @@ class GivenTarget(ArmAlgebra):
         self._values = tuple(values)
         self._poses: dict[tuple[str, str], Matrix] = {}
 
+    @abstractmethod
+    def solve(self, joint: str, value: Any) -> None:
+        """Give a joint its value."""
+
     def named(self, key: str, value: Value) -> Value:
-        """Return what stands for the value of a name: the value itself."""
+        """Return what stands for the value of a name from here on: the value itself."""
         return value
 
     @abstractmethod
@@ -52,7 +55,7 @@ class GivenTarget(ArmAlgebra):
             cells = [None]
         if any(cell is None for cell in cells):
             self._cache.pop(quantity, None)
-            raise NotGiven(say(Kind.NOT_IN_TARGET, frame=quantity.frame))
+            raise EvaluationError(say(Kind.NOT_IN_TARGET, frame=quantity.frame))
         return value
 
     def pose(self, frame: str, reference: str) -> Matrix:
@@ -62,9 +65,6 @@ class GivenTarget(ArmAlgebra):
                 self._poses[frame, reference] = self.free_pose(frame, reference)
             return self._poses[frame, reference]
         cells = self.target.cells((frame, reference))
-        last = [self.rational(Fraction(number)) for number in (0, 0, 0, 1)]
-        rows = [
-            [self._values[cells[r, c]] if (r, c) in cells else None for c in range(4)]
-            for r in range(3)
-        ]  # fmt: skip
-        return Matrix((*(tuple(row) for row in rows), tuple(last)))
+        last = tuple(self.rational(Fraction(number)) for number in (0, 0, 0, 1))
+        given = {place: self._values[index] for place, index in cells.items()}
+        return Matrix((*(tuple(given.get((r, c)) for c in range(4)) for r in range(3)), last))

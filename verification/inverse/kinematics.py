@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -12,10 +12,16 @@ from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import read_joint_values
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.derivation import Derivation
-from armproof.verification.inverse.marks import judge, returns, same_configuration, sees_every_number
 from armproof.verification.inverse.proof import Proof, prove
 from armproof.verification.inverse.reading import read_lengths, read_targets
-from armproof.verification.inverse.solutions import Mark, Solutions
+from armproof.verification.inverse.solutions import (
+    Mark,
+    Solutions,
+    judge,
+    returns,
+    same_configuration,
+    sees_every_number,
+)
 
 MOST_COMPILED = 16  # choices of lengths that are kept
 CHUNK = 4096  # doubtful targets that are evaluated with error bounds at a time
@@ -30,11 +36,9 @@ class InverseKinematics:
     """
 
     def __init__(self, derivation: Derivation) -> None:
-        arm = derivation.names.arm
-        assert arm is not None
-        self.arm: Arm = arm
+        self.arm: Arm = derivation.arm
         self.derivation = derivation
-        self._compiled: dict[tuple[tuple[str, float], ...], Compiled] = {}
+        self._compiled = lru_cache(MOST_COMPILED)(lambda *values: Compiled(derivation, dict(values)))
 
     @property
     def branches(self) -> tuple[dict[str, int], ...]:
@@ -106,13 +110,7 @@ class InverseKinematics:
 
     def compiled(self, lengths: Mapping[str, float] | None = None) -> Compiled:
         """Return the formulas as numbers, for the lengths of the model or for others."""
-        values = read_lengths(self.arm, lengths)
-        key = tuple(sorted(values.items()))
-        if key not in self._compiled:
-            if len(self._compiled) >= MOST_COMPILED:
-                self._compiled.clear()
-            self._compiled[key] = Compiled(self.derivation, values)
-        return self._compiled[key]
+        return self._compiled(*sorted(read_lengths(self.arm, lengths).items()))
 
     @cached_property
     def _sees_every_number(self) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from math import pi
+from math import pi, prod
 from typing import Any
 
 from armproof.models.arm import Arm
@@ -82,7 +82,6 @@ class NumericAlgebra(GivenTarget):
 
     Args:
         values: the number of each length and constant angle.
-        solved: the value of each joint; filled as a derivation goes on.
     """
 
     def __init__(self, arm: Arm, target: Target, graph: BranchGraph, values: Mapping[str, float]) -> None:
@@ -106,7 +105,6 @@ class NumericAlgebra(GivenTarget):
         return self._number(pi)
 
     def symbol(self, name: str) -> NumericScalar:
-        assert self.arm is not None
         if any(joint.symbol == name for joint in self.arm.joints):
             if name not in self.solved:
                 raise UnsolvedJoint(name)
@@ -143,11 +141,9 @@ class NumericAlgebra(GivenTarget):
         raise OutsideAlgebra("a value at a configuration")
 
     def free_pose(self, frame: str, reference: str) -> Matrix:
-        assert self.arm is not None
         return self._from_entries(trace_of(self.arm).pose(frame, reference))
 
     def jacobian(self, frame: str, expressed_in: str) -> Matrix:
-        assert self.arm is not None
         return self._from_entries(trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0]))
 
     def _number(self, value: float) -> NumericScalar:
@@ -157,18 +153,18 @@ class NumericAlgebra(GivenTarget):
         return Matrix(tuple(tuple(self._from_entry(entry) for entry in row) for row in rows))
 
     def _from_entry(self, entry: Entry) -> NumericScalar:
-        total = self._number(0.0)
-        for monomial, coefficient in entry.items():
-            term = self._number(float(coefficient))
-            for generator, power in monomial:
-                term = term * self._generator(*generator) ** power
-            total = total + term
-        return total
+        terms = (
+            prod(
+                (self._generator(*generator) ** power for generator, power in monomial),
+                start=self._number(float(factor)),
+            )
+            for monomial, factor in entry.items()
+        )
+        return sum(terms, self._number(0.0))
 
     def _generator(self, kind: str, name: str) -> NumericScalar:
         if kind == "sqrt":
             return self._number(root_value(name))
-        assert self.arm is not None
         known = name in self.values or any(joint.symbol == name for joint in self.arm.joints)
         value = self.symbol(name) if known else self._number(angle_value(name))
         return value if kind == "symbol" else self.cos_sin(value)[0 if kind == "cos" else 1]

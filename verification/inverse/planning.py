@@ -7,7 +7,8 @@ from typing import Any
 
 from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
 from armproof.verification.findings import Kind, say
-from armproof.verification.inverse.derivation import Derivation, SolvingAlgebra, Step
+from armproof.verification.inverse.derivation import Derivation, Step
+from armproof.verification.inverse.given_target import GivenTarget
 from armproof.verification.inverse.resolution import Resolution
 
 MOST_SIGNS = 6  # independent signs: 64 branches
@@ -19,7 +20,7 @@ class NoDerivation(DocumentError):
     kind = Kind.NO_DERIVATION
 
 
-def plan(start: Derivation, order: tuple[str, ...], algebra: SolvingAlgebra) -> Derivation:
+def plan(start: Derivation, order: tuple[str, ...], algebra: GivenTarget) -> Derivation:
     """Return the derivation with its steps: for each joint the first display that can be computed when it is due.
 
     Args:
@@ -30,11 +31,9 @@ def plan(start: Derivation, order: tuple[str, ...], algebra: SolvingAlgebra) -> 
     Raises:
         NoDerivation: a joint that no display solves for, and what the displays that try lack.
     """
-    arm = start.names.arm
-    assert arm is not None
     resolution = Resolution(start, algebra, {})
     steps: list[Step] = []
-    left = list(order) or [joint.symbol for joint in arm.joints]
+    left = list(order) or [joint.symbol for joint in start.arm.joints]
     while left:
         found = _next_step(resolution, left[:1] if order else left)
         if found is None:

@@ -17,7 +17,7 @@ from armproof.verification.findings.finding import write_all
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.completeness import find_lost_step
 from armproof.verification.inverse.conditions import Conditions, read_conditions
-from armproof.verification.inverse.derivation import Derivation, Signs
+from armproof.verification.inverse.derivation import Derivation
 from armproof.verification.inverse.refutation import ForLengths, refute, refute_for_other_lengths, try_branches
 from armproof.verification.inverse.roots import SubstitutionRoots
 from armproof.verification.inverse.substitution import (
@@ -92,9 +92,9 @@ def _prove_soundness(derivation: Derivation, compiled: Compiled) -> tuple[bool, 
     every_sign = dict.fromkeys(derivation.signs, 0)
     budget = Budget(SECONDS)
     for values, eager, general in _attempts(derivation, compiled):
-        attempt = partial(_substitute, derivation, values, every_sign, eager, budget.share(SECONDS / 2))
+        roots = SubstitutionRoots(Ring(budget.share(SECONDS / 2)), derivation.arm.lengths)
         try:
-            missed = attempt()
+            missed = returns_target(derivation, values, every_sign, roots, eager)
         except EvaluationError as error:
             problem = say(Kind.NOT_PROVED_EXACTLY, problem=finding_of(error))
             continue
@@ -110,8 +110,7 @@ def _attempts(derivation: Derivation, compiled: Compiled) -> Iterator[tuple[Targ
 
     A wrist is solved in coordinates that are turned with the joints before it, and those stay symbols.
     """
-    arm = derivation.names.arm
-    assert arm is not None
+    arm = derivation.arm
     joints = tuple(step.joint for step in derivation.steps)
     positioned = compiled.joints_without_rotation()
     wrist = joints[len(positioned) :]
@@ -124,19 +123,6 @@ def _attempts(derivation: Derivation, compiled: Compiled) -> Iterator[tuple[Targ
     yield any_target(), joints, True
     yield target_of_a_configuration, (), False
     yield target_of_a_configuration, joints, False
-
-
-def _substitute(
-    derivation: Derivation,
-    values: TargetValues,
-    signs: Signs,
-    eager: tuple[str, ...],
-    budget: Budget,
-) -> list[int]:
-    arm = derivation.names.arm
-    assert arm is not None
-    roots = SubstitutionRoots(Ring(budget), arm.lengths)
-    return returns_target(derivation, values, signs, roots, eager)
 
 
 def _prove_completeness(derivation: Derivation) -> tuple[bool, Finding | None]:

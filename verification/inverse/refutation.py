@@ -13,7 +13,7 @@ from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.inverse.compiled import Compiled
 from armproof.verification.inverse.derivation import Derivation
-from armproof.verification.inverse.marks import judge
+from armproof.verification.inverse.solutions import judge
 
 SAMPLES = 1000
 SEED = 2019
@@ -108,8 +108,7 @@ def refute(derivation: Derivation, trial: Trial) -> tuple[tuple[Finding, ...], d
         found.append(say(Kind.LOSES_JOINT, joint=step.joint, line=step.formula.line, **share))
         if not len(missed):
             row = int(lost[0])
-    arm = derivation.names.arm
-    assert arm is not None
+    arm = derivation.arm
     return tuple(found), {joint.symbol: float(value) for joint, value in zip(arm.joints, trial.q[row], strict=True)}
 
 
@@ -117,8 +116,7 @@ def refute_for_other_lengths(
     derivation: Derivation, compiled: ForLengths
 ) -> tuple[tuple[Finding, ...], dict[str, float]] | None:
     """Return what is wrong for other lengths than the model's, and where, or None."""
-    arm = derivation.names.arm
-    assert arm is not None
+    arm = derivation.arm
     generator = np.random.default_rng(len(arm.lengths))
     for _ in range(OTHER_LENGTHS if arm.lengths else 0):
         lengths = {name: float(generator.uniform(0.2, 1.2)) for name in arm.lengths}

@@ -12,8 +12,9 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, say
-from armproof.verification.inverse.derivation import Derivation, Meaning, Signs, SolvingAlgebra, UnsolvedJoint
+from armproof.verification.inverse.derivation import Derivation, Meaning, Signs, UnsolvedJoint
 from armproof.verification.inverse.formulas import Formula, joint_function_key
+from armproof.verification.inverse.given_target import GivenTarget
 from armproof.verification.inverse.target import Slot, Target
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
@@ -22,7 +23,7 @@ from armproof.verification.naming.state import Definition
 _SIGN = "sign "
 
 
-def solve_branch(derivation: Derivation, algebra: SolvingAlgebra, signs: Signs) -> dict[str, Value]:
+def solve_branch(derivation: Derivation, algebra: GivenTarget, signs: Signs) -> dict[str, Value]:
     """Return the value of each joint on a branch, in order; `algebra` holds the target, and none is solved in it.
 
     A sign of 0 is one that the algebra has as a symbol: all branches at once.
@@ -36,7 +37,7 @@ def solve_branch(derivation: Derivation, algebra: SolvingAlgebra, signs: Signs) 
 class Resolution:
     """The values of a document's names in one algebra, on one branch; remembers which meaning each name took."""
 
-    def __init__(self, derivation: Derivation, algebra: SolvingAlgebra, signs: Signs) -> None:
+    def __init__(self, derivation: Derivation, algebra: GivenTarget, signs: Signs) -> None:
         self.derivation = derivation
         self.algebra = algebra
         self.signs = signs
@@ -151,7 +152,7 @@ def with_named_sign(node: n.Node, sign: str) -> n.Node:
     return node
 
 
-def forward_values(derivation: Derivation, algebra: SolvingAlgebra) -> list[Any]:
+def forward_values(derivation: Derivation, algebra: GivenTarget) -> list[Any]:
     """Return each slot of the target as a value of the algebra, in which every joint must have one.
 
     Raises:
@@ -162,7 +163,7 @@ def forward_values(derivation: Derivation, algebra: SolvingAlgebra) -> list[Any]
     return [_value(slot, resolution, algebra) for slot in derivation.target.slots]
 
 
-def _value(slot: Slot, resolution: Resolution, algebra: SolvingAlgebra) -> Any:
+def _value(slot: Slot, resolution: Resolution, algebra: GivenTarget) -> Any:
     if not slot.is_name:
         quantity = Quantity("pose", slot.frame, slot.reference, (slot.row + 1,), (slot.column + 1,), scalar=True)
         return algebra.quantity(quantity)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -12,6 +13,7 @@ from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.roots import arc, sqrt_of_rational
 from armproof.verification.errors import NoValue
 from armproof.verification.findings import Kind, say
+from armproof.verification.singularities.factors import quadratic
 from armproof.verification.singularities.half_angles import HalfAngles
 
 
@@ -61,15 +63,8 @@ class SubstitutionRoots:
                 outside, power = outside * (self.ring.scalar(factor) * sign) ** (power // 2), power % 2
             outside, power = outside * self.ring.scalar(factor) ** (power // 4 * 2), power % 4
             if power:
-                inside = self.ring.multiply(inside, self._power(factor, power))
+                inside = reduce(self.ring.multiply, [factor] * power, inside)
         return outside, inside
-
-    def _power(self, factor: fmpq_mpoly, power: int) -> fmpq_mpoly:
-        """Return a power in normal form."""
-        result = self.ring.polynomials.constant(1)
-        for _ in range(power):
-            result = self.ring.multiply(result, factor)
-        return result
 
     def _definite_sign(self, factor: fmpq_mpoly) -> int:
         """Return 1 for a polynomial that cannot be negative, −1 for one that cannot be positive, 0 where it is not known.
@@ -92,19 +87,14 @@ class SubstitutionRoots:
         return (1 if int(content.p) > 0 else -1) if one_sign else 0
 
     def _has_one_sign(self, half: HalfAngles, factor: Any) -> bool:
-        """Whether a polynomial cannot be negative: a sum of squares, or a form A u² + C u t + B t² without a real zero."""
+        """Whether a polynomial cannot be negative: a sum of squares, or a form A t² + C t u + B u² without a real zero."""
         positive = {half.slot(g) for g in half.others if g[0] in ("sqrt", "radical") or g[1] in self.positive}
         if _is_sum_of_squares(factor, positive):
             return True
         angles, _ = half.used(factor)
         if len(angles) != 1 or half.degree(factor, angles[0]) != 2:
             return False
-        t, u = half.slots(angles[0])
-        parts = {(2, 0): half.zero, (1, 1): half.zero, (0, 2): half.zero}
-        for exponents, coefficient in factor.terms():
-            rest = tuple(0 if k in (t, u) else e for k, e in enumerate(exponents))
-            parts[int(exponents[t]), int(exponents[u])] += half.context.from_dict({rest: coefficient})
-        a, c, b = parts[0, 2], parts[1, 1], parts[2, 0]
+        a, c, b = quadratic(half, factor, angles[0])
         above = any(not part.is_zero() and _is_sum_of_squares(part, positive) for part in (a, b))
         return above and _is_nonnegative(4 * a * b - c * c, positive)
 

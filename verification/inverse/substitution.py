@@ -40,8 +40,7 @@ def any_target(turned_by: str | None = None) -> TargetValues:
 
 
 def _any_rotation(roots: SubstitutionRoots, derivation: Derivation, pair: Pair, turned_by: str | None) -> Matrix:
-    arm = derivation.names.arm
-    assert arm is not None
+    arm = derivation.arm
     algebra = free_algebra(roots.ring, arm, roots)
     angles = [roots.ring.symbol(f"angle {k} of frame {pair[0]}") for k in (1, 2, 3)]
     R = elementary(algebra, "Rot", "z", angles[0])
@@ -62,8 +61,7 @@ def _free(ring: Ring, index: int, slot: Slot, rotations: dict[Pair, Matrix]) -> 
 
 def target_of_a_configuration(roots: SubstitutionRoots, derivation: Derivation) -> list[Scalar]:
     """Return the target of any configuration, its joint variables being other symbols than those that are solved for."""
-    arm = derivation.names.arm
-    assert arm is not None
+    arm = derivation.arm
     others = {joint.symbol: roots.ring.symbol(f"{joint.symbol} given") for joint in arm.joints}
     return [substitute(value, others) for value in forward_values(derivation, free_algebra(roots.ring, arm, roots))]
 
@@ -80,8 +78,7 @@ def returns_target(
         TooComplex: the polynomials grow beyond the bounds.
         EvaluationError: a step that has no exact value.
     """
-    arm = derivation.names.arm
-    assert arm is not None
+    arm = derivation.arm
     given = values(roots, derivation)
     algebra = SymbolicAlgebra(roots.ring, arm, derivation.target, given, roots=roots, names_stay=True, eager=eager)
     solve_branch(derivation, algebra, signs)

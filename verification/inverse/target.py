@@ -1,17 +1,26 @@
-"""The target of an inverse: which cells of which poses are given, and which angles that displays define."""
+"""The target of an inverse, as the front matter says: which cells of which poses are given, and which angles that displays define."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.models.arm import Arm
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError
-from armproof.verification.findings import Kind, say
-from armproof.verification.inverse.claim import InverseClaim, TargetPart
+from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.naming.names import Names, name_key
+from armproof.verification.naming.quantities import read_quantity
 
-_SHAPES = {"pose": (4, 4), "rotation": (3, 3), "origin": (3, 1), "axis": (3, 1)}
+OPTIONS = ("target", "solve")
+_WHOLE = ("pose", "rotation", "origin")
+_SHAPES = (*_WHOLE, "axis")
+_EXAMPLE = "target: [X, Y, psi], or target: {pose: 6}"
 Pair = tuple[str, str]  # frame, reference
+Part = tuple[
+    str, str, Quantity | None
+]  # as it is spelt, as displays are read, and what it is; None where a display says so
 
 
 @dataclass(frozen=True)
@@ -70,47 +79,81 @@ class Target:
         }
 
 
-def read_target(claim: InverseClaim) -> Target:
-    """Return the slots of a claim; raises DocumentError for a quantity that is no part of a pose."""
-    slots = tuple(slot for part in claim.target for slot in _part_slots(part))
-    whole = claim.target[0].quantity
+def read_claim(spec: object, names: Names) -> tuple[Target, tuple[str, ...]]:
+    """Return what a front-matter entry `inverse: {target: …, solve: …}` gives, and the order of the joints (empty: as displayed).
+
+    Raises:
+        DocumentError: an unknown key, target or joint, with the valid choices; a quantity that is no part of a pose.
+    """
+    arm = names.arm
+    if arm is None:
+        raise DocumentError(say(Kind.INVERSE_WITHOUT_ARM), "inverse")
+    if not isinstance(spec, Mapping) or "target" not in spec:
+        raise DocumentError(say(Kind.INVERSE_OF_NOTHING, example=_EXAMPLE, value=repr(spec)), "inverse")
+    unknown = [str(key) for key in spec if key not in OPTIONS]
+    if unknown:
+        raise DocumentError(say(Kind.UNKNOWN_INVERSE_OPTION, unknown=unknown, options=list(OPTIONS)), "inverse")
+    parts = _read_parts(spec["target"], arm, names)
+    order = _read_order(spec.get("solve"), arm, names)
+    return _target(parts), order
+
+
+def _read_parts(spec: object, arm: Arm, names: Names) -> list[Part]:
+    if isinstance(spec, Mapping):
+        if not any(kind in spec for kind in _WHOLE):
+            raise DocumentError(say(Kind.UNKNOWN_TARGET, targets=list(_WHOLE)), "inverse")
+        try:
+            return [("the target", "", read_quantity("inverse", spec, arm))]
+        except DocumentError as error:
+            raise DocumentError(finding_of(error), "inverse") from None
+    listed = [spec] if isinstance(spec, str) else spec
+    if not (isinstance(listed, list) and listed and all(isinstance(name, str) for name in listed)):
+        raise DocumentError(say(Kind.NO_TARGET, example=_EXAMPLE, value=repr(spec)), "inverse")
+    keys = [_key(names, name) for name in listed]
+    if len(set(keys)) < len(keys):
+        raise DocumentError(say(Kind.NAME_TWICE, target=repr(listed)), "inverse")
+    return [(name, key, names.quantities.get(key)) for name, key in zip(listed, keys, strict=True)]
+
+
+def _read_order(spec: object, arm: Arm, names: Names) -> tuple[str, ...]:
+    if spec is None:
+        return ()
+    symbols = [joint.symbol for joint in arm.joints]
+    if not (isinstance(spec, list) and all(isinstance(name, str) for name in spec)):
+        raise DocumentError(say(Kind.NO_JOINTS_TO_SOLVE, joints=symbols, value=repr(spec)), "inverse")
+    order = [names.known_symbol(_key(names, name)) or name for name in spec]
+    if sorted(order) != sorted(symbols):
+        given = [str(name) for name in spec]
+        raise DocumentError(say(Kind.NOT_EACH_JOINT, arm=arm.name, joints=symbols, given=given), "inverse")
+    return tuple(order)
+
+
+def _key(names: Names, name: str) -> str:
+    try:
+        return name_key(names.reader, name)
+    except DocumentError as error:
+        raise DocumentError(say(Kind.OF_INVERSE, problem=finding_of(error)), "inverse") from None
+
+
+def _target(parts: list[Part]) -> Target:
+    slots = tuple(slot for part in parts for slot in _slots(*part))
+    whole = parts[0][2]
     shape: tuple[int, ...] = (len(slots),)
-    if len(claim.target) == 1 and whole is not None and not whole.scalar:
-        rows, columns = _cells(whole)
+    if len(parts) == 1 and whole is not None and not whole.scalar:
+        rows, columns = whole.places(0)
         shape = (len(rows), len(columns)) if len(columns) > 1 else (len(rows),)
-    return Target(slots, shape, tuple(part.name for part in claim.target))
+    return Target(slots, shape, tuple(name for name, _, _ in parts))
 
 
-def _part_slots(part: TargetPart) -> list[Slot]:
-    quantity = part.quantity
+def _slots(name: str, key: str, quantity: Quantity | None) -> list[Slot]:
     if quantity is None:
-        return [Slot(part.name, key=part.key)]
+        return [Slot(name, key)]
     if quantity.kind not in _SHAPES or quantity.homogeneous:
-        raise DocumentError(
-            say(Kind.NO_PART_OF_TARGET, name=part.name, kind_name=quantity.kind, shapes=list(_SHAPES)), "inverse"
-        )
-    rows, columns = _cells(quantity)
-    one = len(rows) == len(columns) == 1
-    return [
-        Slot(
-            part.name if one else f"row {r + 1}, column {c + 1} of {part.name}",
-            frame=quantity.frame,
-            reference=quantity.reference,
-            row=row,
-            column=column,
-        )
-        for r, row in enumerate(rows)
-        for c, column in enumerate(columns)
-    ]
-
-
-def _cells(quantity: Quantity) -> tuple[list[int], list[int]]:
-    """Return the rows and columns of the pose that a quantity is, from 0."""
-    height, width = _SHAPES[quantity.kind]
-    rows = [row - 1 for row in quantity.rows or range(1, height + 1)]
-    columns = [column - 1 for column in quantity.columns or range(1, width + 1)]
-    if quantity.kind == "origin":
-        columns = [3]
-    elif quantity.kind == "axis":
-        columns = [COMPONENTS[quantity.along]]
-    return rows, columns
+        shapes = list(_SHAPES)
+        raise DocumentError(say(Kind.NO_PART_OF_TARGET, name=name, kind_name=quantity.kind, shapes=shapes), "inverse")
+    rows, columns = quantity.places(0)
+    cells = [(r, row, c, column) for r, row in enumerate(rows, 1) for c, column in enumerate(columns, 1)]
+    frame, reference = quantity.frame, quantity.reference
+    if len(cells) == 1:
+        return [Slot(name, "", frame, reference, rows[0], columns[0])]
+    return [Slot(f"row {r}, column {c} of {name}", "", frame, reference, row, column) for r, row, c, column in cells]

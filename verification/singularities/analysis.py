@@ -17,7 +17,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.existence import existence
-from armproof.verification.singularities.families import Family, SingularityAnalysis, Whole
+from armproof.verification.singularities.families import Family, SingularityAnalysis
 from armproof.verification.singularities.half_angles import HalfAngles
 from armproof.verification.singularities.intersections import Descent
 from armproof.verification.singularities.jacobians import ChosenJacobian, choose_jacobian
@@ -67,33 +67,23 @@ def analyse_singularities(
         ModelError: the arm has no such frame, row or column.
     """
     generator = np.random.default_rng(SEED) if rng is None else rng
-    names = (None if frame is None else str(frame), None if expressed_in is None else str(expressed_in))
-    algebra = ExactAlgebra(Ring(), arm)
+    started, algebra = time.thread_time(), ExactAlgebra(Ring(), arm)
+    frame, expressed_in = (None if name is None else str(name) for name in (frame, expressed_in))
     with algebra.budget.of(seconds):
-        return Analyst(algebra, arm, *names, rows, columns, generator).run()
+        result = Analyst(algebra, arm, choose_jacobian(algebra, frame, rows, columns, expressed_in), generator).run()
+    return replace(result, seconds=time.thread_time() - started)
 
 
 class Analyst:
     """Carries one analysis from the Jacobian to its families."""
 
-    def __init__(
-        self,
-        algebra: ExactAlgebra,
-        arm: Arm,
-        frame: str | None,
-        expressed_in: str | None,
-        rows: Sequence[int] | None,
-        columns: Sequence[int] | None,
-        rng: np.random.Generator,
-    ) -> None:
-        self.started = time.thread_time()
-        self.algebra, self.arm, self.rng = algebra, arm, rng
-        self.chosen: ChosenJacobian = choose_jacobian(self.algebra, frame, rows, columns, expressed_in)
+    def __init__(self, algebra: ExactAlgebra, arm: Arm, chosen: ChosenJacobian, rng: np.random.Generator) -> None:
+        self.arm, self.chosen, self.rng = arm, chosen, rng
         self.positive = frozenset(arm.lengths)
-        self.half = HalfAngles(self.algebra.ring, (cell for row in self.chosen.simple.rows for cell in row))
-        self.rows: Rows = polynomial_rows(self.half, self.chosen.simple)
+        self.half = HalfAngles(algebra.ring, (cell for row in chosen.simple.rows for cell in row))
+        self.rows: Rows = polynomial_rows(self.half, chosen.simple)
         constants = {**trace_of(arm).constants, **arm.lengths}
-        self.sampler = Sampler(self.half, joint_unknowns(arm), constants, tuple(c - 1 for c in self.chosen.columns))
+        self.sampler = Sampler(self.half, joint_unknowns(arm), constants, tuple(c - 1 for c in chosen.columns))
         self.decomposer = Decomposer(self.half, self.positive, budget=algebra.budget)
 
     def run(self) -> SingularityAnalysis:
@@ -112,7 +102,7 @@ class Analyst:
                 result = replace(result, message=f"{result.message}; {said}" if result.message else said)
                 if not result.complete:
                     break
-        return replace(result, seconds=time.thread_time() - self.started)
+        return result
 
     def _with_determinant(self, result: SingularityAnalysis) -> SingularityAnalysis:
         simple = self.chosen.simple
@@ -138,7 +128,8 @@ class Analyst:
             self.arm,
             variety,
             self.sampler,
-            Whole(self.chosen, self.rows),
+            self.chosen,
+            self.rows,
             tuple(write_condition(factor) for factor in variety.conditions),
             tuple(write_condition(factor) for factor in variety.lengths),
             tuple(solution.solved for solution in solved),

@@ -16,9 +16,8 @@ from armproof.verification.singularities.variety import Variety
 
 @dataclass(frozen=True, eq=False)
 class Directions:
-    """Rank and directions on a family; columns of scalars, up to a factor."""
+    """Directions on a family; columns of scalars, up to a factor."""
 
-    rank: int
     lost: tuple[Matrix, ...]
     lost_nearby: tuple[Matrix, ...]
     kept: tuple[Matrix, ...]
@@ -27,16 +26,15 @@ class Directions:
 
 
 def directions(variety: Variety, rows: Rows, chosen: ChosenJacobian) -> Directions:
-    """Return the rank on a family, the wrenches that do no work there, independent columns of J, and the null motions.
+    """Return the wrenches that do no work there, independent columns of J, and the null motions.
 
     `lost_nearby` are the wrenches in the axes and at the point of the simple Jacobian, `lost` those of the Jacobian asked for.
     """
     half = variety.half
     forward = eliminate(variety, rows)
     lost = [column(as_scalars(half, w)) for w in _newly_lost(variety, rows)]
-    at = Configuration(variety)
+    at = partial(_on_family, _fixed_angles(variety))
     return Directions(
-        forward.rank,
         tuple(at(lost_from_simple(chosen, at(w))) for w in lost),
         tuple(lost),
         tuple(at(chosen.matrix.block(range(chosen.matrix.shape[0]), [c])) for c in forward.pivots),
@@ -61,23 +59,20 @@ def _newly_lost(variety: Variety, rows: Rows) -> list[tuple[Polynomial, ...]]:
     return found
 
 
-class Configuration:
-    """Substitutes the angles that a family fixes."""
+def _fixed_angles(variety: Variety) -> dict[str, Scalar]:
+    """Return the angles that a family fixes, in terms of the others."""
+    ring, values = variety.half.ring, dict[str, Scalar]()
+    for factor in variety.factors:
+        found = factor.angle_sum
+        assert found is not None
+        *rest, (angle, sign) = found.signs
+        turned = ring.generator(("pi", "")) * ring.rational(found.turns) / 2
+        values[angle] = (turned - sum((ring.symbol(other) * weight for other, weight in rest), ring.zero)) * sign
+    return values
 
-    def __init__(self, variety: Variety) -> None:
-        self._ring = variety.half.ring
-        self._values = dict[str, Scalar]()
-        for factor in variety.factors:
-            found = factor.angle_sum
-            assert found is not None
-            *rest, (angle, sign) = found.signs
-            turned = self._ring.generator(("pi", "")) * self._ring.rational(found.turns) / 2
-            for other, weight in rest:
-                turned = turned - self._ring.symbol(other) * weight
-            self._values[angle] = turned * sign
 
-    def __call__(self, matrix: Matrix) -> Matrix:
-        """Return the matrix on the family."""
-        for angle, value in self._values.items():
-            matrix = matrix.map(partial(substitute, values={angle: value}))
-        return matrix
+def _on_family(values: dict[str, Scalar], matrix: Matrix) -> Matrix:
+    """Return a matrix with the angles that a family fixes substituted, one after the other."""
+    for angle, value in values.items():
+        matrix = matrix.map(partial(substitute, values={angle: value}))
+    return matrix

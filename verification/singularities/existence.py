@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import prod
 
 from armproof.models.arm import Joint
 from armproof.verification.algebra.calculus import derivative
@@ -72,15 +73,22 @@ def _linear(factor: Factor, joint: Joint) -> _Linear | None:
         return _Linear(joint, slope, ring.zero, value - slope * ring.symbol(joint.symbol))
     if joint.symbol not in angles or half.degree(factor.polynomial, joint.symbol) != 2:
         return None
+    parts = _linear_parts(value, joint.symbol)
+    return None if parts is None else _Linear(joint, *parts)
+
+
+def _linear_parts(value: Scalar, angle: str) -> tuple[Scalar, Scalar, Scalar] | None:
+    """Return A, B, C of A cos θ + B sin θ + C; None where a term holds more than one of the two."""
+    ring = value.ring
     parts = {"cos": ring.zero, "sin": ring.zero, "": ring.zero}
     for powers, coefficient in ring.terms(value.numerator):
-        kind = next((k for k in ("cos", "sin") if (k, joint.symbol) in powers), "")
-        term = ring.rational(coefficient)
-        for generator, power in powers.items():
-            if generator != (kind, joint.symbol):
-                term = term * ring.generator(generator) ** power
-        parts[kind] = parts[kind] + term
-    return _Linear(joint, parts["cos"], parts["sin"], parts[""])
+        own = {g: power for g, power in powers.items() if g in (("cos", angle), ("sin", angle))}
+        if sum(own.values()) > 1:
+            return None
+        others = (ring.generator(g) ** power for g, power in powers.items() if g not in own)
+        key = next((kind for kind, _ in own), "")
+        parts[key] = parts[key] + prod(others, start=ring.rational(coefficient))
+    return parts["cos"], parts["sin"], parts[""]
 
 
 def _write(value: Scalar) -> str:
@@ -130,25 +138,16 @@ def _angles(value: Scalar) -> set[str]:
 def _greatest(value: Scalar) -> tuple[Scalar, Scalar | None] | None:
     """Return the greatest value of P + Q cos φ + S sin φ, P + √(Q² + S²), and its root where that is u + v; None if no such form."""
     angles = _angles(value)
-    ring = value.ring
     if not angles:
         return value, sqrt(value) if len(value.numerator) == 1 else None
     if len(angles) > 1:
         return None
-    parts = {"": ring.zero, "cos": ring.zero, "sin": ring.zero}
-    for powers, coefficient in ring.terms(value.numerator):
-        trig = [g for g in powers if g[0] in ("cos", "sin")]
-        if sum(powers[g] for g in trig) > 1:
-            return None
-        term = ring.rational(coefficient)
-        for generator, power in powers.items():
-            if generator not in trig:
-                term = term * ring.generator(generator) ** power
-        key = trig[0][0] if trig else ""
-        parts[key] = parts[key] + term
-    squared = parts["cos"] * parts["cos"] + parts["sin"] * parts["sin"]
-    root = sqrt(squared)
-    return parts[""] + root, _sum_of_two(parts[""], squared)
+    parts = _linear_parts(value, angles.pop())
+    if parts is None:
+        return None
+    cosine, sine, constant = parts
+    squared = cosine * cosine + sine * sine
+    return constant + sqrt(squared), _sum_of_two(constant, squared)
 
 
 def _sum_of_two(constant: Scalar, squared: Scalar) -> Scalar | None:

@@ -38,18 +38,11 @@ class Position:
 
 
 @dataclass(frozen=True, eq=False)
-class Whole:
-    """The Jacobian of which the families are: as scalars, and as polynomials of the plainest equal one."""
-
-    chosen: ChosenJacobian
-    rows: Rows
-
-
-@dataclass(frozen=True, eq=False)
 class Family:
     """Configurations at which J loses rank: an irreducible set given by conditions that all hold.
 
     Attributes:
+        chosen, rows: the Jacobian of which it is a family: as scalars, and as polynomials of the plainest equal one.
         conditions: LaTeX of each condition, such as `\\theta_5 = 0`; all hold.
         lengths: LaTeX of the conditions on the lengths under which the family is meant, such as `a_1 = a_2`; mostly none.
         solved: LaTeX of each condition solved for a joint variable.
@@ -64,7 +57,8 @@ class Family:
     arm: Arm
     variety: Variety = field(repr=False)
     sampler: Sampler = field(repr=False)
-    whole: Whole = field(repr=False)
+    chosen: ChosenJacobian = field(repr=False)
+    rows: Rows = field(repr=False)
     conditions: tuple[str, ...]
     lengths: tuple[str, ...]
     solved: tuple[str, ...]
@@ -77,7 +71,7 @@ class Family:
 
     @cached_property
     def _directions(self) -> Directions:
-        return directions(self.variety, self.whole.rows, self.whole.chosen)
+        return directions(self.variety, self.rows, self.chosen)
 
     @property
     def lost(self) -> tuple[Matrix, ...]:

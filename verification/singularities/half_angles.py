@@ -12,6 +12,8 @@ unique factors. Each θ is one real point t : u, so an irreducible factor that h
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -91,7 +93,13 @@ class HalfAngles:
             raise TooComplex("a fraction of an angle among the conditions")
         terms = list(self.ring.terms(value.numerator))
         degrees = self.degrees([value]) if degrees is None else degrees
-        powers_of = _Powers(self)
+
+        @cache
+        def powers_of(angle: str, cosines: int, sines: int, degree: int) -> Polynomial:
+            t, u = self.pair(angle)
+            rest = degree - cosines - sines
+            return (u * u - t * t) ** cosines * (2 * t * u) ** sines * (t * t + u * u) ** rest
+
         total = self.zero
         for powers, coefficient in terms:
             term = self.context.constant(fmpq(coefficient.numerator, coefficient.denominator))
@@ -109,7 +117,7 @@ class HalfAngles:
             return None
         ring, total = self.ring, self.ring.zero
         for exponents, coefficient in polynomial.terms():
-            term = ring.rational(1) * _rational(ring, coefficient)
+            term = ring.rational(Fraction(int(coefficient.p), int(coefficient.q)))
             for angle in self.angles:
                 t, u = (int(exponents[k]) for k in self.slots(angle))
                 term = term * _half_powers(ring, angle, t, u)
@@ -148,32 +156,12 @@ class HalfAngles:
         return bool(divmod(polynomial, divisor)[1].is_zero())
 
 
-class _Powers:
-    """(u² − t²)^a (2tu)^b (t² + u²)^(d − a − b), each computed once."""
-
-    def __init__(self, half: HalfAngles) -> None:
-        self._half = half
-        self._known: dict[tuple[str, int, int, int], Polynomial] = {}
-
-    def __call__(self, angle: str, cosines: int, sines: int, degree: int) -> Polynomial:
-        key = (angle, cosines, sines, degree)
-        if key not in self._known:
-            t, u = self._half.pair(angle)
-            rest = degree - cosines - sines
-            self._known[key] = (u * u - t * t) ** cosines * (2 * t * u) ** sines * (t * t + u * u) ** rest
-        return self._known[key]
-
-
 def _half_powers(ring: Ring, angle: str, t: int, u: int) -> Scalar:
     """Return sin^t(θ/2) cos^u(θ/2) for t + u even: of (1 − c)/2, (1 + c)/2 and s/2."""
     cosine, sine = ring.generator(("cos", angle)), ring.generator(("sin", angle))
     half = ring.rational(1) / ring.rational(2)
     value = (half * (1 - cosine)) ** (t // 2) * (half * (1 + cosine)) ** (u // 2)
     return value * half * sine if t % 2 else value
-
-
-def _rational(ring: Ring, coefficient: fmpq) -> Scalar:
-    return ring.rational(int(coefficient.p)) / ring.rational(int(coefficient.q))
 
 
 def _monic(polynomial: fmpq_mpoly) -> fmpq_mpoly:

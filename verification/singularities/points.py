@@ -198,12 +198,8 @@ def angle_derivative(half: HalfAngles, polynomial: Polynomial, angle: str) -> Po
 def _evaluate(polynomial: Polynomial, x: np.ndarray, *, absolute: bool = False) -> np.ndarray:
     total = np.zeros(x.shape[1])
     for exponents, coefficient in polynomial.terms():
-        term = np.full(
-            x.shape[1],
-            abs(float(coefficient.p) / float(coefficient.q))
-            if absolute
-            else float(coefficient.p) / float(coefficient.q),
-        )
+        number = float(coefficient.p) / float(coefficient.q)
+        term = np.full(x.shape[1], abs(number) if absolute else number)
         for k, power in enumerate(exponents):
             if power:
                 term = term * x[k] ** int(power)

@@ -12,7 +12,7 @@ from armproof.verification.algebra.calculus import derivative
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_scalar
 from armproof.verification.latex.writer import Notation, symbol_as_latex
-from armproof.verification.singularities.factors import AngleSum, Factor
+from armproof.verification.singularities.factors import Factor
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 from armproof.verification.singularities.linear import rational_content
 
@@ -100,8 +100,8 @@ def trigonometric_factors(
 
 
 def _of_angle(half: HalfAngles, signs: tuple[tuple[str, int], ...], powers: dict[int, int]) -> list[tuple[Scalar, int]]:
-    angle = _angle(half, AngleSum(signs, 0))
-    cosine, sine = cos_sin(angle)
+    ring = half.ring
+    cosine, sine = cos_sin(sum((ring.symbol(name) * sign for name, sign in signs), ring.zero))
     found: list[tuple[Scalar, int]] = []
     for first, second, value, ends in ((0, 2, sine, (1 - cosine, 1 + cosine)), (1, -1, cosine, (1 - sine, 1 + sine))):
         pairs = min(powers.get(first, 0), powers.get(second, 0))
@@ -112,13 +112,6 @@ def _of_angle(half: HalfAngles, signs: tuple[tuple[str, int], ...], powers: dict
             if left:
                 found.append((end, left // 2 if left % 2 == 0 else 0))
     return found
-
-
-def _angle(half: HalfAngles, found: AngleSum) -> Scalar:
-    ring, total = half.ring, half.ring.zero
-    for name, sign in found.signs:
-        total = total + ring.symbol(name) * ring.rational(sign)
-    return total
 
 
 def write_product(value: Scalar, factors: Sequence[tuple[Scalar, int]]) -> str | None:
