@@ -14,8 +14,9 @@ from armproof.verification.conditions.implication import (
 )
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.general_links import GeneralStatements
+from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.inequalities import check_relation, parts_of
-from armproof.verification.equations.introduced import GivenValues, named_sign
+from armproof.verification.equations.introduced import named_sign
 from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.readings import counted
 from armproof.verification.equations.understanding import without_misreading
@@ -41,7 +42,7 @@ class Statements:
         self.names = checker.names
         self.ring = checker.exact.ring
         self.general = GeneralStatements(checker)
-        self.given = GivenValues(checker.members)
+        self.given = GivenValues(checker.equality)
 
     def check(
         self, statements: list[n.Statement], line: int, *, define: bool = True, latex: str = ""
@@ -232,11 +233,15 @@ class Statements:
             ]
         if (doubt := counted(chain, self.names)) is not None:
             return [Outcome(Verdict.UNCHECKED, (doubt,), equation)]
-        if self.given.is_configuration(chain):
-            return [Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation)]
+        if (given := self.given.read(chain, line, define)) is not None:
+            return [Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)]
+        if self.given.is_condition(chain):
+            return [Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)]
         if any(isinstance(member, n.Cases) for member in chain.members):
             return self._cases(chain, equation, line, define)
         outcomes = self.general.check(chain, equation, line, define) or self._decided(chain, equation, line, define)
+        for outcome in outcomes if define else ():
+            self.given.remember(outcome.gives, line)
         return [without_misreading(o, chain, self.names) if o.verdict is Verdict.REFUTED else o for o in outcomes]
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:

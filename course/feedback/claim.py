@@ -18,7 +18,7 @@ from armproof.models.arm import Arm
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, check_document, load_arm_of
+from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
 from armproof.verification.errors import ReadError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -105,7 +105,10 @@ class Claim:
         Raises:
             LessonError: the claim itself cannot be read.
         """
-        result = check_document(self._document(latex), confirm=False)
+        document = self._document(latex)
+        checker = DocumentChecker(document, load_arm_of(document), confirm=False)
+        checker.checker.equality.stated.enabled = False
+        result = checker.run()
         for record in result.equations[:-1]:
             if record.verdict not in _READ and any(each.role is not Role.DEFINITION for each in record.outcomes):
                 raise LessonError("the task itself cannot be read: {latex}: {message}", latex=record.latex, message=record.message)  # fmt: skip

@@ -45,9 +45,11 @@ def test_a_step_with_a_wrong_factor_is_wrong_though_its_end_is_right(judge: Judg
 
 
 def test_a_joint_variable_is_not_defined_anew(judge: Judge) -> None:
-    assert judge(r"\theta_1 = \theta_2").verdict is Verdict.REFUTED
+    assert judge(r"\theta_1 = \theta_2").verdict is Verdict.UNCHECKED  # a condition
     assert not judge(r"\theta_1 = \frac{\pi}{2}").is_decided  # a configuration
-    assert judge(r"\theta_1 = \frac{\pi}{2}", r"c_1 = 0").verdict is Verdict.REFUTED  # which nothing else rests on
+    assert judge(r"\theta_1 = \frac{\pi}{2}", r"c_1 = 0").verdict is Verdict.CONFIRMED  # there
+    assert judge(r"\theta_1 = \frac{\pi}{2}", r"c_1 = 1").verdict is Verdict.REFUTED
+    assert judge(r"\theta_1 = \frac{\pi}{2}", r"c_1 = c_2").verdict is Verdict.REFUTED  # what moves does not rest on it
 
 
 # -- definitions ---------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from math import prod
 
@@ -108,6 +108,23 @@ def _replacement(ring: Ring, generator: Generator, replacements: Mapping[Generat
     if kind == "arc":
         return arc(*(_replaced(ring.lift(part), replacements) for part in ring.arcs[name]))
     return ring.generator(generator)
+
+
+def symbols_in(values: Iterable[Scalar]) -> set[str]:
+    """Return the symbols that occur in values: as such, in angles, under roots, in arc functions."""
+    found: set[str] = set()
+    for value in values:
+        for part in (value.numerator, value.denominator):
+            for _, (kind, name) in value.ring.generators_of(part):
+                if kind == "symbol":
+                    found.add(name)
+                elif kind in ("cos", "sin"):
+                    found |= {name.partition("/")[0]} - {"pi"} if not name[0].isdigit() else set()
+                elif kind == "radical":
+                    found |= symbols_in([value.ring.radicand(name)])
+                elif kind == "arc":
+                    found |= symbols_in(value.ring.arcs[name])
+    return found
 
 
 def leaves_open(difference: Scalar) -> bool:

@@ -197,7 +197,7 @@ class Entailment:
         sampled = self.checker.sampled()
         from armproof.verification.equations.sampled_errors import vanishes_for_lengths
 
-        return vanishes_for_lengths(sampled, self.checker.names.state.configuration, scalar, values)
+        return vanishes_for_lengths(sampled, self.checker.names.state.stated, scalar, values)
 
     def _lies_in_union(self, variety: Variety) -> bool:
         """Whether a set lies in the systems of the conclusion together: every product of one equation of each is zero there."""

@@ -59,7 +59,9 @@ class Diagnostician:
                 errors.append(error)
             findings.extend(finding.at(outcome.equation) for finding in why)
             entries.extend(found)
-            if not counterexample and self._by_samples is not None:
+            if outcome.there:
+                counterexample = counterexample or dict(outcome.there)
+            elif not counterexample and self._by_samples is not None:
                 counterexample, discrepancy = self._by_samples.counterexample(outcome)
         return replace(
             record,
@@ -81,6 +83,9 @@ class Diagnostician:
     def _explained(self, latex: str, outcome: Outcome) -> tuple[list[Finding], list[WrongEntry]]:
         """Return why an equation is wrong, as a whole or entry by entry, and its wrong entries."""
         notation = self.learnt.learn(latex, outcome)
+        if outcome.there:
+            entries = [replace(entry, finding=None) for entry in self._entries(latex, outcome, notation)]
+            return [say(Kind.WRONG_THERE), *_summary(entries)], entries
         cause, is_whole = self._cause(outcome) if len(outcome.wrong) > 1 else (None, False)
         entries = self._entries(latex, outcome, notation)
         if cause is not None and (is_whole or not all(entry.finding for entry in entries)):

@@ -3,30 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from decimal import Decimal
 
 from armproof.verification.algebra.calculus import leaves_open
 from armproof.verification.algebra.matrix import Matrix
-from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import FEWEST, SecondRoute
-from armproof.verification.equations.sides import Member, Members
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
-
-
-def is_numeric(node: n.Node) -> bool:
-    """Whether a tree is a square matrix of numbers, or one with decimals: a pose or a point at a configuration."""
-    node = n.ungrouped(node)
-    if not isinstance(node, n.Matrix):
-        return False
-    square = len(node.rows) >= 3 and all(len(row) == len(node.rows) for row in node.rows)
-    if not square and not any(isinstance(below, n.Number) and "." in below.text for below in n.walk(node)):
-        return False
-    return not any(isinstance(below, n.Name | n.Call | n.JointAngles | n.Dots) for below in n.walk(node))
 
 
 def depends_on(value: Matrix, symbols: set[str]) -> bool:
@@ -81,10 +69,40 @@ def _places(number: n.Number) -> int:
     return -int(Decimal(number.text.replace("{,}", ".")).as_tuple().exponent)
 
 
-def printed_decimals(node: n.Node) -> int:
-    """Return the decimals to which a matrix is printed; whole numbers and fractions are exact."""
-    places = [_places(below) for below in n.walk(node) if isinstance(below, n.Number) and below.value.denominator != 1]
-    return max(places, default=9)
+@dataclass(frozen=True)
+class Rounding:
+    """How far a printed number may be from the true one: `near` as it is rounded, `far` at most, or it is wrong."""
+
+    near: float
+    far: float
+
+
+EXACT = Rounding(1e-9, 1e-9)
+
+
+def roundings(node: n.Node, shape: tuple[int, int]) -> dict[tuple[int, int], Rounding]:
+    """Return how the numbers of a tree are rounded, at each place (from 0) of its value.
+
+    A whole number among decimals has theirs; an expression of decimals is exact, or not known to half a unit.
+    """
+    node = n.ungrouped(node)
+    rows = node.rows if isinstance(node, n.Matrix) else ()
+    cells = [cell for row in rows for cell in row]
+    places = [(r, c) for r in range(shape[0]) for c in range(shape[1])]
+    if len(cells) != len(places):
+        return dict.fromkeys(places, _rounding(node, node))
+    return {place: _rounding(cell, node) for place, cell in zip(places, cells, strict=True)}
+
+
+def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
+    decimals = [_places(b) for b in n.walk(cell) if isinstance(b, n.Number) and "." in b.text]
+    alone = not any(isinstance(b, n.Product | n.Quotient | n.Power | n.Call) for b in n.walk(cell))
+    if not decimals and alone:
+        decimals = [_places(b) for b in n.walk(whole) if isinstance(b, n.Number) and "." in b.text]
+    if not decimals:
+        return EXACT
+    unit = 10.0 ** -max(decimals)
+    return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
 
 
 def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:
@@ -127,31 +145,3 @@ def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
         if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):
             return False
     return True
-
-
-def at_a_configuration(members: Members, true: Member, printed: Member, outcome: Outcome) -> Outcome | None:
-    """A numeric matrix equated to a pose that moves is that pose at the configuration the document gave last."""
-    arm = members.names.arm
-    if arm is None or true.rank != 4 or not is_numeric(printed.node) or not isinstance(true.value, Matrix):
-        return None
-    if not isinstance(printed.value, Matrix) or true.value.shape != printed.value.shape:
-        return None
-    if not depends_on(true.value, {joint.symbol for joint in arm.joints}):
-        return None
-    sampled = members.sampled()
-    with members.exact.budget.paused():
-        from armproof.verification.equations.sampled_errors import compare_numbers
-
-    found = compare_numbers(
-        true.value, printed.value, printed_decimals(printed.node), sampled, members.names.state.configuration
-    )
-    outcome.pair = Pair(true.value, printed.value)
-    if found.wrong and len(found.wrong) <= FEW:
-        outcome.wrong, outcome.findings, outcome.sampled_only = found.wrong, (say(Kind.WRONG_THERE),), True
-    elif found.wrong or found.open:
-        outcome.verdict = Verdict.UNCHECKED
-        outcome.findings = (say(Kind.NUMBERS_OF_NOWHERE),)
-    else:
-        outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, found.largest
-        outcome.findings = (say(Kind.TO_DECIMALS_THERE),)
-    return outcome

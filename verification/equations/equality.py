@@ -20,7 +20,8 @@ from armproof.verification.equations.alignment import (
     different_entries,
     exactly_equal,
 )
-from armproof.verification.equations.decimals import at_a_configuration, holds_to_its_decimals
+from armproof.verification.equations.at_stated_values import StatedValues
+from armproof.verification.equations.decimals import holds_to_its_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
@@ -41,12 +42,11 @@ class Equality:
         self.route = route
         self.names = members.names
         self.exact = members.exact
+        self.stated = StatedValues(members)
 
     def compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
         """Return whether a printed member equals the true one, and where it does not."""
         outcome = Outcome(Verdict.REFUTED, (), equation, true, printed)
-        if (numbers := at_a_configuration(self.members, true, printed, outcome)) is not None:
-            return numbers
         try:
             pairs = list(align(true.value, printed.value, self.exact))
         except ShapeMismatch as mismatch:
@@ -75,6 +75,8 @@ class Equality:
                 return self.route.confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
                 best = (pair, wrong)
+        if not branches and (there := self.stated.read(outcome, pairs)) is not None:
+            return there
         assert best is not None
         outcome.pair, outcome.wrong = best
         outcome.findings = _noted(best[0])

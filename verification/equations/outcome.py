@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from armproof.verification.equations.alignment import Pair
@@ -30,6 +31,8 @@ class Outcome:
     max_error: float | None = None
     sampled_only: bool = False
     defines: tuple[str, ...] = ()
+    gives: Mapping[str, n.Node] = field(default_factory=dict)  # lengths that its numbers state
+    there: Mapping[str, float] = field(default_factory=dict)  # the stated values at which its numbers are wrong
     role: Role = Role.CLAIM
     read_as: str = ""
     uses: frozenset[tuple[str, int]] = frozenset()
@@ -88,7 +91,7 @@ def with_role(outcome: Outcome, chain: n.Chain, names: Names) -> Outcome:
     kinds = {finding.kind for finding in outcome.findings}
     if outcome.verdict is Verdict.DEFINED and kinds & DEFINES:
         outcome.role = Role.DEFINITION
-    elif outcome.verdict is Verdict.DEFINED and Kind.CONFIGURATION in kinds:
+    elif outcome.verdict is Verdict.DEFINED and kinds & {Kind.CONFIGURATION, Kind.VALUES_OF_LENGTHS}:
         outcome.role = Role.DATA
     elif outcome.verdict is Verdict.DEFINED and Kind.NO_EQUATION in kinds:
         outcome.role, outcome.verdict = Role.REMARK, Verdict.UNCHECKED

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, align, angle_places
 from armproof.verification.errors import EvaluationError
@@ -154,37 +153,6 @@ def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c:
             cells.append(error)
         stacked.append(cells)
     return np.array(stacked)
-
-
-@dataclass(frozen=True)
-class NumericComparison:
-    """Which entries of a numeric matrix differ, and which hang on a joint or a length that has no value."""
-
-    wrong: list[tuple[int, int]]
-    open: list[tuple[int, int]]
-    largest: float
-
-
-def compare_numbers(
-    true: Matrix, printed: Matrix, decimals: int, sampled: SampledAlgebra, configuration: Mapping[str, float]
-) -> NumericComparison:
-    """Compare entry by entry, within one unit of the last of the decimals printed, at the values that the document gave before."""
-    assert sampled.arm is not None
-    symbols = [joint.symbol for joint in sampled.arm.joints] + [*sampled.arm.lengths]
-    values = {symbol: np.array([configuration.get(symbol, np.nan)]) for symbol in symbols}
-    there = SampledAlgebra(sampled.exact, sampled.q[:1], sampled.seed, values)
-    tolerance = 10.0**-decimals
-    wrong, left_open, largest = [], [], 0.0
-    for r, (true_row, printed_row) in enumerate(zip(true.rows, printed.rows, strict=True)):
-        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
-            error = float(np.abs(there.from_exact(a) - there.from_exact(b))[0])
-            if np.isnan(error):
-                left_open.append((r, c))
-            elif error > tolerance:
-                wrong.append((r, c))
-            else:
-                largest = max(largest, error)
-    return NumericComparison(wrong, left_open, largest)
 
 
 def _is_arc(node: n.Node) -> bool:

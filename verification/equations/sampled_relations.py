@@ -70,7 +70,7 @@ def check_approximation(
 
 def _values(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides) -> list[Any]:
     """Return values at the samples, with lengths that the document gives no value drawn at random, all 1 in every fourth."""
-    arm, given = checker.names.arm, checker.names.state.configuration
+    arm, given = checker.names.arm, checker.names.state.stated
     random = np.random.default_rng(sampled.seed)
     lengths: dict[str, np.ndarray] = {}
     for name, value in (arm.lengths if arm is not None else {}).items():

@@ -160,7 +160,7 @@ class SecondRoute:
             self.exact.ring.signs_chosen and any(self._has_roots(side.node) for side in sides)
         ):
             return
-        for sampled in with_lengths(own, self.names.state.configuration):
+        for sampled in with_lengths(own, self.names.state.stated):
             self.exact.budget.check()
             errors = self.sampled_errors(outcome, branches, sampled)
             if errors is not None:

@@ -192,10 +192,15 @@ def _fit(evaluator: Evaluating, cell: Any, height: int, width: int) -> Matrix:
     raise ShapeError(say(Kind.SCALAR_FOR_BLOCK, size=f"{height}×{width}"))
 
 
+UNITS = {"cm": 100, "mm": 1000}  # of a metre
+
+
 def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
-    """Return a transpose, an inverse, a pseudo-inverse or degrees."""
+    """Return a transpose, an inverse, a pseudo-inverse, degrees or metres."""
     if node.operator == "deg":
         return evaluator.scalar(node.base) * evaluator.algebra.pi() / evaluator.algebra.rational(Fraction(180))
+    if node.operator in UNITS:
+        return evaluator.scalar(node.base) / evaluator.algebra.rational(Fraction(UNITS[node.operator]))
     value = as_scalar(evaluator.evaluate(node.base))
     if node.operator == "-1":
         value = printed_rows(evaluator, node.base, value)

@@ -10,7 +10,7 @@ Script = tuple[str, str, tuple[int, int]]  # ("SUB" | "SUP" | "PRIME" | "DOT", t
 
 # what may stand above an operand and act on it: the spelling → the operator
 OPERATORS = {"T": "T", "t": "T", "top": "T", "intercal": "T", "-1": "-1", "-T": "-T", "+": "+", "dagger": "+", "#": "+",
-             "circ": "deg", "o": "deg"}  # fmt: skip
+             "circ": "deg", "o": "deg", "cm": "cm", "mm": "mm"}  # fmt: skip
 
 
 @dataclass

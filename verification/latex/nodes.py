@@ -118,7 +118,7 @@ class Power(Node):
 
 @dataclass(frozen=True, slots=True)
 class Postfix(Node):
-    """operator "T" (transpose), "-1" (inverse), "-T", "+" (pseudo-inverse) or "deg"."""
+    """operator "T" (transpose), "-1" (inverse), "-T", "+" (pseudo-inverse) or a unit: "deg", "cm", "mm"."""
 
     base: Node
     operator: str

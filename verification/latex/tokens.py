@@ -325,7 +325,7 @@ class _Scanner:
         if self.previous in ("NUMBER", "RBRACE", "SUP") and content in UNITS and content not in self.words:
             if content in ("m", "s") and self.previous != "NUMBER":
                 return [], end
-            return ([self.token("SUP", "\\circ", start, after)] if UNITS[content] else []), after
+            return ([self.token("SUP", UNITS[content], start, after)] if UNITS[content] else []), after
         if content in FUNCTIONS:
             return self._function(content, start, after)
         if content in LETTERS:

@@ -50,9 +50,9 @@ CONNECTIVES = {
     "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒",
 }  # fmt: skip
 
-# units behind a number, which the reader leaves out; True where the number is in degrees
-UNITS = {"mm": False, "cm": False, "m": False, "rad": False, "rads": False, "radians": False, "s": False, "rad/s": False,
-         "m/s": False, "meters": False, "deg": True, "degrees": True, "°": True}  # fmt: skip
+# units behind a number, and the mark above it that they become; metres and radians become none
+UNITS = {"mm": "mm", "cm": "cm", "m": "", "rad": "", "rads": "", "radians": "", "s": "", "rad/s": "", "m/s": "", "meters": "",
+         "deg": "\\circ", "degrees": "\\circ", "°": "\\circ"}  # fmt: skip
 
 MATRICES = {"matrix", "bmatrix", "pmatrix", "vmatrix", "Vmatrix", "Bmatrix", "smallmatrix", "array", "bsmallmatrix",
             "psmallmatrix"}  # fmt: skip

@@ -269,6 +269,8 @@ class Writer:
         if isinstance(node, n.Power):
             return f"{self._base(node.base)}^{{{self.write(node.exponent)}}}"
         if isinstance(node, n.Postfix):
+            if node.operator in ("cm", "mm"):
+                return f"{self._base(node.base)}\\,\\mathrm{{{node.operator}}}"
             above = "\\circ" if node.operator == "deg" else node.operator
             return f"{self._base(node.base)}^{{{above}}}"
         if isinstance(node, n.Matrix):

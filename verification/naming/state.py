@@ -12,7 +12,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation
-from armproof.verification.verdict import EquationResult, Record, Verdict, worst
+from armproof.verification.verdict import EquationResult, Record, Role, Verdict, worst
 
 Key = tuple[str, int]  # a name and the line of the display that defines it
 
@@ -25,6 +25,16 @@ class Definition:
     line: int = 0
     section: str = ""
     by_place: bool = False  # the entry or block of a matrix, not an equation of its own
+
+
+@dataclass(frozen=True)
+class Stated:
+    """The value that a display gives a joint variable, its rate or a length."""
+
+    node: n.Node
+    value: float
+    line: int = 0
+    section: str = ""
 
 
 @dataclass(frozen=True)
@@ -86,7 +96,7 @@ class DocumentState:
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
         beyond: a frame the document adds → (on which of the arm's, name).
-        configuration: joint variables and lengths → the value that a display gave them.
+        configuration: joint variables, rates and lengths → the value that a display gave them.
         compares_lengths: whether a display says which lengths are larger.
         rounded: names made of rounded numbers → to how many decimals.
         shown: the rows (from 1) in which a Jacobian was printed.
@@ -106,7 +116,7 @@ class DocumentState:
     used_in_general: set[str] = field(default_factory=set)
     adopted: set[str] = field(default_factory=set)
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)
-    configuration: dict[str, float] = field(default_factory=dict)
+    configuration: dict[str, Stated] = field(default_factory=dict)
     compares_lengths: bool = False
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, tuple[int, ...]] = field(default_factory=dict)
@@ -114,6 +124,11 @@ class DocumentState:
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)
     notation: Notation = field(default_factory=Notation)
+
+    @property
+    def stated(self) -> dict[str, float]:
+        """The values that displays gave joint variables, rates and lengths."""
+        return {name: stated.value for name, stated in self.configuration.items()}
 
     def copy(self) -> DocumentState:
         """Return the state as it is now."""
@@ -161,6 +176,6 @@ def _rests(result: EquationResult, used: frozenset[Key]) -> bool:
 
 
 def _unused(result: EquationResult) -> EquationResult:
-    names = sorted(name for name, _ in result.defines)
+    names = sorted(name for name, _ in result.defines if result.role is not Role.DATA)
     found = (say(Kind.NEVER_USED, names=names).at(result.index),) if names else ()
     return replace(result, verdict=Verdict.UNCHECKED, findings=(*result.findings, *found))

@@ -162,7 +162,7 @@ def test_a_numeric_pose_is_checked_at_the_configuration_given_before(judge: Judg
 def test_a_numeric_pose_at_no_known_configuration_is_left_open(judge: Judge) -> None:
     record = judge(NUMERIC % "1.116", arm=ARM)
     assert record.verdict is Verdict.UNCHECKED
-    assert "no display before states" in record.message
+    assert "which configuration" in record.message
 
 
 @pytest.mark.parametrize(
@@ -179,8 +179,12 @@ def test_a_pose_may_be_taken_at_a_configuration(judge: Judge, name: str) -> None
     assert judge(cells % (name, "-"), arm=ARM).verdict is Verdict.REFUTED
 
 
-def test_a_constant_where_the_arm_moves_is_wrong(judge: Judge) -> None:
-    assert judge(r"z_1 = \begin{bmatrix} 0 \\ -1 \\ 0 \end{bmatrix}", arm=ARM).verdict is Verdict.REFUTED
+def test_numbers_where_the_arm_moves_belong_to_a_configuration(judge: Judge) -> None:
+    numbers = r"z_1 = \begin{bmatrix} 0 \\ -1 \\ %s \end{bmatrix}"
+    assert judge(numbers % 0, arm=ARM).verdict is Verdict.UNCHECKED
+    assert judge(numbers % 1, arm=ARM).verdict is Verdict.REFUTED  # it is 0 everywhere
+    assert judge(r"\theta_1 = 0", numbers % 0, arm=ARM).verdict is Verdict.CONFIRMED
+    assert judge(r"\theta_1 = \pi", numbers % 0, arm=ARM).verdict is Verdict.REFUTED
     assert judge(r"z_1 = \begin{bmatrix} s_1 \\ -c_1 \\ 0 \end{bmatrix}", arm=ARM).verdict is Verdict.PROVED
 
 

@@ -16,7 +16,7 @@ from armproof.verification.document import Display, Document, find_documents, pa
 from armproof.verification.errors import DocumentError
 from armproof.verification.latex.nodes import Name
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.state import Definition, DocumentState, PrintedError
+from armproof.verification.naming.state import Definition, DocumentState, PrintedError, Stated
 from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Verdict
 
@@ -44,7 +44,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "used_in_general": lambda state: state.used_in_general.add("a"),
     "adopted": lambda state: state.adopted.add("L_3"),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
-    "configuration": lambda state: state.configuration.update(theta_1=0.5),
+    "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
     "rounded": lambda state: state.rounded.update(a=2),
     "shown": lambda state: state.shown.update(J=(1, 2)),
     "signs": lambda state: state.signs.values.update(sigma=1),

@@ -126,6 +126,8 @@ class MathWriter:
         return self._raised(node.base, self.write(node.exponent))
 
     def _postfix(self, node: n.Postfix) -> Box:
+        if node.operator in ("cm", "mm"):
+            return box.row(self.write(node.base), box.words(node.operator))
         minus = box.mark("−")
         above = {"T": box.letter("T", upright=True), "-1": box.row(minus, box.number("1")), "+": box.mark("+"),
                  "-T": box.row(minus, box.letter("T", upright=True)), "deg": box.mark("°")}[node.operator]  # fmt: skip

@@ -1,0 +1,67 @@
+"""Numbers are those at the values that displays state, and of no other configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from armproof.verification.verdict import DocumentResult, Record, Verdict
+
+Judge = Callable[..., Record]
+Check = Callable[..., DocumentResult]
+
+PLANAR: dict[str, Any] = {
+    "arm": "planar_2r",
+    "quantities": {"P_x": {"origin": 2, "component": "x"}, "J": {"jacobian": 2, "rows": [1, 2]}},
+}
+STATED = (r"l_1 = l_2 = 1", r"\theta_1 = 0, \quad \theta_2 = \frac{\pi}{2}")
+
+
+@pytest.mark.parametrize(("number", "verdict"), [("1", Verdict.CONFIRMED), ("0.5", Verdict.REFUTED)])
+def test_a_number_is_that_at_the_configuration_stated(judge: Judge, number: str, verdict: Verdict) -> None:
+    assert judge(rf"\det J = {number}", **PLANAR).verdict is Verdict.UNCHECKED
+    assert judge(*STATED, rf"\det J = {number}", **PLANAR).verdict is verdict
+
+
+def test_what_is_wrong_there_is_told_with_the_values_stated(judge: Judge) -> None:
+    record = judge(*STATED, r"p_2 = \begin{bmatrix} 1 \\ 2 \\ 0 \end{bmatrix}", **PLANAR)
+    assert [(each.row, each.printed, each.correct) for each in record.entries] == [(2, "2", "1")]
+    assert record.counterexample == pytest.approx({"l_1": 1, "l_2": 1, "theta_1": 0, "theta_2": 1.5707963})
+
+
+def test_values_count_as_data_where_a_decided_claim_uses_them(check: Check) -> None:
+    def verdicts(*displays: str) -> list[Verdict]:
+        return [record.verdict for record in check(*displays, **PLANAR).equations]
+
+    assert verdicts(*STATED, r"\det J = 1") == [Verdict.DEFINED, Verdict.DEFINED, Verdict.CONFIRMED]
+    assert verdicts(*STATED, r"\det J = l_1 l_2 s_2") == [Verdict.UNCHECKED, Verdict.UNCHECKED, Verdict.PROVED]
+
+
+def test_a_configuration_is_never_made_of_two(judge: Judge) -> None:
+    assert judge(*STATED, r"\theta_1 = \frac{\pi}{2}", "P_x = -1", **PLANAR).verdict is Verdict.UNCHECKED
+    assert judge(*STATED, r"\theta_1 = \frac{\pi}{2}", r"\det J = 1", **PLANAR).verdict is Verdict.UNCHECKED
+
+
+def test_a_place_is_asked_for_where_the_tool_is_not_there(judge: Judge) -> None:
+    assert judge(*STATED, "P_x = 1.0", **PLANAR).verdict is Verdict.CONFIRMED
+    asked = judge(*STATED, "P_x = 0.8", **PLANAR)
+    assert asked.verdict is Verdict.UNCHECKED and "configuration" in asked.message
+
+
+def of_lengths(judge: Judge, *displays: str) -> Record:
+    return judge("P_x = 0.5 c_1 + 0.3 c_{12}", *displays, **PLANAR)
+
+
+def test_numbers_where_the_arm_has_lengths_are_their_values(judge: Judge) -> None:
+    assert of_lengths(judge, r"\det J = 0.15 s_2").verdict is Verdict.CONFIRMED
+    assert of_lengths(judge, r"\det J = 0.16 s_2").verdict is Verdict.REFUTED
+    assert judge(r"\det J = 0.15 s_2", **PLANAR).verdict is Verdict.UNCHECKED
+    assert judge(r"\det J = 0.15 c_2", **PLANAR).verdict is Verdict.REFUTED
+
+
+def test_a_length_may_be_said_in_centimetres(judge: Judge) -> None:
+    stated = (r"l_1 = 50\,\text{cm}", r"l_2 = 300\,\text{mm}", r"\theta_1 = \theta_2 = 0")
+    assert judge(*stated, r"P_x = 80\,\text{cm}", **PLANAR).verdict is Verdict.CONFIRMED
+    assert judge(*stated, r"P_x = 80", **PLANAR).verdict is Verdict.UNCHECKED  # of which unit?

@@ -1,0 +1,242 @@
+"""Equations that hold at stated values alone: numbers at a configuration, numbers where the arm has lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from math import inf, remainder, tau
+
+from armproof.verification.algebra.calculus import substitute, symbols_in
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.alignment import Pair, angle_places
+from armproof.verification.equations.decimals import FEW, finest_decimals, roundings
+from armproof.verification.equations.length_values import length_values
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Member, Members
+from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.state import Stated
+from armproof.verification.verdict import Verdict
+
+Place = tuple[int, int]
+
+
+@dataclass
+class _Numbers:
+    """What numbers of a pair are at the stated values: wrong, or open where a value is missing or is cut off."""
+
+    pair: Pair
+    wrong: list[Place] = field(default_factory=list)
+    open: list[Place] = field(default_factory=list)
+    largest: float = 0.0
+
+
+class StatedValues:
+    """Reads an equation that does not hold everywhere as one at the values that displays stated before it.
+
+    A number beside what moves is that at the configuration stated last, and at no other. Numbers where the arm has lengths
+    are the values of these, the same in the whole document.
+    """
+
+    def __init__(self, members: Members) -> None:
+        self.members = members
+        self.names = members.names
+        self.exact = members.exact
+        self.enabled = True  # not in a task: what is asked there holds everywhere
+
+    def read(self, outcome: Outcome, pairs: Sequence[Pair]) -> Outcome | None:
+        """Return what becomes of an equation that is one at stated values, or None where it is none."""
+        arm = self.names.arm
+        if (
+            arm is None
+            or not self.enabled
+            or any(isinstance(b, n.At) for side in _sides(outcome) for b in n.walk(side.node))
+        ):
+            return None
+        of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
+        sides = [[symbols_in(_cells(side)) for side in (pair.true, pair.printed)] for pair in pairs]
+        one, other = sides[0]
+        if not (one and other) and of_arm & (one | other):
+            numbers = _sides(outcome)[bool(one)]
+            of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
+            return None if of_names else self._numbers(outcome, pairs, numbers.node)
+        return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
+
+    def _stated(self, names: Iterable[str]) -> dict[str, Stated]:
+        """The values that hold where the display stands: those of lengths everywhere, a configuration in its section."""
+        here, arm = self.names.state, self.names.arm
+        lengths = arm.lengths if arm is not None else {}
+        return {
+            name: stated
+            for name in sorted(names)
+            if (stated := here.configuration.get(name)) is not None
+            and (name in lengths or stated.section in ("", here.section))
+        }
+
+    def _at(self, scalar: Scalar, stated: dict[str, Stated]) -> Scalar:
+        values = {name: self.members.evaluate(value.node).value for name, value in stated.items()}
+        return substitute(scalar, values)
+
+    def _rest_on(self, stated: dict[str, Stated]) -> None:
+        """Remember the displays that stated the values: they count as used, with all the values that they state."""
+        lines = {value.line for value in stated.values()}
+        given = self.names.state.configuration.items()
+        self.names.state.consulted |= {(name, value.line) for name, value in given if value.line in lines}
+
+    # -- numbers ---------------------------------------------------------------------------------------------------------
+
+    def _numbers(self, outcome: Outcome, pairs: Sequence[Pair], numbers: n.Node) -> Outcome:
+        tried = [self._judged(pair, numbers) for pair in pairs]
+        best = min(tried, key=lambda each: (len(each.wrong), len(each.open)))
+        outcome.pair, outcome.wrong = best.pair, []
+        if best.wrong and len(best.wrong) <= FEW:
+            stated = self._stated(symbols_in(_differences(best.pair)))
+            outcome.wrong, outcome.there = best.wrong, {name: value.value for name, value in stated.items()}
+            sides = [side.map(lambda cell: self._at(cell, stated)) for side in (best.pair.true, best.pair.printed)]
+            outcome.pair = replace(best.pair, true=sides[0], printed=sides[1])
+        elif best.wrong or best.open:
+            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.NUMBERS_OF_NOWHERE),)
+        else:
+            outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, best.largest
+            outcome.findings = (say(Kind.TO_DECIMALS_THERE),)
+        return outcome
+
+    def _judged(self, pair: Pair, numbers: n.Node) -> _Numbers:
+        """Compare entry by entry, as the numbers are rounded."""
+        found = _Numbers(pair)
+        allowed, angles = roundings(numbers, pair.true.shape), angle_places(pair)
+        units = {
+            _has_unit(numbers),
+            *(_has_unit(s.node) for s in self._stated(symbols_in(_differences(pair))).values()),
+        }
+        for place, rounding in allowed.items():
+            difference = pair.true.rows[place[0]][place[1]] - pair.printed.rows[place[0]][place[1]]
+            error = self._error(difference, place in angles)
+            if error is None or rounding.near < error <= rounding.far:
+                found.open.append(place)
+            elif error > rounding.far:
+                (found.open if len(units) > 1 else found.wrong).append(place)
+            else:
+                found.largest = max(found.largest, error)
+        return found
+
+    def _error(self, difference: Scalar, is_angle: bool) -> float | None:
+        """The size of a difference at the stated values; None where one is missing that it depends on."""
+        assert self.names.arm is not None
+        names = symbols_in([difference])
+        stated = self._stated(names)
+        if missing := names - set(stated):
+            never = (
+                missing <= set(self.names.arm.lengths) and length_values([difference], self.names.arm.lengths) is None
+            )
+            return inf if never else None  # no lengths make d_6 + d_G zero
+        try:
+            value = self._at(difference, stated)
+        except TooComplex:
+            raise
+        except EvaluationError:
+            return None
+        self._rest_on(stated)
+        number = value.as_fraction()
+        size = float(number) if number is not None else float(self.members.sampled().from_exact(value)[0])
+        return abs(remainder(size, tau) if is_angle else size)
+
+    # -- what holds there --------------------------------------------------------------------------------------------------
+
+    def _there(self, outcome: Outcome, pair: Pair, one: set[str], other: set[str]) -> Outcome | None:
+        """P_x = l_1 behind θ_1 = 0, θ_2 = π/2: a side without the joints that have values, and equal to the other there."""
+        assert self.names.arm is not None
+        joints = {joint.symbol for joint in self.names.arm.joints}
+        stated = self._stated(joints & (one | other))
+        if not stated or not (set(stated).isdisjoint(one) or set(stated).isdisjoint(other)):
+            return None
+        if not self._vanish(pair, stated):
+            return None
+        if joints & (one if set(stated).isdisjoint(one) else other):  # it may be meant of every configuration
+            return replace(
+                outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.HOLDS_THERE_ALONE),), pair=pair, wrong=[]
+            )
+        self._rest_on(stated)
+        return replace(
+            outcome, verdict=Verdict.CONFIRMED, findings=(say(Kind.HOLDS_THERE),), pair=pair, wrong=[], samples=1
+        )
+
+    def _for_lengths(self, outcome: Outcome, pair: Pair, one: set[str], other: set[str]) -> Outcome | None:
+        """P_x = 0.5 c_1 + 0.3 c_{12}: numbers where the arm has lengths; they are data, or agree with what is stated."""
+        assert self.names.arm is not None
+        lengths = {name: value for name, value in self.names.arm.lengths.items() if name in one | other}
+        numbers = _sides(outcome)[set(lengths).isdisjoint(other)].node
+        if (
+            not lengths
+            or not (set(lengths).isdisjoint(one) or set(lengths).isdisjoint(other))
+            or not _has_factor(numbers)
+        ):
+            return None
+        stated = self._stated(lengths)
+        differences = [self._at(each, stated) for each in _differences(pair)]
+        found = length_values(differences, lengths)
+        if found is None:
+            return self._rounded(outcome, numbers, differences) if len(stated) == len(lengths) else None
+        self._rest_on(stated)
+        if not lengths.keys() - stated.keys():
+            return replace(
+                outcome, verdict=Verdict.CONFIRMED, findings=(say(Kind.FOR_STATED_LENGTHS),), pair=pair, wrong=[]
+            )
+        given = {name: n.Number(value, str(value)) for name, value in found.items()}
+        if lengths.keys() - stated.keys() - given.keys():
+            return replace(
+                outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.NUMBERS_OF_NOWHERE),), pair=pair, wrong=[]
+            )
+        return replace(
+            outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VALUES_OF_LENGTHS, names=sorted(given)),), pair=None,
+            wrong=[], gives=given, defines=tuple(given),
+        )  # fmt: skip
+
+    def _rounded(self, outcome: Outcome, numbers: n.Node, differences: list[Scalar]) -> Outcome | None:
+        """Coefficients that are off by less than a unit of the last decimal are rounded, perhaps."""
+        unit = Fraction(1, 10 ** finest_decimals((numbers,)))
+        if unit == 1 or any(
+            abs(number) >= unit for each in differences for _, number in each.ring.terms(each.numerator)
+        ):
+            return None
+        return replace(outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.NUMBERS_ROUNDED),), wrong=[])
+
+    def _vanish(self, pair: Pair, stated: dict[str, Stated]) -> bool:
+        try:
+            return all(self._at(each, stated).is_zero() for each in _differences(pair))
+        except TooComplex:
+            raise
+        except EvaluationError:
+            return False
+
+
+def _sides(outcome: Outcome) -> tuple[Member, Member]:
+    assert outcome.true is not None and outcome.printed is not None
+    return outcome.true, outcome.printed
+
+
+def _cells(matrix: Matrix) -> list[Scalar]:
+    return [cell for row in matrix.rows for cell in row]
+
+
+def _differences(pair: Pair) -> list[Scalar]:
+    return [a - b for a, b in zip(_cells(pair.true), _cells(pair.printed), strict=True)]
+
+
+def _has_unit(node: n.Node) -> bool:
+    """Whether a value is in millimetres or centimetres: what stands beside it without a unit may be so, too."""
+    return any(isinstance(below, n.Postfix) and below.operator in ("mm", "cm") for below in n.walk(node))
+
+
+def _has_factor(node: n.Node) -> bool:
+    """Whether a number other than 0 and 1 stands in a tree as a term or a factor: no exponent, no multiple of an angle."""
+    if isinstance(node, n.Number):
+        return node.value not in (0, 1)
+    if isinstance(node, n.Power):
+        return _has_factor(node.base)
+    return not (isinstance(node, n.Call) and node.function in ("cos", "sin")) and any(
+        map(_has_factor, n.children(node))
+    )

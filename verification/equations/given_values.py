@@ -1,0 +1,147 @@
+"""What a display gives and does not claim: a configuration, a length's value, where the tool is to be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from math import pi
+
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.decimals import is_number
+from armproof.verification.equations.equality import Equality
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.state import Stated
+from armproof.verification.verdict import Verdict
+
+Pair = tuple[n.Node, n.Node]
+Values = dict[str, n.Node]
+
+
+class GivenValues:
+    """Recognises displays that give data, and keeps the values that they give."""
+
+    def __init__(self, equality: Equality) -> None:
+        self.equality = equality
+        self.members = equality.members
+        self.names = equality.names
+
+    def read(self, chain: n.Chain, line: int, define: bool) -> tuple[str, ...] | None:
+        """Return the names that a display gives values, and keep these; None where it claims something."""
+        first, *others = chain.members
+        values: Values | None = None
+        if len(others) > 1 and all(map(self.members.is_symbol, chain.members[:-1])):  # l_1 = l_2 = 1
+            values = self._together((name, others[-1]) for name in chain.members[:-1])
+        elif others and (len(others) == 1 or all(map(is_number, others))):
+            values = self._values(first, others[0])
+        if define and values:
+            self.remember(values, line)
+        return None if values is None else tuple(values)
+
+    def is_condition(self, chain: n.Chain) -> bool:
+        """Whether joints, or lengths, are said to be equal: θ_1 = θ_2."""
+        names = [member for member in chain.members if isinstance(member, n.Name)]
+        symbols = [self.names.known_symbol(name.key) for name in names]
+        if self.names.arm is None or len(names) < len(chain.members) or len({name.base for name in names}) > 1:
+            return False
+        return None not in symbols and len(set(symbols)) == len(symbols) > 1
+
+    def remember(self, values: Mapping[str, n.Node], line: int) -> None:
+        """Keep values; a joint that had one before begins another configuration, and that of the others is over."""
+        before, joints = self.names.state.configuration, self._joints
+        if any(name in joints and name in before and before[name].line != line for name in values):
+            for name in [name for name, stated in before.items() if name not in self._lengths and stated.line != line]:
+                del before[name]
+        for name, node in values.items():
+            if (value := self._number(node)) is not None:
+                before[name] = Stated(node, value, line, self.names.state.section)
+
+    @property
+    def _joints(self) -> list[str]:
+        return [joint.symbol for joint in self.names.arm.joints] if self.names.arm is not None else []
+
+    @property
+    def _lengths(self) -> Iterable[str]:
+        return self.names.arm.lengths if self.names.arm is not None else ()
+
+    def _values(self, left: n.Node, right: n.Node) -> Values | None:
+        """The values that an equation gives: none where a determinant is set to zero or a coordinate is asked for."""
+        if (pairs := self._entries(left, right)) is not None:
+            return self._together(pairs)
+        if isinstance(left, n.Call) and left.function == "det" and isinstance(right, n.Number) and right.value == 0:
+            at_values = any(isinstance(below, n.At) for below in n.walk(left))  # det J|_{θ_3 = 0} = 0 is a claim
+            return None if at_values or self._vanishes(left) else {}
+        if self.names.arm is None or not isinstance(left, n.Name):
+            return None
+        symbol = self.names.known_symbol(replace(left, dots=0).key)
+        if left.dots:
+            rate = "dot" * left.dots + f" {symbol}"
+            return {rate: right} if symbol is not None and is_number(right) else None
+        if symbol is None:
+            return {} if self._is_given_coordinate(left, right) else None
+        is_value = self._is_joint_value(right) if symbol in self._joints else self._is_length_value(symbol, right)
+        return {symbol: right} if is_value else None
+
+    def _together(self, pairs: Iterable[Pair]) -> Values | None:
+        found = [self._values(*pair) for pair in pairs]
+        return None if None in found else {name: node for each in found for name, node in (each or {}).items()}
+
+    def _entries(self, left: n.Node, right: n.Node) -> list[Pair] | None:
+        """The entries of (θ_1, θ_2) = (0, π/2), of a column of joints, of q: each gives a value."""
+        names, values = _cells(left), _cells(right)
+        key = left.key if isinstance(left, n.Name) else ""
+        if key in ("q", "theta") and self.names.known_symbol(key) is None and key not in self.names.state.definitions:
+            names = [n.Name(*symbol.partition("_")[::2]) for symbol in self._joints]
+        return list(zip(names, values, strict=True)) if names and values and len(names) == len(values) else None
+
+    def _is_joint_value(self, value: n.Node) -> bool:
+        names = [below.key for below in n.walk(value) if isinstance(below, n.Name)]
+        calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(value))
+        return (not calls or is_number(value)) and all(key in ("pi", "k", "n") for key in names)
+
+    def _is_given_coordinate(self, name: n.Name, value: n.Node) -> bool:
+        """P_x = 0.5 is where the tool is asked to be, when P_x depends on the joints; P_x = 0 would be a claim."""
+        quantity = self.names.quantity(name)
+        if quantity is None or not quantity.scalar or not is_number(value):
+            return False
+        numbers = [below for below in n.walk(value) if isinstance(below, n.Number)]
+        moving, asked = self.members.evaluate(name), self.members.evaluate(value)
+        if not any("." in number.text or number.value >= 2 for number in numbers) or not isinstance(
+            moving.value, Scalar
+        ):
+            return False
+        here = self.equality.compare(moving, asked, 0, False)
+        # at the configuration given before it is a claim, and right
+        return bool(symbols_in([moving.value])) and here.verdict is not Verdict.CONFIRMED
+
+    def _is_length_value(self, symbol: str, value: n.Node) -> bool:
+        """A length set to a number is data: its symbol stands for any."""
+        walked = n.walk(value)
+        return symbol in self._lengths and not any(isinstance(b, n.Name | n.Call | n.Matrix) for b in walked)
+
+    def _number(self, node: n.Node) -> float | None:
+        value = self.members.evaluate(node).value
+        if not isinstance(value, Scalar):
+            return None
+        if (number := value.as_fraction()) is not None:
+            return float(number)
+        if (turns := (value / self.members.exact.pi()).as_fraction()) is not None:
+            return float(turns) * pi
+        return float(self.members.sampled().from_exact(value)[0])
+
+    def _vanishes(self, node: n.Node) -> bool:
+        member = self.members.evaluate(node)
+        constant = isinstance(member.value, Scalar) and member.value.as_fraction() is not None
+        return member.problem is not None or constant or bool(getattr(member.value, "is_zero", bool)())
+
+
+def _cells(node: n.Node) -> Sequence[n.Node]:
+    """The entries of a list, of a row or of a column, transposed or not; none of another tree."""
+    node = bare(node)
+    if isinstance(node, n.Postfix) and node.operator == "T":
+        node = bare(node.base)
+    if isinstance(node, n.Sequence):
+        return node.items
+    column = isinstance(node, n.Matrix) and (len(node.rows) == 1 or all(len(row) == 1 for row in node.rows))
+    return [cell for row in node.rows for cell in row] if isinstance(node, n.Matrix) and column else ()
