@@ -128,18 +128,20 @@ class StatedValues:
         assert self.names.arm is not None
         names = symbols_in([difference])
         stated = self._stated(names)
-        if missing := names - set(stated):
-            never = (
-                missing <= set(self.names.arm.lengths) and length_values([difference], self.names.arm.lengths) is None
-            )
-            return inf if never else None  # no lengths make d_6 + d_G zero
+        missing, lengths = names - set(stated), self.names.arm.lengths
+        if not missing <= set(lengths):
+            return None
         try:
             value = self._at(difference, stated)
         except TooComplex:
             raise
         except EvaluationError:
             return None
+        if missing and length_values([value], lengths) is not None:
+            return None
         self._rest_on(stated)
+        if missing:  # no lengths make d_6 + d_G zero
+            return inf
         number = value.as_fraction()
         size = float(number) if number is not None else float(self.members.sampled().from_exact(value)[0])
         return abs(remainder(size, tau) if is_angle else size)
