@@ -18,6 +18,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 
@@ -88,7 +89,7 @@ class StatedValues:
 
     # -- numbers ---------------------------------------------------------------------------------------------------------
 
-    def _numbers(self, outcome: Outcome, pairs: Sequence[Pair], numbers: n.Node) -> Outcome:
+    def _numbers(self, outcome: Outcome, pairs: Sequence[Pair], numbers: n.Node) -> Outcome | None:
         tried = [self._judged(pair, numbers) for pair in pairs]
         best = min(tried, key=lambda each: (len(each.wrong), len(each.open)))
         outcome.pair, outcome.wrong = best.pair, []
@@ -97,12 +98,19 @@ class StatedValues:
             outcome.wrong, outcome.there = best.wrong, {name: value.value for name, value in stated.items()}
             sides = [side.map(lambda cell: self._at(cell, stated)) for side in (best.pair.true, best.pair.printed)]
             outcome.pair = replace(best.pair, true=sides[0], printed=sides[1])
+        elif best.open and not best.wrong and self._says_that_it_vanishes(outcome):
+            return None
         elif best.wrong or best.open:
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.NUMBERS_OF_NOWHERE),)
         else:
             outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, best.largest
             outcome.findings = (say(Kind.TO_DECIMALS_THERE),)
         return outcome
+
+    def _says_that_it_vanishes(self, outcome: Outcome) -> bool:
+        """z_3 × (p_4 − p_3) = 0 says so of every configuration; p_4 = 0 does not."""
+        zero = any(bare(side.node) == n.Number(Fraction(0)) for side in _sides(outcome))
+        return zero and any(isinstance(bare(side.node), n.Sum | n.Product) for side in _sides(outcome))
 
     def _judged(self, pair: Pair, numbers: n.Node) -> _Numbers:
         """Compare entry by entry, as the numbers are rounded."""

@@ -139,6 +139,8 @@ class Case:
     def explained_by(self, candidates: Iterable[Candidate]) -> Explanation:
         """Return the candidate that was obtained in every block that is wrong, with the fewest exceptions."""
         best = Explanation()
+        if self.fits and not self.wrong:  # right but for rounding, beside numbers that are large
+            return best
         place = self._in_question if self.fits else np.ones(self.obtained.shape[1:], dtype=bool)
         first, limit = self.obtained[0][place], TOLERANCE * self.size[0][place]
         for finding, values in candidates:
