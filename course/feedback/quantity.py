@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -18,12 +18,12 @@ from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.asked import read_asked
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.returned import NotAttempted
-from armproof.verification.functions.telling import unit_of
 
 FEW = 8  # samples by which two answers are told apart
 NOTHING_YET = "`{}`: no answer yet, nothing to draw."
@@ -63,9 +63,8 @@ class Quantity:
             "quantities": {ASKED: dict(self.quantity)},
         }
         (asked,) = read_asked(self.loaded, self.quantity)
-        return Claim(
-            front, unit=lambda row, column: unit_of(self.loaded, asked.quantity, row, column), names=self.names
-        )
+        kind = kind_of(asked.quantity)
+        return Claim(front, unit=partial(kind.unit, asked.quantity, self.loaded), names=self.names)
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the joint values, or a formula."""

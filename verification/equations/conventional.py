@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from armproof.verification.algebra.kinds import as_front_matter, kind_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
@@ -294,10 +295,9 @@ class Conventions:
         return not symbols & lengths and not lengths & self.names.state.configuration.keys()
 
     def _finding(self, key: str, quantity: Quantity) -> Finding:
-        if not quantity.front_matter:
-            return say(Kind.NOT_AS_USUAL, name=key, reading=quantity.words)
-        line = f'quantities: {{"{key}": {quantity.front_matter}}}'
-        return say(Kind.NOT_AS_USUAL_BOUND, name=key, reading=quantity.words, line=line)
+        spec = ", ".join(f"{option}: {value}" for option, value in as_front_matter(quantity).items())
+        line = f'quantities: {{"{key}": {{{spec}}}}}'
+        return say(Kind.NOT_AS_USUAL_BOUND, name=key, reading=kind_of(quantity).tell(quantity), line=line)
 
 
 def is_near(pair: Pair) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
@@ -99,7 +100,9 @@ class Members:
         for below in n.walk(node):
             if isinstance(below, n.Name) and (quantity := self.quantity_of(replace(below, dots=0))) is not None:
                 times = "rate of change of the " if below.dots == 1 else "derivative of the " if below.dots else ""
-                found.setdefault(below.base if below.sub.startswith("rows") else below.key, times + quantity.words)
+                found.setdefault(
+                    below.base if below.sub.startswith("rows") else below.key, times + kind_of(quantity).tell(quantity)
+                )
         alone = len(found) == 1 and isinstance(n.ungrouped(node), n.Name | n.Call)
         return next(iter(found.values())) if alone else "; ".join(f"{key}: {words}" for key, words in found.items())
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -13,16 +12,17 @@ from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import derivative, substitute
-from armproof.verification.algebra.matrix import Matrix, column, exact_rank
-from armproof.verification.algebra.protocol import Algebra, OutsideAlgebra, Value, link_matrix
-from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.verification.algebra.kinds import OfArm, kind_of
+from armproof.verification.algebra.matrix import Matrix, exact_rank
+from armproof.verification.algebra.protocol import Algebra, OutsideAlgebra, Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.roots import arc, atan2, sqrt
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.findings import Kind, finding_of, say
 
 
-class ArmAlgebra(Algebra):
+class ArmAlgebra(OfArm):
     """An algebra that takes the poses and Jacobians of an arm from its plant; without an arm it has link matrices only."""
 
     def __init__(self, arm: Arm | None) -> None:
@@ -45,14 +45,6 @@ class ArmAlgebra(Algebra):
     def divide_by(self, denominator: Any) -> None:
         """Divide by anything that is not zero."""
 
-    @abstractmethod
-    def pose(self, frame: str, reference: str) -> Matrix:
-        """Return ^{reference}T_{frame}, 4×4."""
-
-    @abstractmethod
-    def jacobian(self, frame: str, expressed_in: str) -> Matrix:
-        """Return the 6×n Jacobian at the frame's origin, relative to the arm's first frame, rows [v; ω]."""
-
     def quantity(self, quantity: Quantity) -> Value:
         """Return a quantity of the arm: a Matrix, or a scalar where one component is meant."""
         if quantity not in self._cache:
@@ -62,78 +54,7 @@ class ArmAlgebra(Algebra):
 
     def whole(self, quantity: Quantity) -> Matrix:
         """Return the matrix or column of which the quantity may be a few rows and columns."""
-        if quantity.kind == "link":
-            return link_matrix(self, quantity.frame)
-        assert self.arm is not None
-        if quantity.kind == "joint":
-            return column([self.symbol(quantity.frame)])
-        if quantity.kind == "vector":
-            return column([self.symbol(joint.symbol) for joint in self.arm.joints])
-        if quantity.kind == "jacobian":
-            return self.jacobian(quantity.frame, quantity.reference)
-        if quantity.kind in _OF_JACOBIAN:
-            return _OF_JACOBIAN[quantity.kind](self, quantity)
-        pose = self.pose(quantity.frame, quantity.reference)
-        if quantity.kind == "difference":
-            start = self.pose(quantity.start, quantity.reference)
-            pairs = zip(_origin(pose), _origin(start), strict=True)
-            return column([to - since for to, since in pairs])
-        return _part_of_pose(quantity, pose)
-
-
-def _velocity(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
-    assert algebra.arm is not None
-    rates = column([algebra.symbol(f"dot {joint.symbol}") for joint in algebra.arm.joints])
-    return algebra.jacobian(quantity.frame, quantity.reference) @ rates
-
-
-def _angle(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
-    """The sum of the joints' angles of a planar arm, each with the sign of its axis: what J's last row holds."""
-    assert algebra.arm is not None
-    joints = column([algebra.symbol(joint.symbol) for joint in algebra.arm.joints])
-    return algebra.jacobian(quantity.frame, algebra.arm.frames[0]).block([5], range(len(algebra.arm.joints))) @ joints
-
-
-def _task(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
-    pose = algebra.pose(quantity.frame, quantity.reference)
-    return Matrix((*pose.block(range(2), [3]).rows, *_angle(algebra, quantity).rows))
-
-
-def _determinant(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
-    return column([_rows_of_jacobian(algebra, quantity).determinant()])
-
-
-def _manipulability(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
-    part = _rows_of_jacobian(algebra, quantity)
-    return column([algebra.sqrt((part @ part.transpose).determinant())])
-
-
-def _rows_of_jacobian(algebra: ArmAlgebra, quantity: Quantity) -> Matrix:
-    whole = algebra.jacobian(quantity.frame, quantity.reference)
-    return whole.block([row - 1 for row in quantity.rows or range(1, 7)], range(whole.shape[1]))
-
-
-_OF_JACOBIAN: Mapping[str, Callable[[ArmAlgebra, Quantity], Matrix]] = {
-    "velocity": _velocity,
-    "angle": _angle,
-    "task": _task,
-    "determinant": _determinant,
-    "manipulability": _manipulability,
-}
-
-
-def _origin(pose: Matrix) -> Sequence[Any]:
-    return pose.block(range(3), [3]).vector()
-
-
-def _part_of_pose(quantity: Quantity, pose: Matrix) -> Matrix:
-    if quantity.kind == "rotation":
-        return pose.block(range(3), range(3))
-    if quantity.kind == "origin":
-        return pose.block(range(4 if quantity.homogeneous else 3), [3])
-    if quantity.kind == "axis":
-        return pose.block(range(4 if quantity.homogeneous else 3), [COMPONENTS[quantity.along]])
-    return pose
+        return kind_of(quantity).whole(quantity, self)
 
 
 def _select(quantity: Quantity, whole: Matrix) -> Value:

@@ -57,7 +57,6 @@ class Kind(MessageKind):
     DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
-    NOT_AS_USUAL = "not_as_usual", "`{name}` is usually {reading}, and that is something else: not decided"
     NOT_AS_USUAL_BOUND = (
         "not_as_usual_bound",
         "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}",
@@ -621,6 +620,9 @@ class Kind(MessageKind):
     UNKNOWN_AXIS = "unknown_axis", "quantity '{quantity}': along must be x, y or z, not {value}"
     NO_ROW_AND_COLUMN = "no_row_and_column", "quantity '{quantity}': component of a pose is [row, column], not {value}"
     UNKNOWN_COMPONENT = "unknown_component", "quantity '{quantity}': component must be x, y or z, not {value}"
+    NOT_PLANAR = "not_planar", "only an arm that moves in a plane has this {kind_name}, not '{arm}'"
+    NOT_SQUARE_ROWS = "not_square_rows", "the determinant is that of as many rows of the Jacobian as there are joints, {joints}, not of {rows}: name them with `rows`"
+    TOO_MANY_ROWS = "too_many_rows", "the manipulability of {rows} rows of the Jacobian of {joints} joints is 0: name at most {joints} with `rows`"
     NO_INDICES = "no_indices", "quantity '{quantity}': {option} must be a list of indices counted from 1, not {value}"
     NO_SUCH_COLUMN = "no_such_column", "quantity '{quantity}': a {kind_name} has {most} columns, there is no column {index}"
     INVERSE_WITHOUT_ARM = "inverse_without_arm", "'inverse' solves for the joints of an arm, but the front matter names no arm"

@@ -10,6 +10,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Finding, Kind, say
@@ -61,8 +62,9 @@ def _read_one(arm: Arm, asked: Any) -> Asked:
             quantity = read_quantity(label, {key: _plain(value) for key, value in asked.items()}, arm)
         except DocumentError as error:
             raise QuestionError(str(error)) from None
-        if quantity.kind == "link":
-            raise QuestionError("a general link matrix is no quantity of an arm; ask for a pose, {pose: 1}")
+        if not kind_of(quantity).of_joints:
+            raise QuestionError("a {kind} is no quantity of an arm that its joint values decide; ask for a pose, {{pose: 1}}, or a Jacobian, {{jacobian: 1}}",
+                kind=quantity.kind)  # fmt: skip
         return Asked(label, quantity)
     raise QuestionError("a quantity is a name such as 'T^0_4' or 'J', or a mapping such as {{'pose': 4}}, not {asked}",
         asked=f"{asked!r:.60}")  # fmt: skip

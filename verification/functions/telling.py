@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.diagnosis.causes.probes import probes, simple
 from armproof.verification.functions.asked import TOLERANCE, Part, read_part, scaled_errors, wrong_entries
 from armproof.verification.functions.caller import FunctionCaller, Stopped
@@ -80,7 +80,7 @@ def _table(arm: Arm, shown: Shown) -> tuple[tuple[TableRow, ...], set[tuple[int,
     rows, seen = [], set()
     for part, obtained, true in shown:
         for place in wrong_entries(obtained[None], true[None]):
-            unit = unit_of(arm, part.asked.quantity, *place)
+            unit = kind_of(part.asked.quantity).unit(part.asked.quantity, arm, *place)
             row, column = (None, None) if part.is_scalar else (place[0] + 1, place[1] + 1)
             rows.append(TableRow(part.number, row, column, float(true[place]), float(obtained[place]), unit))
             if not abs(true[place] - obtained[place]) <= VISIBLE:
@@ -90,21 +90,3 @@ def _table(arm: Arm, shown: Shown) -> tuple[tuple[TableRow, ...], set[tuple[int,
 
 def _named(arm: Arm, q: np.ndarray) -> dict[str, float]:
     return {joint.symbol: float(value) for joint, value in zip(arm.joints, q, strict=True)}
-
-
-def unit_of(arm: Arm, quantity: Quantity, row: int, column: int) -> str:
-    """Return the unit of an entry (from 0): m, rad, m/rad, rad/m or – for none."""
-    row = quantity.rows[row] - 1 if quantity.rows else row
-    column = quantity.columns[column] - 1 if quantity.columns else column
-    if quantity.kind == "jacobian":
-        above = "m" if row < 3 else "rad"
-        below = "rad" if arm.joints[column].kind == "revolute" else "m"
-        return "–" if above == below else f"{above}/{below}"
-    if quantity.kind == "pose":
-        return "m" if column == 3 and row < 3 else "–"
-    if quantity.kind in ("origin", "difference"):
-        return "m" if row < len(COMPONENTS) else "–"
-    if quantity.kind in ("joint", "vector"):
-        name = quantity.frame if quantity.kind == "joint" else arm.joints[row].symbol
-        return "rad" if arm.joint(name).kind == "revolute" else "m"
-    return "–"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.kinds import KINDS, kind_of
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, finding_of, say
@@ -15,7 +16,7 @@ from armproof.verification.naming.quantities import read_quantity
 
 OPTIONS = ("target", "solve")
 _WHOLE = ("pose", "rotation", "origin")
-_SHAPES = (*_WHOLE, "axis")
+_PARTS = [kind.name for kind in KINDS.values() if kind.matrix == "pose"]
 _EXAMPLE = "target: [X, Y, psi], or target: {pose: 6}"
 Pair = tuple[str, str]  # frame, reference
 Part = tuple[
@@ -140,7 +141,7 @@ def _target(parts: list[Part]) -> Target:
     whole = parts[0][2]
     shape: tuple[int, ...] = (len(slots),)
     if len(parts) == 1 and whole is not None and not whole.scalar:
-        rows, columns = whole.places(0)
+        rows, columns = kind_of(whole).block(whole)
         shape = (len(rows), len(columns)) if len(columns) > 1 else (len(rows),)
     return Target(slots, shape, tuple(name for name, _, _ in parts))
 
@@ -148,10 +149,9 @@ def _target(parts: list[Part]) -> Target:
 def _slots(name: str, key: str, quantity: Quantity | None) -> list[Slot]:
     if quantity is None:
         return [Slot(name, key)]
-    if quantity.kind not in _SHAPES or quantity.homogeneous:
-        shapes = list(_SHAPES)
-        raise DocumentError(say(Kind.NO_PART_OF_TARGET, name=name, kind_name=quantity.kind, shapes=shapes), "inverse")
-    rows, columns = quantity.places(0)
+    if quantity.kind not in _PARTS or quantity.homogeneous:
+        raise DocumentError(say(Kind.NO_PART_OF_TARGET, name=name, kind_name=quantity.kind, shapes=_PARTS), "inverse")
+    rows, columns = kind_of(quantity).block(quantity)
     cells = [(r, row, c, column) for r, row in enumerate(rows, 1) for c, column in enumerate(columns, 1)]
     frame, reference = quantity.frame, quantity.reference
     if len(cells) == 1:

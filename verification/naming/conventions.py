@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from armproof.models.arm import Arm, once_per_arm
-from armproof.models.exact.trace import trace_of
+from armproof.models.arm import Arm
+from armproof.verification.algebra.kinds import is_planar
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames, transform_pair
@@ -61,14 +61,6 @@ def applied(name: n.Name, arm: Arm) -> tuple[Quantity, ...]:
     tools = dict.fromkeys((_tool(arm), _last(arm)))
     kinds = ("origin", "pose", "task") if is_planar(arm) else ("origin", "pose")
     return tuple(Quantity(kind, frame, arm.frames[0]) for frame in tools for kind in kinds)
-
-
-@once_per_arm
-def is_planar(arm: Arm) -> bool:
-    """Whether every revolute axis is parallel to z_0: then the tool's orientation is a sum of the joints' angles."""
-    rows = trace_of(arm).jacobian(arm.frames[-1], arm.frames[0], arm.frames[0])
-    turning = [index for index, joint in enumerate(arm.joints) if joint.kind == "revolute"]
-    return bool(turning) and not any(rows[row][index] for row in (3, 4) for index in turning)
 
 
 def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Iterator[Quantity]:

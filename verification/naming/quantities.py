@@ -7,88 +7,71 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.kinds import KINDS, QuantityKind, kind_of
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 
-KINDS = ("pose", "rotation", "origin", "axis", "jacobian", "link", "difference", "joint", "vector")
-OPTIONS = {
-    "pose": {"in", "rows", "columns", "component"},
-    "rotation": {"in", "rows", "columns"},
-    "origin": {"in", "component", "rows", "homogeneous"},
-    "axis": {"in", "component", "along", "rows", "homogeneous"},
-    "jacobian": {"in", "rows", "columns"},
-    "link": {"rows", "columns"},
-    "difference": {"in", "component", "rows", "homogeneous"},
-    "joint": set(),
-    "vector": set(),
-}
-
 
 def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
     """Return the quantity that a front-matter entry describes; raises DocumentError with the valid choices."""
-    if not isinstance(spec, Mapping) or len(kinds := [kind for kind in KINDS if kind in spec]) != 1:
+    if not isinstance(spec, Mapping) or len(named := [kind for name, kind in KINDS.items() if name in spec]) != 1:
         raise DocumentError(say(Kind.QUANTITY_OF_NO_KIND, quantity=key, kinds=list(KINDS), value=repr(spec)))
-    kind = kinds[0]
-    unknown = set(map(str, spec)) - OPTIONS[kind] - {kind}
+    (kind,) = named
+    unknown = set(map(str, spec)) - kind.options - {kind.name}
     if unknown:
-        valid = ", ".join(sorted(OPTIONS[kind])) or "none"
-        raise DocumentError(
-            say(Kind.UNKNOWN_OPTION, quantity=key, options=sorted(unknown), kind_name=kind, valid=valid)
-        )
-    if kind == "link":
-        if spec["link"] not in ("classic", "modified"):
-            raise DocumentError(say(Kind.UNKNOWN_LINK, quantity=key, value=repr(spec["link"])))
-        return Quantity(
-            "link", str(spec["link"]), rows=_indices(key, spec, "rows"), columns=_indices(key, spec, "columns")
-        )
+        valid = ", ".join(sorted(kind.options)) or "none"
+        found = {"options": sorted(unknown), "kind_name": kind.name, "valid": valid}
+        raise DocumentError(say(Kind.UNKNOWN_OPTION, quantity=key, **found))
+    if kind.name == "link":
+        return _link(key, spec)
     if arm is None:
         raise DocumentError(say(Kind.QUANTITY_WITHOUT_ARM, quantity=key))
-    if kind == "vector":
+    if kind.name == "vector":
         return Quantity("vector", "q")
-    if kind == "joint":
-        symbols = [joint.symbol for joint in arm.joints]
-        if str(spec["joint"]) not in symbols:
-            raise DocumentError(say(Kind.UNKNOWN_JOINT, quantity=key, joint=str(spec["joint"]), joints=symbols))
-        return Quantity("joint", str(spec["joint"]), scalar=True)
-    start = "0"
-    frame = spec[kind]
-    if kind == "difference":
+    if kind.name == "joint":
+        return _joint(key, str(spec["joint"]), arm)
+    quantity = _of_frame(key, spec, kind, arm)
+    if (problem := kind.problem(quantity, arm)) is not None:
+        raise DocumentError(say(Kind.IN_QUANTITY, quantity=key, problem=problem))
+    return quantity
+
+
+def _link(key: str, spec: Mapping) -> Quantity:
+    if spec["link"] not in ("classic", "modified"):
+        raise DocumentError(say(Kind.UNKNOWN_LINK, quantity=key, value=repr(spec["link"])))
+    rows, columns = (_indices(key, spec, option) for option in ("rows", "columns"))
+    return Quantity("link", str(spec["link"]), rows=rows, columns=columns)
+
+
+def _joint(key: str, symbol: str, arm: Arm) -> Quantity:
+    symbols = [joint.symbol for joint in arm.joints]
+    if symbol not in symbols:
+        raise DocumentError(say(Kind.UNKNOWN_JOINT, quantity=key, joint=symbol, joints=symbols))
+    return Quantity("joint", symbol, scalar=True)
+
+
+def _of_frame(key: str, spec: Mapping, kind: QuantityKind, arm: Arm) -> Quantity:
+    start, frame = "0", spec[kind.name]
+    if kind.name == "difference":
         if not (isinstance(frame, list) and len(frame) == 2):
             raise DocumentError(say(Kind.NOT_TWO_FRAMES, quantity=key, value=repr(frame)))
         start = frame_name(arm, str(frame[1]), key)
         frame = frame[0]
     reference = frame_name(arm, str(spec["in"]), key) if "in" in spec else arm.frames[0]
     rows, columns = _indices(key, spec, "rows"), _indices(key, spec, "columns")
-    for option, indices, most in (("rows", rows, _height(kind)), ("columns", columns, _width(kind, arm))):
+    width = kind.width or len(arm.joints)
+    for indices, most, beyond in ((rows, kind.height, Kind.NO_SUCH_ROW), (columns, width, Kind.NO_SUCH_COLUMN)):
         if indices and max(indices) > most:
-            beyond = Kind.NO_SUCH_ROW if option == "rows" else Kind.NO_SUCH_COLUMN
-            raise DocumentError(say(beyond, quantity=key, kind_name=kind, most=most, index=max(indices)))
-    quantity = Quantity(
-        kind,
-        frame_name(arm, str(frame), key),
-        reference,
-        rows,
-        columns,
-        start=start,
-        homogeneous=bool(spec.get("homogeneous", False)),
-    )
-    if "along" in spec:
-        if spec["along"] not in COMPONENTS:
-            raise DocumentError(say(Kind.UNKNOWN_AXIS, quantity=key, value=repr(spec["along"])))
-        quantity = replace(quantity, along=str(spec["along"]))
-    if "component" in spec:
-        quantity = _component(key, quantity, spec["component"])
-    return quantity
-
-
-def _height(kind: str) -> int:
-    return {"pose": 4, "jacobian": 6}.get(kind, 3)
-
-
-def _width(kind: str, arm: Arm) -> int:
-    return len(arm.joints) if kind == "jacobian" else {"pose": 4, "rotation": 3}.get(kind, 1)
+            raise DocumentError(say(beyond, quantity=key, kind_name=kind.name, most=most, index=max(indices)))
+    along = str(spec.get("along", "z"))
+    if along not in COMPONENTS:
+        raise DocumentError(say(Kind.UNKNOWN_AXIS, quantity=key, value=repr(spec["along"])))
+    homogeneous = bool(spec.get("homogeneous", False))
+    name = frame_name(arm, str(frame), key)
+    quantity = Quantity(kind.name, name, reference, rows, columns, along, start, kind.scalar, homogeneous)
+    return _component(key, quantity, spec["component"]) if "component" in spec else quantity
 
 
 def _component(key: str, quantity: Quantity, component: object) -> Quantity:
@@ -98,7 +81,7 @@ def _component(key: str, quantity: Quantity, component: object) -> Quantity:
         return replace(quantity, rows=(component[0],), columns=(component[1],), scalar=True)
     if component not in COMPONENTS:
         raise DocumentError(say(Kind.UNKNOWN_COMPONENT, quantity=key, value=repr(component)))
-    return replace(quantity, rows=(COMPONENTS[str(component)] + 1,), scalar=True)
+    return kind_of(quantity).component(quantity, str(component))
 
 
 def _indices(key: str, spec: Mapping, option: str) -> tuple[int, ...] | None:

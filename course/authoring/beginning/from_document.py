@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import fields, replace
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import replace
 
 from armproof.course.authoring.beginning.code import written
 from armproof.course.authoring.beginning.drafts import Draft, completed, draft_of_quantity
 from armproof.models.arm import Arm
-from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.verification.algebra.kinds import as_front_matter, kind_of
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
 from armproof.verification.latex import nodes as n
@@ -53,8 +52,10 @@ def _draft(document: Document, arm: Arm, checker: DocumentChecker, display: Disp
     front = {key: document.front[key] for key in _MEANING if key in document.front}
     quantity = checker.checker.quantity_of(chain.members[0])
     if quantity is not None:
-        spec = as_mapping(quantity)
-        return draft_of_quantity(arm, document.front["arm"], spec, name, title, text, answer, **front) if spec else None
+        if quantity.frame not in arm.frames or not kind_of(quantity).of_joints:
+            return None
+        spec = as_front_matter(quantity)
+        return draft_of_quantity(arm, document.front["arm"], spec, name, title, text, answer, **front)
     return _draft_of_formula(document, arm, checker.names, chain, (asked, answer), (name, title, text))
 
 
@@ -108,29 +109,3 @@ def _symbols(names: Names, arm: Arm, node: n.Node) -> Iterator[str]:
 
 def _text_of(display: Display, node: n.Node) -> str:
     return " ".join(display.latex[node.span[0] : node.span[1]].split())
-
-
-def as_mapping(quantity: Quantity) -> Mapping[str, Any] | None:
-    """Return a quantity as a front matter writes it; None for one that belongs to no frame."""
-    if quantity.kind not in ("pose", "rotation", "origin", "axis", "jacobian", "difference"):
-        return None
-    frame, start = (int(name) if name.isdigit() else name for name in (quantity.frame, quantity.start))
-    spec: dict[str, Any] = {quantity.kind: [frame, start] if quantity.kind == "difference" else frame}
-    defaults = {spec.name: spec.default for spec in fields(Quantity)}
-    if quantity.reference != defaults["reference"]:
-        spec["in"] = quantity.reference
-    if quantity.along != defaults["along"]:
-        spec["along"] = quantity.along
-    if quantity.homogeneous:
-        spec["homogeneous"] = True
-    return spec | _part(quantity)
-
-
-def _part(quantity: Quantity) -> dict[str, Any]:
-    if not quantity.scalar:
-        parts = {"rows": quantity.rows, "columns": quantity.columns}
-        return {key: list(value) for key, value in parts.items() if value is not None}
-    row = (quantity.rows or (1,))[0]
-    if quantity.kind == "pose":
-        return {"component": [row, (quantity.columns or (1,))[0]]}
-    return {"component": list(COMPONENTS)[row - 1]}

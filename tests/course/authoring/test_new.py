@@ -10,7 +10,6 @@ import pytest
 
 from armproof.course.authoring.beginning.drafts import as_task, drafts_of_arm
 from armproof.course.authoring.beginning.exact_text import as_matrix, write_quantity
-from armproof.course.authoring.beginning.from_document import as_mapping
 from armproof.course.authoring.beginning.new import new_lesson
 from armproof.course.authoring.beginning.python_text import NotPython, write_python
 from armproof.course.authoring.beginning.slips import slips
@@ -23,6 +22,7 @@ from armproof.course.sources.lesson_source import read_lesson_source
 from armproof.course.sources.places import COURSE, Place
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.kinds import as_front_matter
 from armproof.verification.latex.reader import Reader
 from armproof.verification.naming.quantities import read_quantity
 
@@ -170,7 +170,7 @@ def test_what_is_no_python_is_refused(latex: str):
 def test_a_quantity_is_written_back_as_the_front_matter_has_it(spec):
     arm = load_arm("scara")
     quantity = read_quantity("asked", spec, arm)
-    assert read_quantity("asked", as_mapping(quantity), arm) == quantity
+    assert read_quantity("asked", as_front_matter(quantity), arm) == quantity
 
 
 def test_what_is_too_long_to_type_is_not_written(monkeypatch):

@@ -11,6 +11,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.quantities import numbered_frames
@@ -99,7 +100,7 @@ class Case:
 
     def selected(self, whole: np.ndarray) -> np.ndarray:
         """Return what the quantity names of a 4×4 pose, or of a 6×n Jacobian, at each configuration."""
-        rows, columns = self.quantity.places(whole.shape[2])
+        rows, columns = kind_of(self.quantity).block(self.quantity, whole.shape[2])
         return np.asarray(whole[:, rows][:, :, columns])
 
     @cached_property

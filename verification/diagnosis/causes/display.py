@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.diagnosis.causes.case import Case
@@ -19,7 +20,6 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 
 _MOST_TERMS = 5000  # of a printed matrix that is sampled
-_KINDS = ("pose", "rotation", "origin", "axis", "jacobian")
 
 
 def display_case(checker: ChainChecker, outcome: Outcome) -> Case | None:
@@ -47,7 +47,7 @@ def _quantity(checker: ChainChecker, outcome: Outcome) -> Quantity | None:
     if outcome.pair is None or outcome.true is None or outcome.sampled_only:
         return None
     quantity = checker.quantity_of(outcome.true.node)
-    if quantity is None or quantity.kind not in _KINDS or quantity.scalar:
+    if quantity is None or not kind_of(quantity).matrix or quantity.scalar:
         return None
     rows = outcome.pair.true_rows
     return quantity if rows is None else replace(quantity, rows=tuple(row + 1 for row in rows))

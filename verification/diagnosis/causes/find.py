@@ -8,6 +8,7 @@ from itertools import accumulate, chain, pairwise
 
 import numpy as np
 
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.diagnosis.causes.axes import axis_candidates, constructions
 from armproof.verification.diagnosis.causes.case import Candidate, Case, Explanation
 from armproof.verification.diagnosis.causes.frames import constant_offset, other_poses, pose_slips
@@ -28,7 +29,6 @@ from armproof.verification.diagnosis.causes.shapes import permutation_cause, sha
 from armproof.verification.findings import Kind, say
 
 Search = Callable[[Case], Explanation]
-_KINDS = ("pose", "rotation", "origin", "axis", "difference", "jacobian")
 FAR_FETCHED = 1000  # exceptions: what only bounds a mistake yields to any that names it
 
 
@@ -92,7 +92,8 @@ def find_slip(case: Case, best: Explanation) -> Explanation:
 
 def _has_no_cause(case: Case) -> bool:
     """Whether none is sought: of zeros, everything's special case; and of what is no pose, Jacobian or a part of one."""
-    return case.quantity.kind not in _KINDS or (case.fits and not case.obtained.any())
+    of_frames = kind_of(case.quantity).matrix or case.quantity.kind == "difference"
+    return not of_frames or (case.fits and not case.obtained.any())
 
 
 def _rest(case: Case) -> Explanation:

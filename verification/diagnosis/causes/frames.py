@@ -6,11 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.diagnosis.causes.case import Candidate, Case, changed
 from armproof.verification.findings import Finding, Kind, say
-
-_OF_FRAMES = ("pose", "rotation", "origin", "axis")
 
 
 def other_poses(case: Case) -> Iterator[Candidate]:
@@ -23,7 +22,7 @@ def other_poses(case: Case) -> Iterator[Candidate]:
     yield say(Kind.SIGN_OF_WHOLE), -case.true
     if not case.is_printed:
         yield from _inverted(case, Kind.INVERSE_COMPUTED)
-    if quantity.kind in _OF_FRAMES:
+    if kind_of(quantity).matrix == "pose":
         yield from _other_frames(case)
     if quantity.kind == "axis":
         yield from _other_axes(case)
@@ -61,7 +60,7 @@ def _other_axes(case: Case) -> Iterator[Candidate]:
 def pose_slips(case: Case) -> Iterator[Candidate]:
     """Yield a pose, a rotation, an origin or an axis with a slip in it: a row, a sign, a unit, the rotation alone."""
     quantity = case.quantity
-    if quantity.kind not in _OF_FRAMES:
+    if kind_of(quantity).matrix != "pose":
         return
     X, rotation, origin = case.whole, np.s_[:, :3, :3], np.s_[:, :3, 3]
     yield say(Kind.ROTATION_TRANSPOSED), case.selected(changed(X, rotation, X[rotation].transpose(0, 2, 1)))

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Candidate, Case, changed
 from armproof.verification.findings import Kind, say
 
@@ -45,7 +46,8 @@ def _blocks_of_rows(case: Case, J: np.ndarray) -> Iterator[Candidate]:
     rows = [row - 1 for row in case.quantity.rows or ()]
     order = [row for row in rows if row >= 3] + [row for row in rows if row < 3]
     if order != rows:
-        yield say(Kind.SOME_BLOCKS_SWAPPED), J[:, order][:, :, case.quantity.places(J.shape[2])[1]]
+        columns = kind_of(case.quantity).block(case.quantity, J.shape[2])[1]
+        yield say(Kind.SOME_BLOCKS_SWAPPED), J[:, order][:, :, columns]
 
 
 def _in_other_frames(case: Case, J: np.ndarray) -> Iterator[Candidate]:

@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from armproof.models.arm import Joint
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Candidate, Case
 from armproof.verification.diagnosis.causes.varied import Values, evaluate_varied
 from armproof.verification.findings import Finding, Kind, say
@@ -32,7 +33,7 @@ def _varied(case: Case, named: list[Named]) -> Iterator[Candidate]:
     for (finding, _, rates), values in zip(named, varied, strict=True):
         yield finding, values
         if rates is not None and case.quantity.kind == "jacobian":  # with the slip's own inner derivative
-            yield finding, values * rates[case.quantity.places(len(rates))[1]]
+            yield finding, values * rates[kind_of(case.quantity).block(case.quantity, len(rates))[1]]
 
 
 def _revolute(case: Case) -> list[Joint]:

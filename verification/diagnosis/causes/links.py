@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from armproof.models.numeric.plant import NumericKinematics
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.diagnosis.causes.case import TOLERANCE, Candidate, Case
 from armproof.verification.findings import Finding, Kind, say
 
@@ -50,9 +51,7 @@ def parameters(convention: str, L: np.ndarray) -> Parameters | None:
 def links(case: Case, at: NumericKinematics | None = None) -> list[np.ndarray]:
     """Return the link matrices between the two frames of a pose, (N, 4, 4) each; none where the frames are not numbered."""
     frames, quantity, plant = case.frames, case.quantity, at or case.kinematics
-    if quantity.kind not in ("pose", "rotation", "origin", "axis") or {quantity.frame, quantity.reference} - set(
-        frames
-    ):
+    if kind_of(quantity).matrix != "pose" or {quantity.frame, quantity.reference} - set(frames):
         return []
     first, last = frames.index(quantity.reference), frames.index(quantity.frame)
     return [plant.pose(frames[k], frames[k - 1]) for k in range(first + 1, last + 1)]

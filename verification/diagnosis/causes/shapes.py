@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Candidate, Case
 from armproof.verification.findings import Finding, Kind, say
 
@@ -35,7 +36,7 @@ def shape_candidates(case: Case) -> Iterator[Candidate]:
             yield say(kind), part
             yield say(Kind.AND_TRANSPOSED, cause=say(kind)), part.transpose(0, 2, 1)
         return
-    if quantity.kind in ("pose", "rotation", "origin", "axis"):
+    if kind_of(quantity).matrix == "pose":
         X = case.whole
         for kind, part in (
             (Kind.IS_ROTATION, X[:, :3, :3]),

@@ -12,6 +12,7 @@ from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Generator, Rows, add, root_value, scale
 from armproof.models.exact.trace import trace_of
+from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.diagnosis.causes.case import Case
 
@@ -28,7 +29,7 @@ def entries_of(arm: Arm, quantity: Quantity) -> Rows:
     if quantity.kind == "difference":
         start = trace_of(arm).pose(quantity.start, quantity.reference)
         whole = tuple((*row[:3], add(row[3], scale(other[3], -1))) for row, other in zip(whole, start, strict=True))
-    rows, columns = quantity.places(len(arm.joints))
+    rows, columns = kind_of(quantity).block(quantity, len(arm.joints))
     return tuple(tuple(whole[r][c] for c in columns) for r in rows)
 
 
