@@ -9,11 +9,13 @@ import pytest
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.verification.algebra.kinds import KINDS, as_front_matter
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError
 from armproof.verification.naming.names import read_names
 from armproof.verification.naming.quantities import frame_name, read_quantity
+from armproof.verification.verdict import Verdict
 
 # notation → what it means on the SCARA; the upper index of T^i_j is the reference
 IMPLIED = {
@@ -133,10 +135,25 @@ def test_a_difference_is_of_origins(arm: Arm, workbench: Callable[..., Any]) -> 
         ({"difference": [4, 1]}, Quantity("difference", "4", start="1")),
         ({"joint": "d_3"}, Quantity("joint", "d_3", scalar=True)),
         ({"vector": "q"}, Quantity("vector", "q")),
+        ({"velocity": 4, "rows": [4, 5, 6]}, Quantity("velocity", "4", rows=(4, 5, 6))),
+        ({"velocity": 4, "component": "y"}, Quantity("velocity", "4", rows=(2,), scalar=True)),
+        ({"velocity": 4, "rows": [4, 5, 6], "component": "z"}, Quantity("velocity", "4", rows=(6,), scalar=True)),
+        ({"angle": 4}, Quantity("angle", "4", scalar=True)),
+        ({"task": 4}, Quantity("task", "4")),
+        (
+            {"determinant": 4, "rows": [1, 2, 3, 6]},
+            Quantity("determinant", "4", rows=(1, 2, 3, 6), scalar=True),
+        ),
+        (
+            {"manipulability": 4, "in": 1, "rows": [1, 2, 3]},
+            Quantity("manipulability", "4", "1", rows=(1, 2, 3), scalar=True),
+        ),
     ],
 )
 def test_an_entry_of_the_front_matter_is_read(spec: dict[str, Any], quantity: Quantity) -> None:
     assert read_quantity("X", spec, load_arm("scara")) == quantity
+    if quantity.kind not in ("joint", "vector"):
+        assert read_quantity("X", as_front_matter(quantity), load_arm("scara")) == quantity
 
 
 def test_rows_and_columns_stand_in_the_order_listed(workbench: Callable[..., Any]) -> None:
@@ -167,11 +184,52 @@ def test_rows_and_columns_stand_in_the_order_listed(workbench: Callable[..., Any
         ({"difference": 4}, r"difference takes two frames, \[to, from\], not 4"),
         ({"joint": "theta_9"}, "no joint 'theta_9'; the arm's are theta_1, theta_2, d_3, theta_4"),
         ({"link": "khalil"}, "link must be classic or modified, not 'khalil'"),
+        ({"determinant": 4}, "as many rows of the Jacobian as there are joints, 4, not of 6"),
+        ({"determinant": 4, "rows": [1, 2, 3]}, "as many rows of the Jacobian as there are joints, 4, not of 3"),
+        ({"manipulability": 4}, "of 6 rows of the Jacobian of 4 joints is 0: name at most 4"),
+        ({"velocity": 4, "along": "x"}, "unknown option along; valid with 'velocity': component, in, rows"),
     ],
 )
 def test_an_entry_that_means_nothing_is_refused_with_the_choices(spec: object, message: str) -> None:
     with pytest.raises(DocumentError, match=message):
         read_quantity("X", spec, load_arm("scara"))
+
+
+@pytest.mark.parametrize("kind", ["angle", "task"])
+def test_the_angle_of_a_frame_is_that_of_an_arm_in_a_plane(kind: str) -> None:
+    with pytest.raises(DocumentError, match="only an arm that moves in a plane has this"):
+        read_quantity("X", {kind: 6}, load_arm("rx90"))
+
+
+BOUND = {  # a name with its meaning → what it is on the planar arm with two links, and a false twin
+    "velocity": ({"velocity": 2, "rows": [1, 2]}, r"\begin{bmatrix} -(l_1 S_1 + l_2 S_{12}) \dot\theta_1 - l_2 S_{12} \dot\theta_2 \\ "
+                 r"(l_1 C_1 + l_2 C_{12}) \dot\theta_1 + l_2 C_{12} \dot\theta_2 \end{bmatrix}", (r"l_2 C_{12} \dot\theta_2", r"l_2 C_2 \dot\theta_2")),
+    "spin": ({"velocity": 2, "rows": [4, 5, 6], "component": "z"}, r"\dot\theta_1 + \dot\theta_2", ("+", "-")),
+    "angle": ({"angle": 2}, r"\theta_1 + \theta_2", ("+", "-")),
+    "task": ({"task": 2}, r"\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ \theta_1 + \theta_2 \end{bmatrix}", ("S_{12}", "S_2")),
+    "determinant": ({"determinant": 2, "rows": [1, 2]}, r"l_1 l_2 S_2", ("S_2", "C_2")),
+    "square": ({"manipulability": 2, "rows": [1, 2]}, r"\sqrt{(l_1 l_2 S_2)^2}", ("S_2", "C_2")),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("spec", "value", "slip"), BOUND.values(), ids=BOUND)
+def test_a_name_bound_to_a_kind_is_a_claim(
+    judge: Callable[..., Any], spec: dict[str, Any], value: str, slip: tuple[str, str]
+) -> None:
+    bound = {"arm": "planar_2r", "quantities": {"Q_Z": spec}}
+    assert judge(f"Q_Z = {value}", **bound).verdict in (Verdict.PROVED, Verdict.CONFIRMED)
+    assert judge(f"Q_Z = {value.replace(*slip)}", **bound).verdict is Verdict.REFUTED
+
+
+def test_units_stand_with_the_kinds() -> None:
+    arm = load_arm("planar_2r")
+    units = {
+        ("pose", 0, 3): "m", ("pose", 0, 0): "–", ("jacobian", 0, 0): "m/rad", ("jacobian", 5, 1): "–",
+        ("velocity", 0, 0): "m/s", ("velocity", 5, 0): "rad/s", ("task", 2, 0): "rad", ("origin", 1, 0): "m",
+    }  # fmt: skip
+    for (kind, row, column), unit in units.items():
+        assert KINDS[kind].unit(Quantity(kind, "2"), arm, row, column) == unit
+    assert KINDS["jacobian"].unit(Quantity("jacobian", "2", rows=(6, 1)), arm, 1, 0) == "m/rad"
 
 
 def test_a_quantity_of_an_arm_needs_one() -> None:
