@@ -18,7 +18,7 @@ from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.kinds import kind_of
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.asked import read_asked

@@ -9,7 +9,7 @@ COMPONENTS = {"x": 0, "y": 1, "z": 2}
 
 @dataclass(frozen=True)
 class Quantity:
-    """A matrix of an arm: `kind` (kinds.py) of `frame` in `reference`, then the rows and columns that are meant (from 1).
+    """A matrix of an arm: `kind` (quantity_kinds.py) of `frame` in `reference`, then the rows and columns that are meant (from 1).
 
     Attributes:
         frame: of which it is; of a joint its symbol, of a link matrix the convention.

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from armproof.verification.algebra.kinds import as_front_matter, kind_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import as_front_matter, kind_of
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, align, different_entries, exactly_equal, square_rows
 from armproof.verification.equations.outcome import Outcome

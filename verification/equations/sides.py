@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
 from armproof.verification.evaluation.evaluator import Evaluator

@@ -12,10 +12,10 @@ from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import derivative, substitute
-from armproof.verification.algebra.kinds import OfArm, kind_of
 from armproof.verification.algebra.matrix import Matrix, exact_rank
 from armproof.verification.algebra.protocol import Algebra, OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import OfArm, kind_of
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.roots import arc, atan2, sqrt
 from armproof.verification.errors import EvaluationError, TooComplex

@@ -10,8 +10,8 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.function_check import FunctionVerdict

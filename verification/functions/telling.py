@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.kinds import kind_of
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.probes import probes, simple
 from armproof.verification.functions.asked import TOLERANCE, Part, read_part, scaled_errors, wrong_entries
 from armproof.verification.functions.caller import FunctionCaller, Stopped

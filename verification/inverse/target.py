@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.kinds import KINDS, kind_of
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import KINDS, kind_of
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.naming.names import Names, name_key

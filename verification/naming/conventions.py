@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.kinds import is_planar
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import is_planar
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames, transform_pair
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.kinds import KINDS, QuantityKind, kind_of
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
+from armproof.verification.algebra.quantity_kinds import KINDS, QuantityKind, kind_of
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n

@@ -9,7 +9,7 @@ from dataclasses import replace
 from armproof.course.authoring.beginning.code import written
 from armproof.course.authoring.beginning.drafts import Draft, completed, draft_of_quantity
 from armproof.models.arm import Arm
-from armproof.verification.algebra.kinds import as_front_matter, kind_of
+from armproof.verification.algebra.quantity_kinds import as_front_matter, kind_of
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
 from armproof.verification.latex import nodes as n

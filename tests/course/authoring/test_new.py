@@ -22,7 +22,7 @@ from armproof.course.sources.lesson_source import read_lesson_source
 from armproof.course.sources.places import COURSE, Place
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.kinds import as_front_matter
+from armproof.verification.algebra.quantity_kinds import as_front_matter
 from armproof.verification.latex.reader import Reader
 from armproof.verification.naming.quantities import read_quantity
 

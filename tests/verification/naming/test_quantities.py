@@ -9,9 +9,9 @@ import pytest
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.verification.algebra.kinds import KINDS, as_front_matter
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import KINDS, as_front_matter
 from armproof.verification.errors import DocumentError
 from armproof.verification.naming.names import read_names
 from armproof.verification.naming.quantities import frame_name, read_quantity

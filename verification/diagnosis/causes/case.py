@@ -11,8 +11,8 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.quantities import numbered_frames
 

@@ -8,9 +8,9 @@ from functools import partial
 import numpy as np
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Case
 from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes, stack
 from armproof.verification.diagnosis.counterexample import count_terms

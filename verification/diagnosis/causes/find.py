@@ -8,7 +8,7 @@ from itertools import accumulate, chain, pairwise
 
 import numpy as np
 
-from armproof.verification.algebra.kinds import kind_of
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.axes import axis_candidates, constructions
 from armproof.verification.diagnosis.causes.case import Candidate, Case, Explanation
 from armproof.verification.diagnosis.causes.frames import constant_offset, other_poses, pose_slips

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from armproof.verification.algebra.kinds import kind_of
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Candidate, Case, changed
 from armproof.verification.findings import Kind, say
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from armproof.models.arm import Joint
-from armproof.verification.algebra.kinds import kind_of
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Candidate, Case
 from armproof.verification.diagnosis.causes.varied import Values, evaluate_varied
 from armproof.verification.findings import Finding, Kind, say

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.algebra.kinds import kind_of
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import TOLERANCE, Candidate, Case
 from armproof.verification.findings import Finding, Kind, say
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from armproof.verification.algebra.kinds import kind_of
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Candidate, Case
 from armproof.verification.findings import Finding, Kind, say
 

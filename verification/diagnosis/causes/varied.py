@@ -12,8 +12,8 @@ from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
 from armproof.models.exact.polynomial import Generator, Rows, add, root_value, scale
 from armproof.models.exact.trace import trace_of
-from armproof.verification.algebra.kinds import kind_of
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Case
 
 Values = Mapping[str, np.ndarray]  # joint variables and lengths with other values: (N,) each
