@@ -38,7 +38,7 @@ class Kind:
         name: what the command calls it; also the key of its title in the catalogue of words.
         applies: the reason, in a language, why an arm has no such figure; None if it has one.
         draw: the figure of an arm in a language.
-        caption: its caption, with the numbers that the figure shows; mathematics between dollars.
+        caption: its caption behind the title, with the numbers that the figure shows; mathematics between dollars.
         empty: whether an arm without it gets a figure that says so, rather than none.
     """
 
@@ -79,8 +79,7 @@ def draw_kind(kind: Kind, arm: Arm, lang: str = "en") -> Figure:
 
 def caption_kind(kind: Kind, arm: Arm, lang: str = "en") -> str:
     """Return the caption of an arm's figure, or the reason why there is nothing to draw."""
-    reason = kind.applies(arm, lang)
-    return kind.caption(arm, lang) if reason is None else f"{_title(kind, arm, lang)} {reason}"
+    return f"{_title(kind, arm, lang)} {kind.applies(arm, lang) or kind.caption(arm, lang)}"
 
 
 @styled()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -17,11 +16,9 @@ class Ink:
     """The ink on a page, in pixels from the lower left corner; drawn once."""
 
     def __init__(self, figure: Figure) -> None:
-        canvas = figure.canvas
-        assert isinstance(canvas, FigureCanvasAgg)
-        canvas.draw()
+        figure.canvas.draw()
         self.scale = figure.dpi / 72  # pixels a pt
-        self.darkness = 1 - np.asarray(canvas.buffer_rgba())[::-1, :, :3].mean(axis=2) / 255
+        self.darkness = 1 - np.asarray(figure.canvas.buffer_rgba())[::-1, :, :3].mean(axis=2) / 255
         self.height, self.width = self.darkness.shape
         for axes in figure.axes:
             for patch in axes.patches:
@@ -39,14 +36,13 @@ class Ink:
         """Return the ink in boxes (N, 4) of left, bottom, right, top, (N,)."""
         left, right = (np.clip(np.round(boxes[:, k]).astype(int), 0, self.width) for k in (0, 2))
         bottom, top = (np.clip(np.round(boxes[:, k]).astype(int), 0, self.height) for k in (1, 3))
-        return np.asarray(
-            self.sums[top, right] - self.sums[bottom, right] - self.sums[top, left] + self.sums[bottom, left]
-        )
+        sums = self.sums
+        return np.asarray(sums[top, right] - sums[bottom, right] - sums[top, left] + sums[bottom, left])
 
     def outside(self, boxes: np.ndarray) -> np.ndarray:
         """Return which boxes (N, 4) leave the page, (N,)."""
         return np.asarray(
-            (boxes[:, 0] < 1) | (boxes[:, 1] < 1) | (boxes[:, 2] > self.width - 1) | (boxes[:, 3] > self.height - 1)
+            (boxes[:, :2] < 1).any(axis=1) | (boxes[:, 2:] > (self.width - 1, self.height - 1)).any(axis=1)
         )
 
     def mark(self, ends: np.ndarray) -> None:

@@ -69,19 +69,19 @@ def number(value: float, lang: str, digits: int = 3, *, in_math: bool = False) -
     return text
 
 
-def length(value: float, lang: str, digits: int = 3) -> str:
+def with_unit(value: float, unit: str, lang: str, digits: int = 3) -> str:
+    """Return a number with its unit: 0.45 m, 30°."""
+    return f"{number(value, lang, digits)}{'' if unit == '°' else ' '}{unit}"
+
+
+def length(value: float, lang: str) -> str:
     """Return a length with its unit: 0.45 m."""
-    return f"{number(value, lang, digits)} m"
-
-
-def angle(value: float, lang: str, digits: int = 3) -> str:
-    """Return an angle given in radians, in degrees: 30°."""
-    return f"{number(round(degrees(value), 9), lang, digits)}°"
+    return with_unit(value, "m", lang)
 
 
 def joint_value(value: float, kind: str, lang: str) -> str:
     """Return the value of a joint variable with its unit, degrees for a revolute joint."""
-    return angle(value, lang) if kind == "revolute" else length(value, lang)
+    return with_unit(round(degrees(value), 9), "°", lang) if kind == "revolute" else length(value, lang)
 
 
 def axis_label(words: str, unit: str, symbol: str = "") -> str:
@@ -147,9 +147,7 @@ def joint_texts(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> list
     parts = []
     for joint, value in zip(arm.joints, joint_scales(arm) * values, strict=True):
         name = f"${dotted(joint.symbol, order)}$" if order else math(joint.symbol)
-        unit = joint_unit(joint.kind, order)
-        space = "" if unit == "°" else " "
-        parts.append(f"{name} = {number(round(value, 9), lang)}{space}{unit}")
+        parts.append(f"{name} = {with_unit(round(value, 9), joint_unit(joint.kind, order), lang)}")
     return parts
 
 

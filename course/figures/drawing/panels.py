@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.style import GREY, MM, SMALL, TEXT, WIDTHS, new_figure
+from armproof.course.figures.drawing.style import GREY, MM, SMALL, TEXT, WIDTHS, Box, new_figure, text_width
 
 _LINE = 3.9  # mm
 _PAD = 2.0  # mm
-Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -89,18 +87,8 @@ def _wrap(figure: Figure, parts: list[str], between: str, width: float, dollar: 
     lines = parts[:1]
     for part in parts[1:]:
         longer = f"{lines[-1]}{between}{part}"
-        if _width(figure, f"{dollar}{longer}{dollar}") <= width:
+        if text_width(figure, f"{dollar}{longer}{dollar}") <= width:
             lines[-1] = longer
         else:
             lines.append(part)
     return [f"{dollar}{line}{dollar}" for line in lines]
-
-
-def _width(figure: Figure, text: str) -> float:
-    """Return the width of a text in mm."""
-    canvas = figure.canvas
-    assert isinstance(canvas, FigureCanvasAgg)
-    probe = figure.text(0, 0, text, fontsize=TEXT)
-    width = probe.get_window_extent(canvas.get_renderer()).width / figure.dpi / MM
-    probe.remove()
-    return float(width)

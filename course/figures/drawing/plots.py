@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from armproof.course.figures.drawing.labels import number
-from armproof.course.figures.drawing.style import PALE, mm_axes
+from armproof.course.figures.drawing.placement import Label
+from armproof.course.figures.drawing.style import PALE, SMALL, Box, Stroke, mm_axes
 
 _ANGLE_STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180)  # degrees between ticks
 
 
 def plot_axes(
-    figure: Figure, box: tuple[float, float, float, float], lang: str, x: str = "", y: str = "", *, grid: bool = True
+    figure: Figure, box: Box, lang: str, x: str = "", y: str = "", *, title: str = "", grid: bool = True
 ) -> Axes:
     """Return axes for a plot, open above and to the right.
 
     Args:
-        box: left, bottom, width, height of the area within the axes (mm).
+        box: the area within the axes.
         x, y: their labels; without a label for x the ticks have no numbers.
     """
     axes = mm_axes(figure, *box)
@@ -30,9 +32,17 @@ def plot_axes(
     axes.set_xlabel(x, labelpad=2)
     axes.set_ylabel(y, labelpad=3)
     axes.tick_params(labelbottom=bool(x), pad=2)
+    if title:
+        axes.set_title(title, loc="left", pad=2, fontsize=SMALL)
     if grid:
         axes.grid(color=PALE, linewidth=0.4)
     return axes
+
+
+def at_peak(axes: Axes, text: str, x: np.ndarray, y: np.ndarray, stroke: Stroke, beside: float = 0.0) -> Label:
+    """Return a label for the point of a curve that is farthest from zero, beyond it; `beside` moves it along x."""
+    at = int(np.argmax(np.abs(y)))
+    return Label(axes, text, (x[at], y[at]), (beside, float(np.sign(y[at]))), SMALL, stroke.colour)
 
 
 def tick_numbers(lang: str) -> FuncFormatter:

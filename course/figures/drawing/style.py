@@ -7,9 +7,11 @@ so that it is told apart in grey as well.
 
 from __future__ import annotations
 
-from contextlib import AbstractContextManager, ContextDecorator
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
-from types import TracebackType
+from functools import lru_cache
+from pathlib import Path
 from typing import Any, Literal
 
 import matplotlib
@@ -20,6 +22,7 @@ from matplotlib.figure import Figure
 from armproof.course.figures.errors import FigureError
 
 Size = Literal["column", "page"]
+Box = tuple[float, float, float, float]  # left, bottom, width, height (mm)
 WIDTHS = {"column": 84.0, "page": 174.0}  # mm
 HIGHEST = 235.0  # mm, what an A4 page leaves above a caption
 MM = 1 / 25.4  # inches
@@ -42,6 +45,11 @@ class Stroke:
     marker: str
     hatch: str
 
+    @property
+    def line(self) -> dict[str, Any]:
+        """The stroke as matplotlib's properties of a line."""
+        return {"color": self.colour, "linestyle": self.linestyle}
+
 
 STROKES = (
     Stroke("#0072b2", "-", "o", ""),  # blue
@@ -54,76 +62,28 @@ STROKES = (
     Stroke("#000000", (0, (7, 2, 1, 2)), "*", "||||"),  # black
 )
 
-_RC: dict[str, Any] = {
-    "font.family": "STIXGeneral",  # comes with matplotlib: the same on every machine
-    "mathtext.fontset": "stix",
-    "font.size": TEXT,
-    "axes.titlesize": TEXT,
-    "axes.labelsize": TEXT,
-    "xtick.labelsize": SMALL,
-    "ytick.labelsize": SMALL,
-    "legend.fontsize": SMALL,
-    "figure.titlesize": TEXT,
-    "figure.dpi": 100,
-    "figure.facecolor": PAPER,
-    "savefig.facecolor": PAPER,
-    "savefig.dpi": 300,
-    "text.color": INK,
-    "axes.edgecolor": INK,
-    "axes.labelcolor": INK,
-    "axes.facecolor": "none",
-    "axes.linewidth": 0.6,
-    "axes.unicode_minus": True,
-    "axes.axisbelow": True,
-    "axes.formatter.use_mathtext": True,
-    "xtick.color": INK,
-    "ytick.color": INK,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-    "xtick.major.size": 2.5,
-    "ytick.major.size": 2.5,
-    "xtick.direction": "out",
-    "grid.color": PALE,
-    "grid.linewidth": 0.5,
-    "lines.linewidth": 1.2,
-    "lines.markersize": 4,
-    "lines.solid_capstyle": "round",
-    "lines.solid_joinstyle": "round",
-    "lines.dash_capstyle": "butt",
-    "patch.linewidth": 0.8,
-    "hatch.linewidth": 0.5,
-    "legend.frameon": False,
-    "legend.handlelength": 2.4,
-    "legend.borderpad": 0.2,
-    "image.cmap": MAP,
-    "path.simplify": False,
-    "pdf.fonttype": 42,  # whole TrueType outlines: text stays text
-    "ps.fonttype": 42,
-    "pdf.compression": 6,
-    "svg.fonttype": "path",
-    "svg.hashsalt": "armproof",
-    "pgf.rcfonts": False,
-    "pgf.texsystem": "pdflatex",
-    "pgf.preamble": r"\usepackage{amsmath}",
-}
+
+def stroke_of(k: int) -> Stroke:
+    """Return the stroke of the k-th of several things."""
+    return STROKES[k % len(STROKES)]
 
 
-class styled(ContextDecorator):
-    """The style, for a block or a function; what was set before is restored at its end."""
+_SHEET = Path(__file__).with_name("armproof.mplstyle")  # sizes, strokes and formats; the colours are those above
 
-    def __init__(self) -> None:
-        self._contexts: list[AbstractContextManager[None]] = []
 
-    def __enter__(self) -> styled:
-        context = matplotlib.rc_context({**matplotlib.rcParamsDefault, "backend": "agg", **_RC})
-        context.__enter__()
-        self._contexts.append(context)
-        return self
+@lru_cache(maxsize=1)
+def _settings() -> dict[str, Any]:
+    inked = ("text.color", "axes.edgecolor", "axes.labelcolor", "xtick.color", "ytick.color")
+    colours = {**dict.fromkeys(inked, INK), "figure.facecolor": PAPER, "savefig.facecolor": PAPER, "grid.color": PALE}
+    sheet = matplotlib.rc_params_from_file(_SHEET, use_default_template=False)
+    return {**matplotlib.rcParamsDefault, "backend": "agg", **sheet, **colours, "image.cmap": MAP}
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._contexts.pop().__exit__(kind, error, trace)
+
+@contextmanager
+def styled() -> Iterator[None]:
+    """Hold the style for a block or a function; what was set before is restored at its end."""
+    with matplotlib.rc_context(_settings()):
+        yield
 
 
 def new_figure(size: Size = "column", height: float = 60.0, layout: Literal["constrained"] | None = None) -> Figure:
@@ -150,3 +110,11 @@ def mm_axes(figure: Figure, left: float, bottom: float, width: float, height: fl
     """Return axes whose box is given in millimetres from the lower left corner of the paper."""
     wide, high = figure.get_size_inches() / MM
     return figure.add_axes((left / wide, bottom / high, width / wide, height / high), **options)
+
+
+def text_width(figure: Figure, text: str, size: float = TEXT) -> float:
+    """Return the width of a text in mm."""
+    probe = figure.text(0, 0, text, fontsize=size)
+    width = probe.get_window_extent(figure.canvas.get_renderer()).width / figure.dpi / MM
+    probe.remove()
+    return float(width)

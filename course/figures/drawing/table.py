@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from armproof.course.figures.drawing.style import INK, MM, TEXT
+from armproof.course.figures.drawing.style import INK, MM, TEXT, text_width
 
 _GAP = 3.0  # mm between columns
 LINE = 4.6  # mm a row
@@ -23,8 +21,8 @@ def draw_table(
     Args:
         left, top: mm from the left and the lower edge of the page; the table is put in the middle of `width`.
     """
-    widths = _widths(figure, rows, size)
-    total = float(sum(widths)) + _GAP * (len(widths) - 1)
+    widths = [max(text_width(figure, text, size) for text in column) for column in zip(*rows, strict=True)]
+    total = sum(widths) + _GAP * (len(widths) - 1)
     start = left + (width - total) / 2
     wide, high = figure.get_size_inches() / MM
     for r, row in enumerate(rows):
@@ -42,17 +40,3 @@ def draw_table(
 def table_height(rows: int) -> float:
     """Return the height of a table with so many rows, its head included, in mm."""
     return rows * LINE + 1.0
-
-
-def _widths(figure: Figure, rows: Sequence[Sequence[str]], size: float) -> np.ndarray:
-    """Return the width of each column in mm."""
-    canvas = figure.canvas
-    assert isinstance(canvas, FigureCanvasAgg)
-    renderer = canvas.get_renderer()
-    widths = np.zeros((len(rows), len(rows[0])))
-    for r, row in enumerate(rows):
-        for c, text in enumerate(row):
-            probe = figure.text(0, 0, text, fontsize=size)
-            widths[r, c] = probe.get_window_extent(renderer).width / figure.dpi / MM
-            probe.remove()
-    return np.asarray(widths.max(axis=0))

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import fit_arm
-from armproof.course.figures.drawing.labels import arm_title, axis_label, joint_unit, math, number, say
+from armproof.course.figures.drawing.labels import axis_label, joint_unit, math, number, say, with_unit
 from armproof.course.figures.drawing.maps import plain_condition
 from armproof.course.figures.drawing.placement import Label
-from armproof.course.figures.drawing.plots import plot_axes
+from armproof.course.figures.drawing.plots import at_peak, plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.style import GREY, INK, SMALL, STROKES, new_figure, styled
+from armproof.course.figures.drawing.style import GREY, INK, STROKES, Box, new_figure, stroke_of, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
 from armproof.course.figures.facts.near_singular import DURATION, NearSingular, near_singular
 from armproof.course.figures.facts.task import tool_points
@@ -55,7 +54,7 @@ def _scene(figure: Figure, found: NearSingular) -> Scene:
         )  # fmt: skip
         draw_arm(scene, arm, found.q[place], look, name=f"{place} ")
     for name, path, stroke in zip(("pseudo", "damped"), paths, (_EXACT, _DAMPED), strict=True):
-        scene.line(path, gid=f"path {name}", zorder=8, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.3)
+        scene.line(path, gid=f"path {name}", zorder=8, linewidth=1.3, **stroke.line)
     scene.label("$A$", paths[0][0], paths[0][0] - paths[0][last // 2], gap=1.0)
     scene.label("$B$", paths[0][-1], paths[0][-1] - paths[0][last // 2], gap=1.0)
     return scene
@@ -70,43 +69,36 @@ def rate_scales(arm: Arm) -> tuple[np.ndarray, str]:
     return np.ones(len(limits)), axis_label("", ", ".join(units), r"\dot{q}")
 
 
-def _box(place: int) -> tuple[float, float, float, float]:
+def _box(place: int) -> Box:
     return (_LEFT, _BOTTOM + (2 - place) * (_PANEL + _GAP), _WIDTH, _PANEL)
 
 
-def _rates(
-    figure: Figure, found: NearSingular, place: int, name: str, rates: np.ndarray, lang: str
-) -> list[Label]:  # fmt: skip
+def _rates(figure: Figure, found: NearSingular, place: int, name: str, rates: np.ndarray, lang: str) -> list[Label]:
     """Plot the rates of all joints; returns the names of the fastest ones, at their peaks."""
     arm = found.task.arm
     scales, label = rate_scales(arm)
-    axes = plot_axes(figure, _box(place), lang, "", label)
-    axes.set_title(
-        say(f"{name}_inverse", lang, damping=number(found.damping, lang, in_math=True)),
-        loc="left",
-        pad=2,
-        fontsize=SMALL,
-    )
+    title = say(f"{name}_inverse", lang, damping=number(found.damping, lang, in_math=True))
+    axes = plot_axes(figure, _box(place), lang, "", label, title=title)
     most = 1.25 * float(np.abs(scales * found.rates).max())
     axes.set(xlim=(0, DURATION), ylim=(-most, most))
-    _mark_nearest([axes], found)
+    _mark_nearest(axes, found)
     labels = []
     peaks = np.abs(scales * found.rates).max(axis=0)
     for k, joint in enumerate(arm.joints):
-        stroke = STROKES[k % len(STROKES)]
-        values = scales[k] * rates[:, k]
-        line = axes.plot(found.times, values, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.0)[0]
-        line.set_gid(f"rate {name} {joint.symbol}")
+        stroke, values = stroke_of(k), scales[k] * rates[:, k]
+        axes.plot(found.times, values, linewidth=1.0, gid=f"rate {name} {joint.symbol}", **stroke.line)
         if peaks[k] > 0.25 * peaks.max():
-            at = int(np.argmax(np.abs(values)))
-            way = (0.5 if found.passes else -0.6, float(np.sign(values[at])))
-            labels.append(Label(axes, math(joint.symbol), (found.times[at], values[at]), way, SMALL, stroke.colour))
+            labels.append(at_peak(axes, math(joint.symbol), found.times, values, stroke, _beside(found)))
     return labels
 
 
-def _mark_nearest(panels: Sequence, found: NearSingular) -> None:  # type: ignore[type-arg]
-    for axes in panels:
-        axes.axvline(found.times[found.nearest], color=GREY, linewidth=0.5, linestyle=(0, (1, 2)), zorder=1)
+def _beside(found: NearSingular) -> float:
+    """Return on which side of its peak the name of a curve stands: where there is room."""
+    return 0.5 if found.passes else -0.6
+
+
+def _mark_nearest(axes: Axes, found: NearSingular) -> None:
+    axes.axvline(found.times[found.nearest], color=GREY, linewidth=0.5, linestyle=(0, (1, 2)), zorder=1)
 
 
 def error_parts(found: NearSingular) -> list[tuple[str, float, np.ndarray]]:
@@ -121,26 +113,14 @@ def _errors(figure: Figure, found: NearSingular, lang: str) -> list[Label]:
     """Plot how far the tool is from where it ought to be with the damped inverse."""
     parts = error_parts(found)
     units = ", ".join(unit for unit, _, _ in parts)
-    axes = plot_axes(figure, _box(2), lang, axis_label(say("time", lang), "s", "t"), axis_label("", units, "e"))
-    axes.set_title(say("damped_error", lang), loc="left", pad=2, fontsize=SMALL)
-    _mark_nearest([axes], found)
+    time, title = axis_label(say("time", lang), "s", "t"), say("damped_error", lang)
+    axes = plot_axes(figure, _box(2), lang, time, axis_label("", units, "e"), title=title)
+    _mark_nearest(axes, found)
     labels = []
     for (unit, scale, error), stroke in zip(parts, (STROKES[1], STROKES[3]), strict=False):
-        axes.plot(found.times, scale * error, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.0)[
-            0
-        ].set_gid(f"error {unit}")
-        at = int(np.argmax(error))
-        text = f"{number(scale * error[at], lang, 3)}{'' if unit == '°' else ' '}{unit}"
-        labels.append(
-            Label(
-                axes,
-                text,
-                (found.times[at], scale * error[at]),
-                (0.5 if found.passes else -0.6, 1.0),
-                SMALL,
-                stroke.colour,
-            )
-        )
+        axes.plot(found.times, scale * error, linewidth=1.0, gid=f"error {unit}", **stroke.line)
+        text = with_unit(scale * float(error.max()), unit, lang)
+        labels.append(at_peak(axes, text, found.times, scale * error, stroke, _beside(found)))
     axes.set(xlim=(0, DURATION), ylim=(0, 1.3 * max(scale * float(error.max()) for _, scale, error in parts)))
     return labels
 
@@ -154,17 +134,11 @@ def caption(arm: Arm, lang: str = "en") -> str:
     fastest = int(np.argmax(np.abs(rate_scales(arm)[0] * found.rates).max(axis=0)))
     joint = arm.joints[fastest]
     unit = joint_unit(joint.kind, 1).replace("°", "rad")
-    highest = [
-        f"{number(float(np.abs(rates[:, fastest]).max()), lang)} {unit}" for rates in (found.rates, found.rates_damped)
-    ]
+    highest = [with_unit(float(np.abs(r[:, fastest]).max()), unit, lang) for r in (found.rates, found.rates_damped)]
     moving = say("moves_at" if translates else "turns_at", lang, speed=number(speed, lang))
-    errors = [
-        f"{number(scale * float(error.max()), lang, 3)}{'' if unit == '°' else ' '}{unit}"
-        for unit, scale, error in error_parts(found)
-    ]
+    errors = [with_unit(scale * float(error.max()), unit, lang) for unit, scale, error in error_parts(found)]
     return " ".join(
         (
-            say("figure_of", lang, title=say("crossing", lang), arm=arm_title(arm, lang)),
             say("passes" if found.passes else "comes_near", lang, moving=moving, family=plain_condition(found.family.latex), least=number(found.least, lang, 2)),
             say("highest_rates", lang, joint=math(joint.symbol), pseudo=highest[0], damped=highest[1], damping=number(found.damping, lang, in_math=True)),
             say("and_error", lang, errors=", ".join(errors)),

@@ -2,32 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.labels import (
-    arm_title,
     axis_label,
     joint_scales,
+    joint_texts,
     joint_unit,
     joint_value,
     number,
     say,
-    values_text,
 )
-from armproof.course.figures.drawing.maps import (
-    draw_levels,
-    draw_scale,
-    halo,
-    levels_up_to,
-    map_colours,
-    plain_condition,
-    volume_unit,
-)
+from armproof.course.figures.drawing.maps import curve_style, draw_map, plain_condition, volume_unit
 from armproof.course.figures.drawing.placement import Label, place_labels
 from armproof.course.figures.drawing.plots import mark_angles, plot_axes
-from armproof.course.figures.drawing.style import STROKES, TEXT, new_figure, styled
+from armproof.course.figures.drawing.style import STROKES, TEXT, Stroke, new_figure, styled
 from armproof.course.figures.facts.families import determinant_of
 from armproof.course.figures.facts.joint_map import (
     JointMap,
@@ -71,9 +64,8 @@ def _scaled(found: JointMap) -> list[np.ndarray]:
 
 def _w_label(found: JointMap, lang: str) -> str:
     arm = found.task.arm
-    return axis_label(
-        say("manipulability_word", lang), volume_unit(arm, found.task.rows, range(1, len(arm.joints) + 1)), "w"
-    )
+    unit = volume_unit(arm, found.task.rows, range(1, len(arm.joints) + 1))
+    return axis_label(say("manipulability_word", lang), unit, "w")
 
 
 def _map_figure(found: JointMap, lang: str) -> Figure:
@@ -82,19 +74,14 @@ def _map_figure(found: JointMap, lang: str) -> Figure:
     families = [(family, lines) for family, lines in families if lines]
     figure = new_figure("column", _HEIGHT + _BOTTOM + _TOP + _ENTRY * len(families))
     box = (_LEFT, _BOTTOM, _WIDTH, _HEIGHT)
-    axes = plot_axes(
-        figure, box, lang, _joint_label(arm, found.joints[0]), _joint_label(arm, found.joints[1]), grid=False
-    )
+    axes = plot_axes(figure, box, lang, *(_joint_label(arm, k) for k in found.joints), grid=False)
     x, y = _scaled(found)
     for which, values, k in zip("xy", (x, y), found.joints, strict=True):
         if arm.joints[k].kind == "revolute":
             mark_angles(axes, which, float(np.ptp(values)))
-    highest = float(found.w.max())
-    image = axes.imshow(found.w[::_SHOWN, ::_SHOWN], cmap=map_colours(), vmin=0, vmax=highest, extent=(x[0], x[-1], y[0], y[-1]), origin="lower", aspect="auto", interpolation="nearest", zorder=0)  # fmt: skip
-    image.set_gid("w")
-    levels = levels_up_to(highest)
-    draw_levels(axes, x[::_SHOWN], y[::_SHOWN], found.w[::_SHOWN, ::_SHOWN], levels)
-    draw_scale(figure, (_LEFT + _WIDTH + 3, _BOTTOM, 3.0, _HEIGHT), highest, levels, _w_label(found, lang), lang)
+    scale, w = (_LEFT + _WIDTH + 3, _BOTTOM, 3.0, _HEIGHT), found.w[::_SHOWN, ::_SHOWN]
+    highest, edges, label = float(found.w.max()), (x[0], x[-1], y[0], y[-1]), _w_label(found, lang)
+    draw_map(figure, axes, scale, x[::_SHOWN], y[::_SHOWN], w, highest, label, lang, "w", extent=edges)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
     for k, (family, lines) in enumerate(families):
         _draw_family(axes, found, family, lines, k)
@@ -106,10 +93,8 @@ def _map_figure(found: JointMap, lang: str) -> Figure:
 def _draw_family(axes: Axes, found: JointMap, family: Family, lines: list[np.ndarray], k: int) -> None:
     scales = joint_scales(found.task.arm)[list(found.joints)]
     points = np.vstack([part for line in lines for part in (scales * line, np.full((1, 2), np.nan))][:-1])
-    stroke = STROKES[(1, 0, 3, 2, 4, 5, 6, 7)[k % len(STROKES)]]
-    style = {"color": stroke.colour, "linestyle": stroke.linestyle, "path_effects": halo()}
-    drawn = axes.plot(points[:, 0], points[:, 1], zorder=5, label=f"${plain_condition(family.latex)}$", **style)[0]
-    drawn.set_gid(f"singular {family.latex}")
+    label, gid = f"${plain_condition(family.latex)}$", f"singular {family.latex}"
+    axes.plot(points[:, 0], points[:, 1], label=label, gid=gid, **curve_style(k))
 
 
 def _draw_curve(figure: Figure, found: JointMap, lang: str) -> list[Label]:
@@ -120,29 +105,26 @@ def _draw_curve(figure: Figure, found: JointMap, lang: str) -> list[Label]:
     (x,) = _scaled(found)
     if arm.joints[k].kind == "revolute":
         mark_angles(axes, "x", float(np.ptp(x)), 8)
-    axes.plot(x, found.w, color=STROKES[0].colour)[0].set_gid("w")
+    axes.plot(x, found.w, color=STROKES[0].colour, gid="w")
     axes.set(xlim=(x[0], x[-1]), ylim=(0, 1.15 * float(found.w.max())))
     labels = []
     for family in shown_families(found):
         for zero in family_zeros(found, family):
             at = joint_scales(arm)[k] * zero
-            axes.plot([at], [0.0], color=STROKES[1].colour, marker="s", markersize=4, clip_on=False, zorder=6)[
-                0
-            ].set_gid(f"singular {family.latex}")
-            labels.append(
-                Label(
-                    axes, f"${plain_condition(family.latex)}$", (at, 0.0), (0.6, 1.0), colour=STROKES[1].colour, gap=5
-                )
-            )
+            text = f"${plain_condition(family.latex)}$"
+            _mark(axes, at, 0.0, STROKES[1], f"singular {family.latex}")
+            labels.append(Label(axes, text, (at, 0.0), (0.6, 1.0), colour=STROKES[1].colour, gap=5))
     for start in _peaks(found.w):
         at, w = highest_near(found, (start,))
         x_at = joint_scales(arm)[k] * at[k]
-        axes.plot([x_at], [w], color=STROKES[0].colour, marker="o", markersize=4, zorder=6, clip_on=False)[0].set_gid(
-            "peak"
-        )
+        _mark(axes, x_at, w, STROKES[0], "peak")
         text = f"{number(w, lang)} ({joint_value(at[k], arm.joints[k].kind, lang)})"
         labels.append(Label(axes, text, (x_at, w), (0.0, 1.0)))
     return labels
+
+
+def _mark(axes: Axes, x: float, y: float, stroke: Stroke, gid: str) -> None:
+    axes.plot([x], [y], marker=stroke.marker, color=stroke.colour, markersize=4, clip_on=False, zorder=6, gid=gid)
 
 
 def _peaks(w: np.ndarray) -> list[int]:
@@ -160,27 +142,20 @@ def caption(arm: Arm, lang: str = "en") -> str:
     unit = volume_unit(arm, found.task.rows, range(1, len(arm.joints) + 1))
     names = ", ".join(f"${symbol_as_latex(arm.joints[k].symbol)}$" for k in found.joints)
     parts = [
-        say("figure_of", lang, title=say("manipulability", lang), arm=arm_title(arm, lang)),
         say("w_over", lang, joints=names, count="10^6" if len(found.joints) == 2 else str(found.w.size)),
-        say(
-            "w_highest",
-            lang,
-            value=f"{number(highest, lang)} {unit}".strip(),
-            at=_joints_text(arm, at, found.joints, lang),
-        ),
+        say("w_highest", lang, value=f"{number(highest, lang)} {unit}".strip(), at=_texts(arm, at, found.joints, lang)),
     ]
     others = [k for k in found.relevant if k not in found.joints]
     if others:
-        parts.append(say("other_joints", lang, values=_joints_text(arm, found.base, sorted(others), lang)))
-    factored = determinant_of(arm)
-    if factored:
+        parts.append(say("other_joints", lang, values=_texts(arm, found.base, sorted(others), lang)))
+    if factored := determinant_of(arm):
         parts.append(say("determinant_is", lang, latex=factored))
     return " ".join(parts)
 
 
-def _joints_text(arm: Arm, q: np.ndarray, joints: tuple[int, ...] | list[int], lang: str) -> str:
+def _texts(arm: Arm, q: np.ndarray, joints: Iterable[int], lang: str) -> str:
     """Return the values of some joints in words."""
-    return ", ".join(values_text(arm, q, lang).split(", ")[k] for k in joints)
+    return ", ".join(joint_texts(arm, q, lang)[k] for k in joints)
 
 
 KIND = Kind("manipulability", lambda arm, lang: None, manipulability_figure, caption)

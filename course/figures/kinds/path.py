@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import arm_view
-from armproof.course.figures.drawing.labels import arm_title, axis_label, length, math, number, say, values_text
+from armproof.course.figures.drawing.labels import axis_label, length, math, number, say, values_text
 from armproof.course.figures.drawing.placement import Label
-from armproof.course.figures.drawing.plots import plot_axes
+from armproof.course.figures.drawing.plots import at_peak, plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.style import GREY, INK, PAPER, SMALL, STROKES, new_figure, styled
+from armproof.course.figures.drawing.style import GREY, INK, PAPER, STROKES, Box, new_figure, stroke_of, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
 from armproof.course.figures.facts.motions import Motion, motion_of
 from armproof.course.figures.facts.task import task_of, tool_points
@@ -106,14 +106,7 @@ def _draw(scene: Scene, arm: Arm, samples: dict[str, MotionSamples], name: str) 
     scene.label("$B$", path[-1], path[-1] - path[len(path) // 2], gap=1.0)
 
 
-def _rates(
-    figure: Figure,
-    box: tuple[float, float, float, float],
-    arm: Arm,
-    samples: dict[str, MotionSamples],
-    name: str,
-    lang: str,
-) -> list[Label]:
+def _rates(figure: Figure, box: Box, arm: Arm, samples: dict[str, MotionSamples], name: str, lang: str) -> list[Label]:
     """Plot the joint velocities as parts of their limits; returns the names of the joints, at their largest."""
     limits = read_rate_limits(arm).velocity
     axes = plot_axes(figure, box, lang, axis_label(say("time", lang), "s", "t"), axis_label("", "%", r"\dot{q}/k_v"))
@@ -123,12 +116,8 @@ def _rates(
     axes.set_xlim(0, times[-1])
     labels = []
     for k, joint in enumerate(arm.joints):
-        stroke = STROKES[k % len(STROKES)]
-        line = axes.plot(times, rates[:, k], color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.0)
-        line[0].set_gid(f"rate {name} {joint.symbol}")
-        at = int(np.argmax(np.abs(rates[:, k])))
-        way = (0.0, float(np.sign(rates[at, k])))
-        labels.append(Label(axes, math(joint.symbol), (times[at], rates[at, k]), way, SMALL, stroke.colour))
+        axes.plot(times, rates[:, k], linewidth=1.0, gid=f"rate {name} {joint.symbol}", **stroke_of(k).line)
+        labels.append(at_peak(axes, math(joint.symbol), times, rates[:, k], stroke_of(k)))
     return labels
 
 
@@ -136,10 +125,7 @@ def caption(arm: Arm, lang: str = "en", motion: Motion | None = None) -> str:
     """Return the caption: both configurations, the time, how long each path is, how near the straight line is to a singularity."""
     motion = motion or motion_of(arm)
     start, end = (values_text(arm, q, lang) for q in (motion.q_0, motion.q_f))
-    parts = [
-        say("figure_of", lang, title=say("path", lang), arm=arm_title(arm, lang)),
-        say("A_to_B", lang, start=start, end=end, t_f=number(motion.duration, lang), count=SNAPSHOTS),
-    ]
+    parts = [say("A_to_B", lang, start=start, end=end, t_f=number(motion.duration, lang), count=SNAPSHOTS)]
     lengths = {name: length(path_length(arm, trajectory), lang) for name, trajectory in tool_motions(motion).items()}
     if np.isfinite(read_rate_limits(arm).velocity).all():
         parts.append(say("below_rates", lang))

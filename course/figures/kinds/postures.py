@@ -9,7 +9,6 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import arm_height, arm_view, fit_arm
 from armproof.course.figures.drawing.labels import (
-    arm_title,
     check_language,
     joint_texts,
     joint_value,
@@ -21,7 +20,7 @@ from armproof.course.figures.drawing.labels import (
 from armproof.course.figures.drawing.layout import lay_out
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.style import GREY, PALE, STROKES, TEXT, WIDTHS, new_figure, styled
+from armproof.course.figures.drawing.style import GREY, PALE, TEXT, WIDTHS, new_figure, stroke_of, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
 from armproof.course.figures.drawing.table import draw_table, table_height
 from armproof.course.figures.facts.solutions import STARTS, Postures, is_square, postures_of
@@ -101,7 +100,7 @@ def _fit(arm: Arm, size: float) -> dict[str, Any]:
 def _draw_posture(
     scene: Scene, arm: Arm, q: np.ndarray, k: int, *, symbols: bool, size: float, number: bool = False
 ) -> None:
-    stroke = STROKES[k % len(STROKES)]
+    stroke = stroke_of(k)
     look = Look(stroke.colour, 1.0, 1.6, symbols=symbols, linestyle=stroke.linestyle, size=size)
     layout = draw_arm(scene, arm, q, look, name=f"posture {k + 1} ")
     if number:  # beside the link that starts highest, where the postures are apart
@@ -140,7 +139,6 @@ def caption(arm: Arm, lang: str = "en") -> str:
     point = NumericKinematics(arm, found.target[None]).pose(task_of(arm).frame)[0, :3, 3]
     target = f"$x$ = {length(point[0], lang)}, $y$ = {length(point[1], lang)}, $z$ = {length(point[2], lang)}"
     parts = [
-        say("figure_of", lang, title=say("postures", lang), arm=arm_title(arm, lang)),
         say("postures_caption", lang, count=len(found.q), target=target),
         say("by_formula", lang) if found.found == "formula" else say("by_iteration", lang, starts=STARTS),
     ]

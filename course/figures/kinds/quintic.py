@@ -9,7 +9,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.labels import (
-    arm_title,
     axis_label,
     joint_scales,
     joint_unit,
@@ -18,10 +17,11 @@ from armproof.course.figures.drawing.labels import (
     same_unit,
     say,
     values_text,
+    with_unit,
 )
 from armproof.course.figures.drawing.placement import Label, place_labels
 from armproof.course.figures.drawing.plots import plot_axes
-from armproof.course.figures.drawing.style import GREY, SMALL, STROKES, WIDTHS, Size, new_figure, styled
+from armproof.course.figures.drawing.style import GREY, SMALL, WIDTHS, Box, Size, new_figure, stroke_of, styled
 from armproof.course.figures.facts.motions import Motion, motion_of
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
@@ -68,7 +68,7 @@ def quintic_figure(arm: Arm, lang: str = "en", motion: Motion | None = None) -> 
 
 
 def _panel(
-    figure: Figure, box: tuple[float, float, float, float], motion: Motion, samples: MotionSamples,
+    figure: Figure, box: Box, motion: Motion, samples: MotionSamples,
     kind: str, joints: list[int], order: int, lang: str,
 ) -> list[Label]:  # fmt: skip
     """Draw one derivative of the joints of one kind; returns the labels that it needs."""
@@ -79,11 +79,8 @@ def _panel(
     axes.margins(y=0.16)
     values = (samples.q, samples.v, samples.w)[order]
     for k in joints:
-        stroke = STROKES[k % len(STROKES)]
-        line = axes.plot(
-            samples.times, joint_scales(motion.arm)[k] * values[:, k], color=stroke.colour, linestyle=stroke.linestyle
-        )
-        line[0].set_gid(f"{ORDERS[order]} {motion.arm.joints[k].symbol}")
+        gid = f"{ORDERS[order]} {motion.arm.joints[k].symbol}"
+        axes.plot(samples.times, joint_scales(motion.arm)[k] * values[:, k], gid=gid, **stroke_of(k).line)
     _mark_times(axes, motion.duration, order)
     return _names(axes, motion, joints) if order == 0 else _peaks(axes, motion, kind, joints, order, lang)
 
@@ -101,7 +98,7 @@ def _names(axes: Axes, motion: Motion, joints: list[int]) -> list[Label]:
     """Return the names of the joints, at the ends of their curves."""
     scales = joint_scales(motion.arm)
     return [
-        Label(axes, math(motion.arm.joints[k].symbol), (motion.duration, scales[k] * motion.q_f[k]), (1.0, 0.0), colour=STROKES[k % len(STROKES)].colour)
+        Label(axes, math(motion.arm.joints[k].symbol), (motion.duration, scales[k] * motion.q_f[k]), (1.0, 0.0), colour=stroke_of(k).colour)
         for k in joints
     ]  # fmt: skip
 
@@ -113,15 +110,12 @@ def _peaks(axes: Axes, motion: Motion, kind: str, joints: list[int], order: int,
     largest = max(joints, key=lambda k: abs(found[k]))
     labels = []
     for k in joints:
-        stroke = STROKES[k % len(STROKES)]
+        stroke, gid = stroke_of(k), f"peak {ORDERS[order]} {motion.arm.joints[k].symbol}"
         times = (peak_times(motion.duration)[1],) if order == 1 else peak_times(motion.duration)[::2]
         values = scales[k] * found[k] * np.array([1.0, -1.0])[: len(times)]
-        marks = axes.plot(
-            times, values, color=stroke.colour, marker=stroke.marker, markersize=3.2, linestyle="none", zorder=4
-        )
-        marks[0].set_gid(f"peak {ORDERS[order]} {motion.arm.joints[k].symbol}")
+        axes.plot(times, values, stroke.marker, color=stroke.colour, markersize=3.2, zorder=4, gid=gid)
         if found[k] and (k == largest or len(joints) <= _FEW):
-            text = f"{number(values[0], lang)} {joint_unit(kind, order)}"
+            text = with_unit(values[0], joint_unit(kind, order), lang)
             labels.append(Label(axes, text, (times[0], values[0]), (0.4, np.sign(values[0])), SMALL, stroke.colour))
     return labels
 
@@ -142,7 +136,6 @@ def caption(arm: Arm, lang: str = "en", motion: Motion | None = None) -> str:
     speeds, accelerations = peak_values(motion)
     return " ".join(
         (
-            say("figure_of", lang, title=say("quintic", lang), arm=arm_title(arm, lang)),
             say("from_to", lang, start=values_text(arm, motion.q_0, lang), end=values_text(arm, motion.q_f, lang), t_f=number(motion.duration, lang)),
             say("peak_speed", lang, time=half, values=values_text(arm, speeds, lang, 1)),
             say("peak_acceleration", lang, first=t_1, second=t_2, values=values_text(arm, accelerations, lang, 2)),

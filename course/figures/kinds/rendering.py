@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import drawn_points
-from armproof.course.figures.drawing.labels import arm_title, say, values_text
+from armproof.course.figures.drawing.labels import say, values_text
 from armproof.course.figures.drawing.placement import Label, place_labels
 from armproof.course.figures.drawing.style import PAPER, WIDTHS, mm_axes, new_figure, styled
 from armproof.course.figures.drawing.symbols import AXIS_COLOURS
@@ -168,8 +168,7 @@ def _arrow(axes: Axes, start: np.ndarray, tip: np.ndarray, colour: str, gid: str
 def caption(arm: Arm, lang: str = "en") -> str:
     """Return the caption: the pose."""
     pose = values_text(arm, showing_pose(arm), lang)
-    title = say("figure_of", lang, title=say("rendering", lang), arm=arm_title(arm, lang))
-    return f"{title} {say('drawn_at', lang, pose=pose)} {say('axes_colours', lang)}"
+    return f"{say('drawn_at', lang, pose=pose)} {say('axes_colours', lang)}"
 
 
 def applies(arm: Arm, lang: str) -> str | None:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.ellipsoid import draw_ellipsoid
 from armproof.course.figures.drawing.fitting import arm_height, arm_view
-from armproof.course.figures.drawing.labels import arm_title, check_language, say, values_text
+from armproof.course.figures.drawing.labels import check_language, say, values_text
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import STROKES, WIDTHS, styled
@@ -202,20 +202,12 @@ def reason(arm: Arm, lang: str) -> str | None:
 def caption(arm: Arm, lang: str = "en") -> str:
     """Return the caption: the determinant, and each pose with its rank."""
     analysis = singularities_of(arm)
-    parts = [say("figure_of", lang, title=say("singular", lang), arm=arm_title(arm, lang))]
-    if analysis.factored:
-        parts.append(say("determinant_is", lang, latex=analysis.factored))
-    parts.append(
-        say("generic_caption", lang, pose=values_text(arm, showing_pose(arm), lang), rank=analysis.generic_rank)
-    )
+    parts = [say("determinant_is", lang, latex=analysis.factored)] if analysis.factored else []
+    generic = values_text(arm, showing_pose(arm), lang)
+    parts.append(say("generic_caption", lang, pose=generic, rank=analysis.generic_rank))
     for letter, pose in zip(LETTERS, singular_poses(arm), strict=False):
-        words = {
-            "letter": letter,
-            "condition": pose.family.latex,
-            "pose": values_text(arm, pose.q, lang),
-            "rank": pose.family.rank,
-        }
-        parts.append(say("family_caption", lang, **words))
+        words = {"letter": letter, "condition": pose.family.latex, "rank": pose.family.rank}
+        parts.append(say("family_caption", lang, pose=values_text(arm, pose.q, lang), **words))
     return " ".join([*parts, say("ellipse_caption", lang)])
 
 

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from armproof.course.figures.drawing.dimensions import draw_angle, draw_lengths, draw_turn
 from armproof.course.figures.drawing.fitting import arm_height, fit_arm
 from armproof.course.figures.drawing.frames import draw_frames
-from armproof.course.figures.drawing.labels import arm_title, check_language, form_tex, length, math, say, values_text
+from armproof.course.figures.drawing.labels import check_language, form_tex, length, math, say, values_text
 from armproof.course.figures.drawing.layout import Layout
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import WIDTHS, new_figure, styled
@@ -153,7 +153,6 @@ def caption(arm: Arm, lang: str = "en") -> str:
     rows = link_rows(arm)
     q = sketch_pose(arm)
     parts = [
-        say("figure_of", lang, title=say("sketch", lang), arm=arm_title(arm, lang)),
         say(f"frames_{rows.convention}" if rows else "frames_own", lang),
         say("drawn_at", lang, pose=values_text(arm, q, lang)),
     ]

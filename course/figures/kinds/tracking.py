@@ -9,10 +9,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.labels import arm_title, axis_label, math, number, say
+from armproof.course.figures.drawing.labels import axis_label, math, number, say, with_unit
 from armproof.course.figures.drawing.placement import Label, place_labels
-from armproof.course.figures.drawing.plots import plot_axes
-from armproof.course.figures.drawing.style import GREY, SMALL, STROKES, new_figure, styled
+from armproof.course.figures.drawing.plots import at_peak, plot_axes
+from armproof.course.figures.drawing.style import GREY, STROKES, new_figure, stroke_of, styled
 from armproof.course.figures.facts.motions import motion_of
 from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.registry import Kind
@@ -55,16 +55,19 @@ def tracking_figure(arm: Arm, lang: str = "en") -> Figure:
     """Return the error of the tool and of the joints, and the efforts of the drives, against time."""
     found = tracked(arm)
     figure = new_figure("column", 3 * _PANEL + 2 * _GAP + _BOTTOM + 6)
-    labels = _tool_error(_panel(figure, 0, lang, axis_label("", _tool(arm)[0], "e")), found, lang)
-    labels += _joint_errors(_panel(figure, 1, lang, axis_label("", joint_error_unit(arm), "q_d - q")), found, lang)
-    labels += _efforts(_panel(figure, 2, lang, _effort_label(arm, lang)), found, lang)
+    labels = _tool_error(_panel(figure, 0, "tool_error", axis_label("", _tool(arm)[0], "e"), lang), found, lang)
+    axes = _panel(figure, 1, "joint_error", axis_label("", joint_error_unit(arm), "q_d - q"), lang)
+    labels += _curves(axes, found, 1000 * (found.wrong.q_desired - found.wrong.q), "error")
+    axes = _panel(figure, 2, "effort", _effort_label(arm), lang)
+    labels += _curves(axes, found, effort_scales(arm) * found.wrong.torques, "effort")
     place_labels(figure, labels)
     return figure
 
 
-def _panel(figure: Figure, place: int, lang: str, y: str) -> Axes:
+def _panel(figure: Figure, place: int, what: str, y: str, lang: str) -> Axes:
     time = axis_label(say("time", lang), "s", "t") if place == 2 else ""
-    return plot_axes(figure, (_LEFT, _BOTTOM + (2 - place) * (_PANEL + _GAP), _WIDTH, _PANEL), lang, time, y)
+    box = (_LEFT, _BOTTOM + (2 - place) * (_PANEL + _GAP), _WIDTH, _PANEL)
+    return plot_axes(figure, box, lang, time, y, title=say(f"{what}_title", lang, part=number(100 * WRONG, lang)))
 
 
 def _tool(arm: Arm) -> tuple[str, float]:
@@ -79,25 +82,13 @@ def tool_error(arm: Arm, log: TrackingLog) -> np.ndarray:
 
 def _tool_error(axes: Axes, found: TrackedMotion, lang: str) -> list[Label]:
     unit, scale = _tool(found.arm)
-    axes.set_title(say("tool_error_title", lang), loc="left", pad=2, fontsize=SMALL)
     labels = []
     for key, log, stroke in (("right", found.right, STROKES[0]), ("wrong", found.wrong, STROKES[1])):
         error = scale * tool_error(found.arm, log)
-        axes.plot(log.times, error, color=stroke.colour, linestyle=stroke.linestyle, linewidth=1.0)[0].set_gid(
-            f"tool {key}"
-        )
-        at = int(np.argmax(error))
-        text = say(f"masses_{key}", lang, part=number(100 * WRONG, lang))
-        labels.append(
-            Label(
-                axes,
-                f"{text}: {number(error[at], lang, 2)}{'' if unit == '°' else ' '}{unit}",
-                (log.times[at], error[at]),
-                (0.3, 1.0),
-                SMALL,
-                stroke.colour,
-            )
-        )
+        axes.plot(log.times, error, linewidth=1.0, gid=f"tool {key}", **stroke.line)
+        masses = say(f"masses_{key}", lang, part=number(100 * WRONG, lang))
+        text = f"{masses}: {with_unit(float(error.max()), unit, lang, 2)}"
+        labels.append(at_peak(axes, text, log.times, error, stroke, 0.3))
     axes.set(xlim=(0, found.right.times[-1]), ylim=(0, 1.35 * scale * float(tool_error(found.arm, found.wrong).max())))
     return labels
 
@@ -108,17 +99,9 @@ def joint_error_unit(arm: Arm) -> str:
     return ", ".join(unit for kind, unit in (("revolute", "mrad"), ("prismatic", "mm")) if kind in kinds)
 
 
-def _joint_errors(axes: Axes, found: TrackedMotion, lang: str) -> list[Label]:
-    axes.set_title(say("joint_error_title", lang, part=number(100 * WRONG, lang)), loc="left", pad=2, fontsize=SMALL)
-    return _curves(axes, found, 1000 * (found.wrong.q_desired - found.wrong.q), "error")
-
-
-def _effort_label(arm: Arm, lang: str) -> str:
-    return (
-        axis_label("", "%", r"\tau/\tau_\mathrm{max}")
-        if np.isfinite(read_rate_limits(arm).effort).all()
-        else axis_label("", "N m, N", r"\tau")
-    )
+def _effort_label(arm: Arm) -> str:
+    limited = np.isfinite(read_rate_limits(arm).effort).all()
+    return axis_label("", "%", r"\tau/\tau_\mathrm{max}") if limited else axis_label("", "N m, N", r"\tau")
 
 
 def effort_scales(arm: Arm) -> np.ndarray:
@@ -127,26 +110,15 @@ def effort_scales(arm: Arm) -> np.ndarray:
     return 100 / limits if np.isfinite(limits).all() else np.ones(len(limits))
 
 
-def _efforts(axes: Axes, found: TrackedMotion, lang: str) -> list[Label]:
-    axes.set_title(say("effort_title", lang, part=number(100 * WRONG, lang)), loc="left", pad=2, fontsize=SMALL)
-    return _curves(axes, found, effort_scales(found.arm) * found.wrong.torques, "effort")
-
-
 def _curves(axes: Axes, found: TrackedMotion, values: np.ndarray, gid: str) -> list[Label]:
     """Plot a curve a joint; returns their names, those of small ones left out."""
     labels = []
     largest = float(np.abs(values).max())
     for k, joint in enumerate(found.arm.joints):
-        stroke = STROKES[k % len(STROKES)]
-        axes.plot(found.wrong.times, values[:, k], color=stroke.colour, linestyle=stroke.linestyle, linewidth=0.9)[
-            0
-        ].set_gid(f"{gid} {joint.symbol}")
-        at = int(np.argmax(np.abs(values[:, k])))
-        if abs(values[at, k]) > 0.12 * largest:
-            way = (0.2, float(np.sign(values[at, k])))
-            labels.append(
-                Label(axes, math(joint.symbol), (found.wrong.times[at], values[at, k]), way, SMALL, stroke.colour)
-            )
+        times, curve = found.wrong.times, values[:, k]
+        axes.plot(times, curve, linewidth=0.9, gid=f"{gid} {joint.symbol}", **stroke_of(k).line)
+        if np.abs(curve).max() > 0.12 * largest:
+            labels.append(at_peak(axes, math(joint.symbol), times, curve, stroke_of(k), 0.2))
     axes.axhline(0, color=GREY, linewidth=0.4, zorder=1)
     axes.set_xlim(0, found.wrong.times[-1])
     low, high = float(values.min()), float(values.max())
@@ -158,13 +130,9 @@ def caption(arm: Arm, lang: str = "en") -> str:
     """Return the caption: the motion's duration, the controller, the largest errors of the tool, the largest effort."""
     found = tracked(arm)
     unit, scale = _tool(arm)
-    space = "" if unit == "°" else " "
-    right, wrong = (
-        f"{number(scale * float(tool_error(arm, log).max()), lang, 2)}{space}{unit}"
-        for log in (found.right, found.wrong)
-    )
+    errors = (scale * float(tool_error(arm, log).max()) for log in (found.right, found.wrong))
+    right, wrong = (with_unit(error, unit, lang, 2) for error in errors)
     parts = [
-        say("figure_of", lang, title=say("tracking", lang), arm=arm_title(arm, lang)),
         say(
             "tracking_is", lang, t_f=number(motion_of(arm).duration, lang), bandwidth=number(BANDWIDTH, lang),
             period=number(1000 * PERIOD, lang), right=right, wrong=wrong, part=number(100 * WRONG, lang),

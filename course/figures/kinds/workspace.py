@@ -9,21 +9,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.labels import arm_title, axis_label, length, number, say
-from armproof.course.figures.drawing.maps import (
-    draw_levels,
-    draw_scale,
-    halo,
-    levels_up_to,
-    map_colours,
-    plain_condition,
-    smooth,
-    volume_unit,
-)
+from armproof.course.figures.drawing.labels import axis_label, length, number, say
+from armproof.course.figures.drawing.maps import curve_style, draw_map, plain_condition, smooth, volume_unit
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.style import INK, PAPER, STROKES, new_figure, styled
+from armproof.course.figures.drawing.style import INK, PAPER, Box, new_figure, styled
 from armproof.course.figures.facts.curves import family_curve
 from armproof.course.figures.facts.positioning import Positioning, position_singularities, positioning_of
 from armproof.course.figures.registry import Kind
@@ -114,18 +105,13 @@ def workspace_figure(arm: Arm, lang: str = "en") -> Figure:
     return finish(figure, scene, extra=labels)
 
 
-def _draw_map(
-    figure: Figure, axes: Axes, box: tuple[float, float, float, float], found: Workspace, extent: np.ndarray, lang: str
-) -> None:
-    positioning, highest = found.positioning, float(np.nanmax(found.best))
-    image = axes.imshow(found.best, cmap=map_colours(), vmin=0, vmax=highest, extent=tuple(extent), origin="lower", interpolation="nearest", zorder=0)  # fmt: skip
-    image.set_gid("best")
-    levels = levels_up_to(highest)
-    draw_levels(axes, found.x, found.y, smooth(found.best) if len(positioning.free) > 2 else found.best, levels)
-    label = axis_label(
-        say("manipulability_word", lang), volume_unit(positioning.arm, positioning.rows, positioning.columns), "w"
-    )
-    draw_scale(figure, (_LEFT + _WIDEST + 3, box[1], 3.0, box[3]), highest, levels, label, lang)
+def _draw_map(figure: Figure, axes: Axes, box: Box, found: Workspace, extent: np.ndarray, lang: str) -> None:
+    positioning = found.positioning
+    lined = smooth(found.best) if len(positioning.free) > 2 else found.best
+    unit = volume_unit(positioning.arm, positioning.rows, positioning.columns)
+    label, scale = axis_label(say("manipulability_word", lang), unit, "w"), (_LEFT + _WIDEST + 3, box[1], 3.0, box[3])
+    best, highest = found.best, float(np.nanmax(found.best))
+    draw_map(figure, axes, scale, found.x, found.y, best, highest, label, lang, "best", extent=extent, lined=lined)
 
 
 def _draw_curves(axes: Axes, found: Workspace) -> list[Label]:
@@ -133,17 +119,11 @@ def _draw_curves(axes: Axes, found: Workspace) -> list[Label]:
     labels = []
     for k, (latex, q) in enumerate(found.curves.items()):
         points = curve_points(found.positioning, q)
-        stroke = STROKES[(1, 0, 3, 2, 4, 5, 6, 7)[k % len(STROKES)]]
-        line = axes.plot(
-            points[:, 0], points[:, 1], color=stroke.colour, linestyle=stroke.linestyle, path_effects=halo(), zorder=5
-        )[0]
-        if len(points) == 1:
-            line.set(marker="o", markersize=4)
-        line.set_gid(f"singular {latex}")
+        dot = {"marker": "o", "markersize": 4} if len(points) == 1 else {}
+        axes.plot(points[:, 0], points[:, 1], gid=f"singular {latex}", **curve_style(k), **dot)
         at = points[int(np.nanargmax(points @ np.array([1.0, 0.6 - 0.8 * k])))]
-        labels.append(
-            Label(axes, f"${plain_condition(latex)}$", (at[0], at[1]), (1.0, 0.5 - 0.7 * k), colour=stroke.colour)
-        )
+        text, colour = f"${plain_condition(latex)}$", curve_style(k)["color"]
+        labels.append(Label(axes, text, (at[0], at[1]), (1.0, 0.5 - 0.7 * k), colour=colour))
     return labels
 
 
@@ -171,7 +151,6 @@ def caption(arm: Arm, lang: str = "en") -> str:
     best = f"{number(float(np.nanmax(found.best)), lang)} {unit}".strip()
     near, far = (length(distance, lang) for distance in found.reach)
     parts = [
-        say("figure_of", lang, title=say("workspace", lang), arm=arm_title(arm, lang)),
         say("workspace_is", lang, point=point, count=say("million", lang), best=best),
     ]
     if not positioning.about:
@@ -179,9 +158,7 @@ def caption(arm: Arm, lang: str = "en") -> str:
     if found.curves:
         curves = ", ".join(f"${plain_condition(latex)}$" for latex in found.curves)
         parts.append(say("singular_curves", lang, curves=curves))
-    else:
-        parts.append(say("no_singular_curves", lang))
-    return " ".join(parts)
+    return " ".join(parts if found.curves else [*parts, say("no_singular_curves", lang)])
 
 
 def applies(arm: Arm, lang: str) -> str | None:
