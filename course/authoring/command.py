@@ -156,7 +156,7 @@ def _place(folder: Path | None) -> Place:
 
 def _place_for_writing(folder: Path | None) -> Place:
     """Return where a new lesson goes: the folder named, which need not be there, else the course of the working folder."""
-    from armproof.course.sources.errors import AuthoringError
+    from armproof.course.errors import AuthoringError
     from armproof.course.sources.places import COURSE, Place
 
     if folder is not None and not folder.exists():
@@ -170,7 +170,7 @@ def _place_for_writing(folder: Path | None) -> Place:
 
 def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out: Path | None) -> Files:
     from armproof.course.authoring.checking.building import instructor_files, nbgrader_files, student_files
-    from armproof.course.sources.errors import AuthoringError
+    from armproof.course.errors import AuthoringError
 
     if instructor and nbgrader:
         raise AuthoringError("--instructor and --nbgrader are two editions; build one at a time")

@@ -18,22 +18,13 @@ class Format(StrEnum):
 
 Names = Annotated[
     list[str] | None,
-    typer.Argument(
-        metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all.", show_default=False
-    ),
+    typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all."),
 ]
 Folder = Annotated[
     Path | None,
-    typer.Option(
-        "--folder",
-        metavar="DIR",
-        help="Lessons of your own: DIR/lessons, DIR/tasks, DIR/notebooks.",
-        show_default=False,
-    ),
+    typer.Option("--folder", metavar="DIR", help="Lessons of your own: DIR/lessons, DIR/tasks, DIR/notebooks."),
 ]
-Out = Annotated[
-    Path | None, typer.Option("--out", metavar="DIR", help="Where the other editions are written.", show_default=False)
-]
+Out = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="Where the other editions are written.")]
 Only = Annotated[
     bool, typer.Option("--check", help="Write nothing: name the notebooks that are out of date, exit 1 if any is.")
 ]
@@ -44,32 +35,16 @@ Nbgrader = Annotated[
 ]
 Jobs = Annotated[
     int | None,
-    typer.Option(
-        "--jobs",
-        "-j",
-        min=1,
-        max=64,
-        metavar="N",
-        help="Processes; by default one a core, at most 4.",
-        show_default=False,
-    ),
+    typer.Option("--jobs", "-j", min=1, max=64, metavar="N", help="Processes; by default one a core, at most 4."),
 ]
 ReportFormat = Annotated[Format, typer.Option("--format", help="text for people, json for programs.")]
-Name = Annotated[
-    str, typer.Argument(metavar="NAME", help="The lesson's name, such as my_arm_jacobian.", show_default=False)
-]
-OfArm = Annotated[
-    str | None, typer.Option("--arm", metavar="ARM", help="An arm of `armproof arms`.", show_default=False)
-]
+Name = Annotated[str, typer.Argument(metavar="NAME", help="The lesson's name, such as my_arm_jacobian.")]
+OfArm = Annotated[str | None, typer.Option("--arm", metavar="ARM", help="An arm of `armproof arms`.")]
 OfDocument = Annotated[
     Path | None,
-    typer.Option(
-        "--document", metavar="FILE", help="A document whose proved displays become tasks.", show_default=False
-    ),
+    typer.Option("--document", metavar="FILE", help="A document whose proved displays become tasks."),
 ]
 Title = Annotated[
     str,
-    typer.Option(
-        "--title", metavar="TEXT", help="By default the document's, or the name in words.", show_default=False
-    ),
+    typer.Option("--title", metavar="TEXT", help="By default the document's, or the name in words."),
 ]

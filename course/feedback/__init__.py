@@ -1,8 +1,8 @@
 """Tasks that know whether an answer is right: opened in a lesson, checked in a notebook, read by grading."""
 
+from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import WithSympy
 from armproof.course.feedback.choice import Choice, Number
-from armproof.course.feedback.errors import AnswerError, LessonError
 from armproof.course.feedback.formula import Formula
 from armproof.course.feedback.lesson import Lesson, lessons, open_lesson, results
 from armproof.course.feedback.outcome import Feedback, Outcome, Row

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback.errors import AnswerError
+from armproof.course.errors import AnswerError
 from armproof.models.errors import ArmproofError
 from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.tracing.from_sympy import FromSympy, is_expression

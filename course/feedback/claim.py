@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_number
-from armproof.course.feedback.errors import AnswerError, LessonError
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, place, told, without_asked
 from armproof.models.arm import Arm
 from armproof.verification.algebra.budget import Budget

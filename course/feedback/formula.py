@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
+from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
-from armproof.course.feedback.errors import AnswerError, LessonError
 from armproof.course.feedback.outcome import ASKED, NOTHING, Feedback, Outcome, Row, place
 from armproof.models.errors import ArmproofError
 from armproof.verification.functions.guarded_call import CallError, Guard

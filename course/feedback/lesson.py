@@ -16,7 +16,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from armproof.course.feedback.errors import LessonError
+from armproof.course.errors import LessonError
 from armproof.course.feedback.notebook import block, show_figures
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.task import Task

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback.errors import AnswerError
+from armproof.course.errors import AnswerError
 from armproof.models.arm import Arm
 from armproof.models.errors import ArmproofError
 from armproof.models.numeric.plant import NumericKinematics

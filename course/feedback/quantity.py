@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import Claim, judge_formula
-from armproof.course.feedback.errors import AnswerError
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, place, told
 from armproof.course.feedback.picture import call_at, draw_answer

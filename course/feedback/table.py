@@ -8,8 +8,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function, is_missing
-from armproof.course.feedback.errors import AnswerError
 from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm

@@ -12,8 +12,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
-from armproof.course.feedback.errors import AnswerError
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome
 from armproof.course.feedback.quantity import NOTHING_YET, Quantity

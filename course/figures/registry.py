@@ -9,9 +9,9 @@ from textwrap import fill
 
 from matplotlib.figure import Figure
 
+from armproof.course.errors import FigureError
 from armproof.course.figures.drawing.labels import arm_title, say
 from armproof.course.figures.drawing.style import GREY, TEXT, new_figure, styled
-from armproof.course.figures.errors import FigureError
 from armproof.models.arm import Arm
 
 KINDS = (  # in the order in which a course meets them, each the KIND of the module of its name in course/figures/kinds/

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from armproof.course.grading.sandbox.errors import GradingError
+from armproof.course.errors import GradingError
 from armproof.models.errors import ArmproofError
 from armproof.verification.cli.application import CANNOT_RUN, INTERRUPTED, give_up, tell
 from armproof.verification.cli.documents import Progress
@@ -19,15 +19,14 @@ Folder = Annotated[
 Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="The folder that the results are written into.")]
 Jobs = Annotated[
     int | None,
-    typer.Option("--jobs", "-j", min=1, max=256, metavar="N", help="Submissions at once; by default one a core.",
-                 show_default=False),
+    typer.Option("--jobs", "-j", min=1, max=256, metavar="N", help="Submissions at once; by default one a core."),
 ]  # fmt: skip
 Seconds = Annotated[float, typer.Option("--seconds", min=1, max=3600, metavar="S", help="Seconds for each submission.")]
 Memory = Annotated[int, typer.Option("--memory", min=64, max=65536, metavar="MB", help="Memory for each, in MB.")]
 
 Own = Annotated[
     Path | None,
-    typer.Option("--folder", metavar="DIR", help="Lessons of your own, beside the course's.", show_default=False),
+    typer.Option("--folder", metavar="DIR", help="Lessons of your own, beside the course's."),
 ]
 Unprotected = Annotated[
     bool, typer.Option("--unprotected", help="Run without bubblewrap: limits of time and memory, and no protection.")

@@ -8,11 +8,11 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from armproof.course.errors import GradingError
 from armproof.course.grading.judging import judge
 from armproof.course.grading.notebook import Notebook, UnreadableError, read_notebook
 from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.running.client import Client
-from armproof.course.grading.sandbox.errors import GradingError
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.sandbox.places import lies_in_readable
 from armproof.course.grading.submissions import Submission

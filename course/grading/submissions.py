@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from unicodedata import normalize
 
-from armproof.course.grading.sandbox.errors import GradingError
+from armproof.course.errors import GradingError
 from armproof.course.grading.text import clean
 
 _NOTEBOOK = ".ipynb"

@@ -22,7 +22,7 @@ class Format(StrEnum):
     html = "html"
 
 
-Documents = Annotated[list[Path], typer.Argument(metavar="DOC", help="Documents or folders.", show_default=False)]
+Documents = Annotated[list[Path], typer.Argument(metavar="DOC", help="Documents or folders.")]
 SheetFormat = Annotated[
     Format, typer.Option("--format", help="pdf (needs the extra 'print') or html, one file a sheet.")
 ]

@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from armproof.course.errors import PrintError
 from armproof.course.printing.figures import draw_figures
 from armproof.course.sheet.editions import for_students, has_solutions, with_solutions
-from armproof.course.sheet.errors import PrintError
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, Text, plain
+from armproof.course.sheet.proof import check_language
 from armproof.course.sheet.reading import BlockReader
-from armproof.course.sheet.words import check_language, say
+from armproof.course.words import say
 from armproof.models.catalogue import load_arm
 from armproof.verification.document import Document
 from armproof.verification.document.front_matter import read_text, split_front_matter

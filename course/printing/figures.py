@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from armproof.course.errors import PrintError
 from armproof.course.figures.drawing.style import MM
 from armproof.course.figures.output.save import save_figure
 from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
-from armproof.course.sheet.errors import PrintError
 from armproof.course.sheet.model import Inline, Picture
 from armproof.models.arm import Arm
 from armproof.verification.document import Document

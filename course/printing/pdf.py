@@ -8,9 +8,9 @@ from importlib import resources
 from importlib.util import find_spec
 from pathlib import Path
 
+from armproof.course.errors import PrintError
 from armproof.course.printing.typst_writer import TypstWriter
 from armproof.course.sheet import model as s
-from armproof.course.sheet.errors import PrintError
 
 MISSING = "a PDF sheet is typeset by Typst, which is not installed: pip install 'armproof[print]'; --format html needs nothing"
 

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from armproof.course.errors import PrintError
 from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.printing.pdf import check_installed, write_pdf
-from armproof.course.sheet.errors import PrintError
 from armproof.course.sheet.html import HtmlWriter
 from armproof.course.sheet.model import Sheet, plain
-from armproof.course.sheet.proof import proof_line
-from armproof.course.sheet.words import check_language, say
+from armproof.course.sheet.proof import check_language, proof_line
+from armproof.course.words import say
 from armproof.models.errors import written
 from armproof.verification.cli.application import complain
 from armproof.verification.document import Document

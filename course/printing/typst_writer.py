@@ -14,7 +14,7 @@ from pathlib import Path
 from armproof.course.printing.mathematics import quoted, typst_mathematics
 from armproof.course.sheet import model as s
 from armproof.course.sheet.proof import proof_line, remark
-from armproof.course.sheet.words import say
+from armproof.course.words import say
 from armproof.verification.latex.mathml.display import Line
 
 _SPECIAL = re.compile(r"[!#$%&*+\-./:;<=>?@\[\\\]^_`{|}~]")

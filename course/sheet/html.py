@@ -9,7 +9,7 @@ from markupsafe import Markup, escape
 
 from armproof.course.sheet import model as s
 from armproof.course.sheet.proof import remark
-from armproof.course.sheet.words import say
+from armproof.course.words import say
 from armproof.verification.latex.mathml.display import Line
 from armproof.verification.verdict import Record
 

@@ -1,13 +1,26 @@
-"""What stands behind a sheet: how many of its equations are proved, in one line at its foot."""
+"""What a sheet says of itself: its language, how many of its equations are proved, and which are not settled."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
 
-from armproof.course.sheet.words import say
+from armproof.course.errors import PrintError
+from armproof.course.words import LANGUAGES, say
 from armproof.verification.report.html.templating import version_of
 from armproof.verification.verdict import Record, Verdict
+
+
+def check_language(lang: str) -> str:
+    """Return the language of a sheet: fr-FR is fr.
+
+    Raises:
+        PrintError: another language than English and French.
+    """
+    short = lang.strip().lower().replace("_", "-").partition("-")[0]
+    if short not in LANGUAGES:
+        raise PrintError("no language '{lang}'; a sheet is printed in {languages}", lang=lang, languages=list(LANGUAGES))  # fmt: skip
+    return short
 
 
 def proof_line(records: Iterable[Record], lang: str, arm: str) -> str:

@@ -13,7 +13,7 @@ from pathlib import Path
 from markdown_it.token import Token
 from markdown_it.tree import SyntaxTreeNode
 
-from armproof.course.sheet.errors import PrintError
+from armproof.course.errors import PrintError
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import (
     Block,

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from markupsafe import Markup, escape
 
-from armproof.course.figures.output.meshcat import no_page, write_page
+from armproof.course.figures.output.films import film_reason, write_film
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.verification.latex.mathml.writer import Read
@@ -37,7 +37,7 @@ def arm_panel(arm: Arm | None, read: Read) -> ArmPanel | None:
 def view_name(arm: Arm) -> str:
     """Return the file of an arm's 3D view; empty where the arm has no shape or is none of the catalogue."""
     named = re.fullmatch(r"[a-z][a-z0-9_]*", arm.name) is not None
-    return f"{arm.name}-3d.html" if named and no_page(arm) is None else ""
+    return f"{arm.name}-3d.html" if named and film_reason(arm, "html") is None else ""
 
 
 def picture_of(arm: Arm) -> Figure | None:
@@ -52,7 +52,7 @@ def write_views(names: Iterable[str], folder: Path) -> list[Path]:
     for name in names:
         arm = load_arm(name)
         if view_name(arm):
-            path = write_page(arm, folder / view_name(arm))
+            path = write_film(arm, folder / view_name(arm))
             path.write_text(_signed(path.read_text(encoding="utf-8"), arm), encoding="utf-8")
             written.append(path)
     return written

@@ -9,8 +9,8 @@ from concurrent.futures import Executor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 
+from armproof.course.errors import SiteError
 from armproof.course.site import work
-from armproof.course.site.errors import SiteError
 from armproof.course.site.work import Built, Order
 from armproof.models.errors import ArmproofError
 from armproof.verification.report.html.folder import Kind, is_page, new_report

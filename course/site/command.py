@@ -18,22 +18,15 @@ if TYPE_CHECKING:
 
 Names = Annotated[
     list[str] | None,
-    typer.Argument(
-        metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all.", show_default=False
-    ),
+    typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all."),
 ]
 Folder = Annotated[
     Path | None,
-    typer.Option("--folder", metavar="DIR", help="Lessons of your own: DIR/lessons and DIR/tasks.", show_default=False),
+    typer.Option("--folder", metavar="DIR", help="Lessons of your own: DIR/lessons and DIR/tasks."),
 ]
 Out = Annotated[
     Path | None,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="The folder to write; by default build/site, or build/site-solutions.",
-        show_default=False,
-    ),
+    typer.Option("--out", metavar="DIR", help="The folder to write; by default build/site, or build/site-solutions."),
 ]
 Solutions = Annotated[bool, typer.Option("--solutions", help="The edition with solutions, folded below each task.")]
 
@@ -45,8 +38,8 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
     there; 1: a lesson does not run or does not pass; 2: an unknown lesson, or a folder that cannot be written. What is there stays
     unless all of the new site is there.
     """
+    from armproof.course.errors import SiteError
     from armproof.course.site.build import build_site
-    from armproof.course.site.errors import SiteError
     from armproof.course.site.work import Order
     from armproof.course.sources.kernel import require_jupyter
     from armproof.course.sources.places import place_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+from armproof.course.errors import SiteError
 from armproof.course.site.cells import Cell, cells_of, with_outputs
-from armproof.course.site.errors import SiteError
 from armproof.course.sources.kernel import Fault, run_cells
 from armproof.course.sources.lesson_source import LessonSource
 from armproof.course.sources.places import COURSE, Place

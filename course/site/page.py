@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from armproof.course.errors import SiteError
 from armproof.course.feedback import Lesson
 from armproof.course.sheet.proof import proof_line
 from armproof.course.site.arms import arm_panel
 from armproof.course.site.body import BodyWriter
 from armproof.course.site.cells import Cell
-from armproof.course.site.errors import SiteError
 from armproof.course.site.reading import LessonReader
 from armproof.verification.document import Document
 from armproof.verification.report.html.prose import plain_title, title

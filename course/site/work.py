@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from armproof.course.site.errors import SiteError
+from armproof.course.errors import SiteError
 from armproof.course.sources.places import COURSE, Place
 from armproof.models.errors import ArmproofError
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from subprocess import DEVNULL
 from typing import Any
 
-from armproof.course.sources.errors import AuthoringError
+from armproof.course.errors import AuthoringError
 from armproof.course.sources.notebook import as_bytes, as_notebook
 from armproof.course.sources.places import COURSE, Place
 from armproof.verification.document.cells import Cell

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.course.sources.errors import AuthoringError, SourceError
+from armproof.course.errors import AuthoringError, SourceError
 from armproof.course.sources.solutions import BEGIN, END, Block, find_blocks
 from armproof.verification.document.cells import Cell, percent_cells
 

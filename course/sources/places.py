@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.course.sources.errors import AuthoringError
+from armproof.course.errors import AuthoringError
 from armproof.course.sources.lesson_source import FILE
 
 

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.course.sources.errors import SourceError
+from armproof.course.errors import SourceError
 from armproof.verification.document.cells import Cell
 
 BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"

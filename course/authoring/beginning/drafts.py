@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from armproof.course.authoring.beginning.code import written
 from armproof.course.authoring.beginning.exact_text import ExactText, write_quantity
+from armproof.course.authoring.beginning.python_text import written
 from armproof.course.authoring.beginning.slips import slips
 from armproof.course.authoring.checking.answers import progress_left_alone
 from armproof.models.arm import Arm
@@ -43,6 +43,11 @@ class Draft:
     others: tuple[str, ...] = ()
     exact: ExactText | None = None
     wrong: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def topic(self) -> str:
+        """The title within a sentence."""
+        return f"{self.title[0].lower()}{self.title[1:]}"
 
     @property
     def has_function(self) -> bool:

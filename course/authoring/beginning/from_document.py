@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from armproof.course.authoring.beginning.code import written
 from armproof.course.authoring.beginning.drafts import Draft, completed, draft_of_quantity
+from armproof.course.authoring.beginning.python_text import written
 from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity_kinds import as_front_matter, kind_of
 from armproof.verification.check import DocumentChecker

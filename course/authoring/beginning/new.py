@@ -10,10 +10,9 @@ from typing import Any
 
 from armproof.course.authoring.beginning.drafts import Draft, drafts_of_arm
 from armproof.course.authoring.beginning.from_document import drafts_of_document
-from armproof.course.authoring.beginning.lesson_text import write_source
-from armproof.course.authoring.beginning.module_text import Heading, write_module
+from armproof.course.authoring.beginning.texts import Heading, write_module, write_source
 from armproof.course.authoring.checking.building import student_files, write_stale
-from armproof.course.sources.errors import AuthoringError
+from armproof.course.errors import AuthoringError
 from armproof.course.sources.lesson_source import FILE
 from armproof.course.sources.places import Place
 from armproof.models.catalogue import arm_names, load_arm

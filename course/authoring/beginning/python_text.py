@@ -1,9 +1,11 @@
-"""Write a formula's tree as Python: cosines and sines of a module, names as they are."""
+"""Write Python: a formula's tree, with cosines and sines of a module and names as they are; values, and LaTeX as strings."""
 
 from __future__ import annotations
 
+import json
 import keyword
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.latex import nodes as n
@@ -77,3 +79,22 @@ def _identifier(key: str) -> str:
     if not key.isidentifier() or keyword.iskeyword(key) or key in ("q", "m"):
         raise NotPython("'{key}' is no Python name", key=key)
     return key
+
+
+def written(value: Any) -> str:
+    """Return texts, numbers, lists and mappings as Python writes them, with double quotes."""
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{written(key)}: {written(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(written, value)) + "]"
+    if isinstance(value, tuple):
+        return "(" + ", ".join(map(written, value)) + ("," if len(value) == 1 else "") + ")"
+    return repr(value)
+
+
+def raw_string(text: str) -> str:
+    """Return LaTeX as a raw string where it can be one."""
+    can_be = not (set(text) & {'"', "\n"}) and not text.endswith("\\")
+    return f'r"{text}"' if can_be else written(text)

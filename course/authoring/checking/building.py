@@ -6,8 +6,8 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
+from armproof.course.errors import AuthoringError
 from armproof.course.sources.editions import instructor_notebook, student_notebook
-from armproof.course.sources.errors import AuthoringError
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.nbgrader import nbgrader_notebook
 from armproof.course.sources.places import Place

@@ -13,8 +13,8 @@ from armproof.course.authoring.checking.answers import check_answers, count_answ
 from armproof.course.authoring.checking.building import stale, student_files
 from armproof.course.authoring.checking.report import Report
 from armproof.course.authoring.checking.tasks import load_tasks
+from armproof.course.errors import SourceError
 from armproof.course.sources.editions import solved_cells, student_cells
-from armproof.course.sources.errors import SourceError
 from armproof.course.sources.kernel import Run, run_cells
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import Place

@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from armproof.course.sources.errors import SourceError
+from armproof.course.errors import SourceError
 from armproof.course.sources.lesson_source import LessonSource
 from armproof.course.sources.places import Place
 

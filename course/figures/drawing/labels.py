@@ -1,8 +1,4 @@
-"""The words of the figures in English and French, and how numbers, joint values and sums of symbols are written in each.
-
-`say("tool_path", "fr")` gives the words of a key. Words that only one kind of figure uses stand in the same catalogue:
-a translator finds all of them here.
-"""
+"""How the figures say words, numbers, joint values and sums of symbols in English and French."""
 
 from __future__ import annotations
 
@@ -11,13 +7,12 @@ from math import degrees
 
 import numpy as np
 
-from armproof.course.figures.drawing.words import WORDS
-from armproof.course.figures.errors import FigureError
+from armproof.course import words
+from armproof.course.errors import FigureError
 from armproof.models.arm import Arm
 from armproof.models.dh.entry import LinearForm
 from armproof.verification.latex.writer import symbol_as_latex
 
-LANGUAGES = ("en", "fr")
 _DOTS = ("", r"\dot", r"\ddot")
 _LONG = 6  # figures of a number that is written with a power of ten
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -29,8 +24,8 @@ def check_language(lang: str) -> str:
     Raises:
         FigureError: another language than English and French.
     """
-    if lang not in LANGUAGES:
-        raise FigureError("no language '{lang}'; the labels are written in {languages}", lang=lang, languages=list(LANGUAGES))  # fmt: skip
+    if lang not in words.LANGUAGES:
+        raise FigureError("no language '{lang}'; the labels are written in {languages}", lang=lang, languages=list(words.LANGUAGES))  # fmt: skip
     return lang
 
 
@@ -40,14 +35,13 @@ def say(key: str, lang: str, **values: object) -> str:
     Raises:
         FigureError: an unknown language.
     """
-    check_language(lang)
-    return WORDS[key][LANGUAGES.index(lang)].format(**values)
+    return words.say(key, check_language(lang), **values)
 
 
 def arm_title(arm: Arm, lang: str) -> str:
     """Return the title of an arm; that of its card where the catalogue of words has none."""
     key = f"arm {arm.name}"
-    return (say(key, lang) if key in WORDS else "") or arm.title
+    return (say(key, lang) if key in words.words() else "") or arm.title
 
 
 def number(value: float, lang: str, digits: int = 3, *, in_math: bool = False) -> str:

@@ -55,22 +55,20 @@ def lay_out(arm: Arm, q: np.ndarray, spacing: float) -> Layout:
         q: (n,) joint values (rad, m).
         spacing: metres between symbols that would fall upon each other.
     """
-    skeleton = place_skeleton(arm, q)
-    return _Layouter(arm, skeleton.joints, skeleton.frames, spacing).layout()
+    return _Layouter(arm, q, spacing).layout()
 
 
 class _Layouter:
     """Lays out one arm at one configuration."""
 
-    def __init__(
-        self, arm: Arm, joints: tuple[PlacedJoint, ...], frames: Mapping[str, np.ndarray], spacing: float
-    ) -> None:
-        self.joints, self.frames, self.spacing = joints, frames, spacing
+    def __init__(self, arm: Arm, q: np.ndarray, spacing: float) -> None:
+        skeleton = place_skeleton(arm, q)
+        self.joints, self.frames, self.spacing = skeleton.joints, skeleton.frames, spacing
         self.starts, self.ends, self.axes = (
-            np.array([getattr(joint, part) for joint in joints]) for part in ("start", "end", "axis")
+            np.array([getattr(joint, part) for joint in self.joints]) for part in ("start", "end", "axis")
         )
-        self.origin = frames[arm.frames[0]][:3, 3]
-        self.X_0T = frames[tool_frame(arm)]
+        self.origin = self.frames[arm.frames[0]][:3, 3]
+        self.X_0T = self.frames[tool_frame(arm)]
         self.tool = self.X_0T[:3, 3]
         self.planar = choose_projection(arm).planar
         self.near = _COINCIDE * spacing

@@ -9,14 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
+from matplotlib.transforms import Bbox
 
 from armproof.course.figures.drawing.ink import Ink, shown_texts
 from armproof.course.figures.drawing.style import GREY, INK, PAPER, TEXT
@@ -57,14 +56,10 @@ class Label:
 def place_labels(figure: Figure, labels: Sequence[Label]) -> tuple[Text, ...]:
     """Write labels on a figure that is otherwise finished; returns their texts in order."""
     page = Ink(figure)
-    canvas = figure.canvas
-    assert isinstance(canvas, FigureCanvasAgg)
-    taken = _written(figure, canvas.get_renderer())
+    renderer = figure.canvas.get_renderer()
+    taken = [text.get_window_extent(renderer).extents for text in shown_texts(figure)]
     texts = [_write(label) for label in labels]
-    spots = [
-        _Spot(label, page, text.get_window_extent(canvas.get_renderer()))
-        for label, text in zip(labels, texts, strict=True)
-    ]
+    spots = [_Spot(label, page, text.get_window_extent(renderer)) for label, text in zip(labels, texts, strict=True)]
     for spot in spots:
         spot.keep_off(taken)
     for _ in range(_ROUNDS):
@@ -74,12 +69,6 @@ def place_labels(figure: Figure, labels: Sequence[Label]) -> tuple[Text, ...]:
     for label, text, spot in zip(labels, texts, spots, strict=True):
         _put(label, text, spot)
     return tuple(texts)
-
-
-def _written(figure: Figure, renderer: Any) -> np.ndarray:
-    """Return the boxes of the texts that are on the page already, (N, 4)."""
-    shown = shown_texts(figure)
-    return np.array([text.get_window_extent(renderer).extents for text in shown]).reshape(-1, 4)
 
 
 def _write(label: Label) -> Text:
@@ -102,8 +91,8 @@ def _put(label: Label, text: Text, spot: _Spot) -> None:
 class _Spot:
     """Where a label may go, and where it is."""
 
-    def __init__(self, label: Label, page: Ink, extent: object) -> None:
-        self.half = np.array([extent.width, extent.height]) / 2  # type: ignore[attr-defined]
+    def __init__(self, label: Label, page: Ink, extent: Bbox) -> None:
+        self.half = np.array([extent.width, extent.height]) / 2
         anchors = label.axes.transData.transform([label.at, *label.also])
         self.page = page
         tried = len(_DISTANCES) * _DIRECTIONS
@@ -127,8 +116,8 @@ class _Spot:
         ink = self.page.in_boxes(self.boxes) / self.page.scale**2
         return 1.2 * ink + 0.8 * distances + 5.0 * wrong_side + _HOPELESS * self.page.outside(self.boxes)
 
-    def keep_off(self, boxes: np.ndarray) -> None:
-        """Give up the places that lie on boxes (N, 4)."""
+    def keep_off(self, boxes: Sequence[np.ndarray]) -> None:
+        """Give up the places that lie on boxes, (4,) each."""
         for box in boxes:
             self.costs += np.where(_overlap(self.boxes, box), _HOPELESS, 0.0)
 

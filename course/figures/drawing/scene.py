@@ -13,10 +13,11 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon
 
 from armproof.course.figures.drawing.placement import Label, place_labels
-from armproof.course.figures.drawing.style import INK, PAPER, POINT, TEXT, mm_axes
+from armproof.course.figures.drawing.style import INK, PAPER, POINT, TEXT, Box, mm_axes
 from armproof.models.showing.projection import Projection
 
 _HEAD = (1.9, 0.62)  # mm: length and half width of an arrow's head
+_FILLED = {"facecolor": PAPER, "edgecolor": INK, "linewidth": 0.8, "clip_on": False}
 _SHORT = 0.9  # mm: an arrow that is shorter on the paper points at the viewer or away
 
 
@@ -27,19 +28,6 @@ class View:
     projection: Projection
     middle: np.ndarray
     metre: float
-
-
-def fit_view(projection: Projection, points: np.ndarray, room: tuple[float, float], margin: float) -> View:
-    """Return the view in which points (N, 3) are seen as large as may be.
-
-    Args:
-        room: the width and height of the paper (mm).
-        margin: mm, left free on each side.
-    """
-    paper = projection.points(points)
-    low, high = paper.min(axis=0), paper.max(axis=0)
-    inner = np.maximum(np.array(room) - 2 * margin, 1.0)
-    return View(projection, (low + high) / 2, float(max(np.max((high - low) / inner), 1e-6)))
 
 
 @dataclass(eq=False)
@@ -57,26 +45,8 @@ class Scene:
     labels: list[Label] = field(default_factory=list)
 
     @classmethod
-    def fit(
-        cls,
-        figure: Figure,
-        box: tuple[float, float, float, float],
-        projection: Projection,
-        points: np.ndarray,
-        margin: float = 10.0,
-    ) -> Scene:
-        """Return a scene in a box of the page in which some points are seen as large as may be.
-
-        Args:
-            box: left, bottom, width, height (mm).
-            points: (N, 3) in frame 0 (m).
-            margin: mm, left free around the points for symbols and labels.
-        """
-        return cls.show(figure, box, fit_view(projection, points, (box[2], box[3]), margin))
-
-    @classmethod
-    def show(cls, figure: Figure, box: tuple[float, float, float, float], view: View) -> Scene:
-        """Return a scene in a box (mm) of the page that shows a view, its middle in the middle of the box."""
+    def show(cls, figure: Figure, box: Box, view: View) -> Scene:
+        """Return a scene in a box of the page that shows a view, its middle in the middle of the box."""
         axes = mm_axes(figure, *box)
         axes.set_axis_off()
         half = view.metre * np.array(box[2:]) / 2
@@ -98,24 +68,16 @@ class Scene:
 
     def flat_line(self, points: np.ndarray, *, gid: str = "", zorder: float = 2, **style: Any) -> Line2D:
         """Draw a line through points (N, 2) of the paper."""
-        line = Line2D(points[:, 0], points[:, 1], zorder=zorder, **{"color": INK, "clip_on": False, **style})
-        line.set_gid(gid or None)
-        self.axes.add_line(line)
-        return line
+        options = {"color": INK, "clip_on": False, "gid": gid or None, **style}
+        return self.axes.add_line(Line2D(points[:, 0], points[:, 1], zorder=zorder, **options))
 
     def fill(self, points: np.ndarray, *, zorder: float = 3, **style: Any) -> Polygon:
         """Fill a polygon (N, 2) of the paper."""
-        options = {"facecolor": PAPER, "edgecolor": INK, "linewidth": 0.8, "clip_on": False, **style}
-        polygon = Polygon(points, closed=True, zorder=zorder, **options)
-        self.axes.add_patch(polygon)
-        return polygon
+        return self.axes.add_patch(Polygon(points, closed=True, zorder=zorder, **_FILLED | style))
 
     def circle(self, centre: np.ndarray, radius: float, *, zorder: float = 3, **style: Any) -> Circle:
         """Draw a circle about a point (2,) of the paper; radius in mm."""
-        options = {"facecolor": PAPER, "edgecolor": INK, "linewidth": 0.8, "clip_on": False, **style}
-        circle = Circle((centre[0], centre[1]), self.metres(radius), zorder=zorder, **options)
-        self.axes.add_patch(circle)
-        return circle
+        return self.axes.add_patch(Circle(tuple(centre), self.metres(radius), zorder=zorder, **_FILLED | style))
 
     def arrow(
         self,
@@ -142,13 +104,8 @@ class Scene:
             return foot
         self._head(foot, tip, colour, zorder, head)
         if double:
-            self._head(
-                foot,
-                tip - self.metres(_HEAD[0] * head) * (tip - foot) / np.linalg.norm(tip - foot),
-                colour,
-                zorder,
-                head,
-            )
+            back = self.metres(_HEAD[0] * head) * (tip - foot) / np.linalg.norm(tip - foot)
+            self._head(foot, tip - back, colour, zorder, head)
         line.set_solid_capstyle("butt")
         return tip
 
@@ -192,21 +149,9 @@ class Scene:
             also: more points (2,) of the paper that it may stand at instead.
         """
         at, toward = (self.paper(v) if len(v) == 3 else np.asarray(v, dtype=float) for v in (at, toward))
-        x, y = (float(part) for part in at)
-        way = (float(toward[0]), float(toward[1]))
-        self.labels.append(
-            Label(
-                self.axes,
-                text,
-                (x, y),
-                way,
-                size,
-                colour,
-                gap / POINT,
-                leader,
-                tuple((float(p[0]), float(p[1])) for p in also),
-            )
-        )
+        points, way = [(float(x), float(y)) for x, y in (at, *also)], (float(toward[0]), float(toward[1]))
+        label = Label(self.axes, text, points[0], way, size, colour, gap / POINT, leader, tuple(points[1:]))
+        self.labels.append(label)
 
 
 def finish(figure: Figure, *scenes: Scene, extra: Sequence[Label] = ()) -> Figure:

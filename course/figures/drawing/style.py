@@ -19,7 +19,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from armproof.course.figures.errors import FigureError
+from armproof.course.errors import FigureError
 
 Size = Literal["column", "page"]
 Box = tuple[float, float, float, float]  # left, bottom, width, height (mm)

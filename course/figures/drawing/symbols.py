@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -39,6 +39,20 @@ class Look:
     gripper: bool = True
     size: float = 1.0
 
+    def bare(self) -> Look:
+        """Return the look without symbols, base and gripper."""
+        return replace(self, symbols=False, base=False, gripper=False)
+
+    @property
+    def line(self) -> dict[str, Any]:
+        """The colour of its lines."""
+        return {"color": self.colour, "alpha": self.alpha}
+
+    @property
+    def outline(self) -> dict[str, Any]:
+        """The edge of its symbols."""
+        return {"edgecolor": self.colour, "alpha": self.alpha, "linewidth": 0.9}
+
 
 def draw_arm(scene: Scene, arm: Arm, q: np.ndarray, look: Look | None = None, name: str = "") -> Layout:
     """Draw an arm at a configuration (n,): base, links, joints and gripper; returns its layout.
@@ -51,8 +65,8 @@ def draw_arm(scene: Scene, arm: Arm, q: np.ndarray, look: Look | None = None, na
     if look.base:
         draw_base(scene, layout, look)
     for k, link in enumerate(layout.links):
-        style = {"color": look.colour, "linewidth": look.width, "alpha": look.alpha, "linestyle": look.linestyle}
-        scene.line(link, gid=f"{name}link {k}", zorder=look.zorder, **style)
+        style = {"linewidth": look.width, "linestyle": look.linestyle, "zorder": look.zorder}
+        scene.line(link, gid=f"{name}link {k}", **look.line, **style)
     for joint, placed, spot in zip(arm.joints, layout.joints, layout.spots, strict=True):
         draw_joint(scene, joint.kind, spot, np.array(placed.axis), look, f"{name}joint {joint.symbol}")
     if look.gripper:
@@ -63,9 +77,7 @@ def draw_arm(scene: Scene, arm: Arm, q: np.ndarray, look: Look | None = None, na
 def draw_joint(scene: Scene, kind: str, at: np.ndarray, axis: np.ndarray, look: Look, gid: str = "") -> None:
     """Draw the symbol of a joint; without symbols, a dot."""
     point = scene.paper(at)
-    mark = scene.flat_line(
-        point[None], gid=gid, zorder=look.zorder + 2, color=look.colour, alpha=look.alpha, linestyle="none"
-    )
+    mark = scene.flat_line(point[None], gid=gid, zorder=look.zorder + 2, linestyle="none", **look.line)
     if not look.symbols:
         mark.set_marker("o" if kind == "revolute" else "s")
         mark.set_markersize(3)
@@ -77,8 +89,7 @@ def draw_joint(scene: Scene, kind: str, at: np.ndarray, axis: np.ndarray, look: 
 
 def _revolute(scene: Scene, at: np.ndarray, axis: np.ndarray, look: Look) -> None:
     """Draw a cylinder about the axis, a circle with its centre where the axis points at the reader."""
-    style = {"edgecolor": look.colour, "alpha": look.alpha, "linewidth": 0.9}
-    point = scene.paper(at)
+    style, point = look.outline, scene.paper(at)
     cosine = scene.projection.along(axis)
     z = look.zorder + 0.5
     if abs(cosine) > _ALONG_VIEW:
@@ -88,14 +99,12 @@ def _revolute(scene: Scene, at: np.ndarray, axis: np.ndarray, look: Look) -> Non
     toward = axis if cosine >= 0 else -axis
     half = scene.paper(toward) * scene.metres(look.size * _LENGTH / 2)
     rim = _rim(scene, toward, scene.metres(look.size * _RADIUS))
-    near, far = point + half + rim, point - half + rim
-    scene.fill(_hull(np.vstack([near, far])), zorder=z, **style)
-    scene.fill(near, zorder=z + 0.1, **{**style, "facecolor": PALE})
+    scene.fill(point + _swept(rim, half), zorder=z, **style)
+    scene.fill(point + half + rim, zorder=z + 0.1, **{**style, "facecolor": PALE})
 
 
 def _prismatic(scene: Scene, at: np.ndarray, axis: np.ndarray, look: Look) -> None:
     """Draw a box about the axis, its faces towards the reader."""
-    style = {"edgecolor": look.colour, "alpha": look.alpha, "linewidth": 0.9, "joinstyle": "round"}
     first, second = _across(axis)
     sides = [(axis, look.size * _BOX_LENGTH / 2), (first, look.size * _BOX), (second, look.size * _BOX)]
     for k, (way, size) in enumerate(sides):
@@ -104,52 +113,41 @@ def _prismatic(scene: Scene, at: np.ndarray, axis: np.ndarray, look: Look) -> No
             continue
         (one, a), (other, b) = (sides[(k + j) % 3] for j in (1, 2))
         middle = at + np.sign(cosine) * scene.metres(size) * way
-        corners = [
-            middle + scene.metres(a) * s * one + scene.metres(b) * t * other
-            for s, t in ((1, 1), (1, -1), (-1, -1), (-1, 1))
-        ]
-        shade = PALE if k == 0 else PAPER
-        scene.fill(scene.paper(np.array(corners)), zorder=look.zorder + 0.5, **{**style, "facecolor": shade})
+        corners = np.array([a * s * one + b * t * other for s, t in ((1, 1), (1, -1), (-1, -1), (-1, 1))])
+        style = {**look.outline, "joinstyle": "round", "facecolor": PALE if k == 0 else PAPER}
+        scene.fill(scene.paper(middle + scene.metres(1.0) * corners), zorder=look.zorder + 0.5, **style)
 
 
 def draw_base(scene: Scene, layout: Layout, look: Look) -> None:
     """Draw the ground below an arm: a hatched line, below a pin where the arm starts across the paper."""
     at = scene.paper(layout.base)
     way = scene.paper(layout.base_way)
-    style: dict[str, Any] = {"color": look.colour, "alpha": look.alpha}
     if np.linalg.norm(way) < 0.2:
         drop = scene.metres(4.6 * look.size)
         feet = at + np.array([[-scene.metres(2.7 * look.size), -drop], [scene.metres(2.7 * look.size), -drop]])
-        scene.fill(
-            np.vstack([at, feet]), zorder=look.zorder - 0.2, edgecolor=look.colour, alpha=look.alpha, linewidth=0.9
-        )
+        scene.fill(np.vstack([at, feet]), zorder=look.zorder - 0.2, **look.outline)
         at, way = at - np.array([0.0, drop]), np.array([0.0, 1.0])
     way = way / np.linalg.norm(way)
     along = np.array([way[1], -way[0]])
     reach = scene.metres(4.2 * look.size)
-    scene.flat_line(np.array([at - reach * along, at + reach * along]), zorder=look.zorder, linewidth=1.2, **style)
+    scene.flat_line(np.array([at - reach * along, at + reach * along]), zorder=look.zorder, linewidth=1.2, **look.line)
     slant = scene.metres(1.7 * look.size) * (-way - along) / np.sqrt(2)
     for part in np.linspace(-0.8, 1.0, 7):
         foot = at + part * reach * along
-        scene.flat_line(np.array([foot, foot + slant]), zorder=look.zorder, linewidth=0.6, **style)
+        scene.flat_line(np.array([foot, foot + slant]), zorder=look.zorder, linewidth=0.6, **look.line)
 
 
 def draw_gripper(scene: Scene, at: np.ndarray, way: np.ndarray, look: Look) -> None:
     """Draw a gripper of two jaws that points along a unit vector, the point at its palm."""
     point, flat = scene.paper(at), scene.paper(way)
-    style: dict[str, Any] = {
-        "color": look.colour,
-        "alpha": look.alpha,
-        "linewidth": 0.7 * look.width,
-        "zorder": look.zorder,
-    }
     size = float(np.linalg.norm(flat))
     if size < 0.2:  # it points at the reader, or away
         return
     flat = flat / size
     across = np.array([-flat[1], flat[0]]) * scene.metres(1.7 * look.size)
     ahead = flat * scene.metres(2.8 * look.size)
-    scene.flat_line(np.array([point + across + ahead, point + across, point - across, point - across + ahead]), **style)
+    jaws = np.array([point + across + ahead, point + across, point - across, point - across + ahead])
+    scene.flat_line(jaws, linewidth=0.7 * look.width, zorder=look.zorder, **look.line)
 
 
 def axis_name(letter: str, frame: str) -> str:
@@ -174,20 +172,9 @@ def _rim(scene: Scene, axis: np.ndarray, radius: float) -> np.ndarray:
     return radius * scene.paper(circle)
 
 
-def _hull(points: np.ndarray) -> np.ndarray:
-    """Return the convex hull of points (N, 2), counter-clockwise."""
-    ordered = points[np.lexsort((points[:, 1], points[:, 0]))]
-
-    def half(sequence: np.ndarray) -> list[np.ndarray]:
-        chain: list[np.ndarray] = []
-        for point in sequence:
-            while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= 0:
-                chain.pop()
-            chain.append(point)
-        return chain[:-1]
-
-    return np.array(half(ordered) + half(ordered[::-1]))
-
-
-def _turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> float:
-    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+def _swept(rim: np.ndarray, half: np.ndarray) -> np.ndarray:
+    """Return the outline of what an ellipse about (0, 0), (N, 2), passes over from −half to half."""
+    rim = np.roll(rim, -int(np.argmax(rim @ np.array([-half[1], half[0]]))), axis=0)  # begins where it is widest across
+    turn = len(rim) // 2  # where it is widest on the other side
+    end = half * np.sign(rim[turn // 2] @ half)
+    return np.vstack([rim[: turn + 1] + end, rim[turn:] - end, rim[:1] - end])

@@ -6,13 +6,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.fitting import fit_arm
+from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.drawing.labels import axis_label, joint_unit, math, number, say, with_unit
 from armproof.course.figures.drawing.maps import plain_condition
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import at_peak, plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.style import GREY, INK, STROKES, Box, new_figure, stroke_of, styled
+from armproof.course.figures.drawing.style import GREY, STROKES, Box, new_figure, stroke_of, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
 from armproof.course.figures.facts.near_singular import DURATION, NearSingular, near_singular
 from armproof.course.figures.facts.task import tool_points
@@ -45,13 +45,10 @@ def _scene(figure: Figure, found: NearSingular) -> Scene:
     arm, last = found.task.arm, len(found.times) - 1
     places = sorted({*np.linspace(0, last, SNAPSHOTS).astype(int).tolist(), found.nearest})
     paths = tool_points(arm, found.q), tool_points(arm, found.q_damped)
-    scene = fit_arm(figure, _SCENE, arm, found.q[places], points=np.vstack(paths), margin=7.0, size=_SIZE)
+    scene = Fit(arm, found.q[places], points=np.vstack(paths), margin=7.0, size=_SIZE).scene(figure, _SCENE)
     for place in places:
         near = place == found.nearest
-        look = Look(
-            colour=INK if near else GREY, alpha=1.0 if near else 0.45, width=2.0 if near else 1.1, symbols=near, base=near, gripper=near,
-            size=_SIZE, zorder=4.0 if near else 2.0,
-        )  # fmt: skip
+        look = Look(size=_SIZE, zorder=4.0) if near else Look(GREY, 0.45, 1.1, size=_SIZE).bare()
         draw_arm(scene, arm, found.q[place], look, name=f"{place} ")
     for name, path, stroke in zip(("pseudo", "damped"), paths, (_EXACT, _DAMPED), strict=True):
         scene.line(path, gid=f"path {name}", zorder=8, linewidth=1.3, **stroke.line)

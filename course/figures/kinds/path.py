@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.fitting import arm_view
+from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.drawing.labels import axis_label, length, math, number, say, values_text
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import at_peak, plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.style import GREY, INK, PAPER, STROKES, Box, new_figure, stroke_of, styled
+from armproof.course.figures.drawing.style import GREY, PAPER, STROKES, Box, new_figure, stroke_of, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
 from armproof.course.figures.facts.motions import Motion, motion_of
 from armproof.course.figures.facts.task import task_of, tool_points
@@ -55,7 +55,7 @@ def path_figure(arm: Arm, lang: str = "en", motion: Motion | None = None) -> Fig
     figure = new_figure("page" if len(samples) > 1 else "column", _HEIGHT + plots)
     shown = np.vstack([found.q[_snapshots()] for found in samples.values()])
     points = np.vstack([tool_points(arm, found.q) for found in samples.values()])
-    view = arm_view(arm, shown, (84.0, _HEIGHT - 5), points=points, margin=7.0, size=_SIZE)
+    view = Fit(arm, shown, points=points, margin=7.0, size=_SIZE).view(84.0, _HEIGHT - 5)
     labels: list[Label] = []
     scenes = []
     for column, name in enumerate(samples):
@@ -82,16 +82,8 @@ def _draw(scene: Scene, arm: Arm, samples: dict[str, MotionSamples], name: str) 
     q = samples[name].q
     for k, place in enumerate(_snapshots()):
         last = place == SAMPLES - 1
-        look = Look(
-            colour=INK if last else GREY,
-            alpha=1.0 if last else 0.3 + 0.12 * k,
-            width=2.0 if last else 1.2,
-            symbols=last,
-            zorder=2 + 0.2 * k,
-            base=last,
-            gripper=last,
-            size=_SIZE,
-        )
+        pale = Look(GREY, 0.3 + 0.12 * k, 1.2, size=_SIZE, zorder=2 + 0.2 * k).bare()
+        look = Look(size=_SIZE, zorder=2 + 0.2 * k) if last else pale
         draw_arm(scene, arm, q[place], look, name=f"{name} {k} ")
     for other, found in samples.items():
         path = tool_points(arm, found.q)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.fitting import arm_height, arm_view, fit_arm
+from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.drawing.labels import (
     check_language,
     joint_texts,
@@ -28,7 +26,7 @@ from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.models.showing.projection import choose_projection, plane_projection
+from armproof.models.showing.projection import plane_projection
 
 _FEW = 2  # postures that are drawn in one picture, with a table
 _MOST = 8  # that have a panel each
@@ -59,10 +57,11 @@ def _draw_few(arm: Arm, found: Postures, lang: str) -> Figure:
         table.append([str(number), *values])
     below = table_height(len(table)) + 2.0
     width = WIDTHS["column"]
-    height = arm_height(arm, found.q, width, (_LOWEST, 75.0), **_fit(arm, 0.8))
+    fit = _fit(arm, found.q, 0.8)
+    height = fit.height(width, (_LOWEST, 75.0))
     figure = new_figure("column", height + below)
-    draw_table(figure, table, left=0.0, top=below - 1.0, width=WIDTHS["column"])
-    scene = fit_arm(figure, (0.0, below, width, height), arm, found.q, **_fit(arm, 0.8))
+    draw_table(figure, table, left=0.0, top=below - 1.0, width=width)
+    scene = fit.scene(figure, (0.0, below, width, height))
     for k, q in enumerate(found.q):
         _draw_posture(scene, arm, q, k, symbols=True, size=0.8, number=True)
     _draw_target(scene, arm, found, lang)
@@ -79,9 +78,10 @@ def _draw_panels(arm: Arm, found: Postures, lang: str) -> Figure:
             facts.append(say("beyond_limits", lang))
         titles.append(PanelTitle(f"{say('posture', lang)} {number}", facts))
     width = WIDTHS["page"] / columns_of(len(titles))
-    height = arm_height(arm, shown, width, (_LOWEST, _HIGHEST), **_fit(arm, _SIZE))
+    fit = _fit(arm, shown, _SIZE)
+    height = fit.height(width, (_LOWEST, _HIGHEST))
     figure, panels = make_panels(titles, height)
-    view = arm_view(arm, shown, (width, height), **_fit(arm, _SIZE))
+    view = fit.view(width, height)
     scenes = [Scene.show(figure, panel.box, view) for panel in panels]
     for k, q in enumerate(shown):
         _draw_posture(scenes[0], arm, q, k, symbols=False, size=_SIZE)
@@ -92,9 +92,9 @@ def _draw_panels(arm: Arm, found: Postures, lang: str) -> Figure:
     return finish(figure, *scenes)
 
 
-def _fit(arm: Arm, size: float) -> dict[str, Any]:
+def _fit(arm: Arm, q: np.ndarray, size: float) -> Fit:
     """Return how the arm is fitted to its paper: seen along its parallel axes if it has such, else as it is otherwise."""
-    return {"projection": plane_projection(arm) or choose_projection(arm), "margin": _MARGIN, "size": size}
+    return Fit(arm, q, plane_projection(arm), margin=_MARGIN, size=size)
 
 
 def _draw_posture(

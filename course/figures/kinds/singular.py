@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.ellipsoid import draw_ellipsoid
-from armproof.course.figures.drawing.fitting import arm_height, arm_view
+from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.drawing.labels import check_language, say, values_text
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
 from armproof.course.figures.drawing.scene import Scene, finish
@@ -109,12 +108,11 @@ def _draw(arm: Arm, lang: str) -> Figure:
     generic = showing_pose(arm)
     titles = [PanelTitle(say("generic_pose", lang), [say("rank", lang, rank=analysis.generic_rank)])]
     titles += [_title(letter, pose, lang) for letter, pose in zip(LETTERS, poses, strict=False)]
-    projection = _projection(arm, poses)
     configurations = np.array([generic, *(pose.q for pose in poses)])
     width = WIDTHS["page"] / columns_of(len(titles))
-    fit: dict[str, Any] = {"projection": projection, "margin": _MARGIN, "size": _LOOK.size}
-    height = arm_height(arm, configurations, width, _HEIGHTS, **fit)
-    view = arm_view(arm, configurations, (width, height), **fit)
+    fit = Fit(arm, configurations, _projection(arm, poses), margin=_MARGIN, size=_LOOK.size)
+    height = fit.height(width, _HEIGHTS)
+    view = fit.view(width, height)
     figure, panels = make_panels(titles, height)
     sizes = _sizes(arm, poses, generic)
     scenes = []

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.dimensions import draw_angle, draw_lengths, draw_turn
-from armproof.course.figures.drawing.fitting import arm_height, fit_arm
+from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.drawing.frames import draw_frames
 from armproof.course.figures.drawing.labels import check_language, form_tex, length, math, say, values_text
 from armproof.course.figures.drawing.layout import Layout
@@ -79,14 +79,14 @@ def _page(arm: Arm, rows: LinkRows | None, q: np.ndarray, lang: str) -> tuple[Fi
     table = [] if rows is None else _table(rows, lang)
     below = table_height(len(table)) + 3.0 if planar and table else 0.0
     width = WIDTHS["column"] if planar else WIDTHS["page"] - (_TABLE if table else 0.0)
-    margin = 15.0 if planar else 18.0
-    height = arm_height(arm, q, width, _HEIGHTS, margin=margin, longest=_LONGEST)
+    fit = Fit(arm, q, margin=15.0 if planar else 18.0)
+    height = fit.height(width, _HEIGHTS, _LONGEST)
     figure = new_figure("column" if planar else "page", height + below)
     if table and planar:
         draw_table(figure, table, left=0.0, top=below - 1.0, width=width)
     elif table:
         draw_table(figure, table, left=width - 2.0, top=(height + table_height(len(table))) / 2, width=_TABLE)
-    return figure, fit_arm(figure, (0.0, below, width, height), arm, q, margin=margin)
+    return figure, fit.scene(figure, (0.0, below, width, height))
 
 
 def _table(rows: LinkRows, lang: str) -> list[list[str]]:

@@ -16,16 +16,13 @@ if TYPE_CHECKING:
 
     from armproof.course.figures.output.production import Delivery, Order
 
-Names = Annotated[
-    list[str] | None, typer.Argument(metavar="[NAME]...", help="Kinds of figures; by default all.", show_default=False)
-]
+Names = Annotated[list[str] | None, typer.Argument(metavar="[NAME]...", help="Kinds of figures; by default all.")]
 Arms = Annotated[
     list[str] | None,
     typer.Option(
         "--arm",
         metavar="ARM",
         help="An arm, a path to a model file, or a document whose front matter has one; may be repeated. By default all arms.",
-        show_default=False,
     ),
 ]
 Formats = Annotated[
@@ -70,7 +67,7 @@ def figures(
 
 
 def _formats(text: str) -> tuple[str, ...]:
-    from armproof.course.figures.errors import FigureError
+    from armproof.course.errors import FigureError
     from armproof.course.figures.output.films import FILMS
     from armproof.course.figures.output.save import FORMATS
 
@@ -100,7 +97,7 @@ def _orders(names: tuple[str, ...], arms: Sequence[str] | None, lang: str) -> li
 
 def _own_arm(arm: str, names: tuple[str, ...]) -> Order:
     """Return the order for a model file, or for the arm of a document."""
-    from armproof.course.figures.errors import FigureError
+    from armproof.course.errors import FigureError
     from armproof.course.figures.output.production import Order
     from armproof.verification.document import read_document
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from armproof.course.figures.errors import FigureError
+from armproof.course.errors import FigureError
 from armproof.models.errors import ArmproofError
 from armproof.verification.running.processes import share_out, usual_workers
 
@@ -38,7 +38,7 @@ class Delivery:
     order: Order
     files: tuple[Path, ...] = ()
     problems: tuple[str, ...] = ()
-    fatal: bool = field(default=False)
+    fatal: bool = False
 
 
 def produce(
@@ -88,13 +88,13 @@ def deliver(order: Order, formats: Sequence[str], lang: str, out: Path) -> Deliv
 
 def write_figure(arm: Any, kind: Any, lang: str, formats: Sequence[str], out: Path, name: str) -> list[Path]:
     """Write one figure in several formats, and its caption beside it; returns the files of the figure."""
-    from armproof.course.figures.output.save import save_figure, save_text
+    from armproof.course.figures.output.save import save_bytes, save_figure
     from armproof.course.figures.registry import caption_kind, draw_kind
 
     stem = f"{name}-{kind.name}" + ("" if lang == "en" else f"-{lang}")
     figure = draw_kind(kind, arm, lang)
     files = [save_figure(figure, out / f"{stem}.{suffix}") for suffix in formats]
-    save_text(f"{caption_kind(kind, arm, lang)}\n", out / f"{stem}.txt")
+    save_bytes(f"{caption_kind(kind, arm, lang)}\n".encode(), out / f"{stem}.txt")
     return files
 
 

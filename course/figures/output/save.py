@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +13,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
+from armproof.course.errors import FigureError
 from armproof.course.figures.drawing.ink import Ink
 from armproof.course.figures.drawing.style import styled
-from armproof.course.figures.errors import FigureError
 from armproof.verification.running.atomic import write_atomically
 
 FORMATS = ("pdf", "svg", "png", "pgf")
@@ -44,24 +46,11 @@ def save_figure(figure: Figure, path: Path | str, *, trimmed: bool = False) -> P
     if kind not in FORMATS:
         raise FigureError("{path}: a figure is written as {formats}, not as {found}",
             path=path.name, formats=list(FORMATS), found=kind or "no format")  # fmt: skip
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".figure-", dir=path.parent) as folder:
-            _write(figure, Path(folder) / path.name, kind, _inked(figure) if trimmed else None)
-            for part in sorted(Path(folder).iterdir(), key=lambda part: part.name == path.name):  # the whole last
-                os.replace(part, path.parent / part.name)
-    except OSError as error:
-        raise FigureError("{path}: cannot be written: {reason}", path=path, reason=error.strerror or error) from None
+    with _reported(path), tempfile.TemporaryDirectory(prefix=".figure-", dir=path.parent) as folder:
+        _write(figure, Path(folder) / path.name, kind, _inked(figure) if trimmed else None)
+        for part in sorted(Path(folder).iterdir(), key=lambda part: part.name == path.name):  # the whole last
+            os.replace(part, path.parent / part.name)
     return path
-
-
-def save_text(text: str, path: Path) -> Path:
-    """Write a text, such as a caption, as a whole or not at all.
-
-    Raises:
-        FigureError: a folder that cannot be written.
-    """
-    return save_bytes(text.encode("utf-8"), path)
 
 
 def save_bytes(data: bytes, path: Path) -> Path:
@@ -70,12 +59,19 @@ def save_bytes(data: bytes, path: Path) -> Path:
     Raises:
         FigureError: a folder that cannot be written.
     """
+    with _reported(path):
+        write_atomically(path, data)
+    return path
+
+
+@contextmanager
+def _reported(path: Path) -> Iterator[None]:
+    """Make the folder of a file that is written within, and say so where it cannot be."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, data)
+        yield
     except OSError as error:
         raise FigureError("{path}: cannot be written: {reason}", path=path, reason=error.strerror or error) from None
-    return path
 
 
 def _inked(figure: Figure) -> Bbox:

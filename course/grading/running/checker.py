@@ -13,7 +13,7 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
-from armproof.course.grading.sandbox.errors import GradingError
+from armproof.course.errors import GradingError
 
 _PRELOADED = (
     "numpy", "matplotlib.pyplot", "pydrake.math", "pydrake.multibody.plant", "pydrake.symbolic", "armproof.models.catalogue",

@@ -17,10 +17,10 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from armproof.course.errors import GradingError
 from armproof.course.grading.running.keeper import Ended
 from armproof.course.grading.running.own_folder import remove
 from armproof.course.grading.sandbox.bubblewrap import find_bubblewrap
-from armproof.course.grading.sandbox.errors import GradingError
 from armproof.course.grading.sandbox.limits import LIBRARIES, Limits
 
 _GRACE = 30.0  # s beyond a submission's own time, after which a keeper that does not answer is given up

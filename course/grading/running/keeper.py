@@ -18,11 +18,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn
 
+from armproof.course.errors import SandboxError
 from armproof.course.grading.running.own_folder import remove
 from armproof.course.grading.running.processes import end_all
 from armproof.course.grading.running.watch import Watch
 from armproof.course.grading.sandbox.bubblewrap import SEARCHED, Sandbox
-from armproof.course.grading.sandbox.errors import SandboxError
 from armproof.course.grading.sandbox.kernel import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
 from armproof.course.grading.sandbox.limits import LIBRARIES, Limits
 from armproof.course.grading.sandbox.resources import limit_resources

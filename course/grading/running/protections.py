@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from armproof.course.errors import SandboxError
 from armproof.course.grading.running.keeper import Ended, Send, keep
 from armproof.course.grading.sandbox.bubblewrap import WITHOUT, choose_user
-from armproof.course.grading.sandbox.errors import SandboxError
 from armproof.course.grading.sandbox.limits import Limits
 
 ATTEMPTS = {

@@ -17,11 +17,11 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, NoReturn
 
+from armproof.course.errors import GradingError
 from armproof.course.grading.running.keeper import keep
 from armproof.course.grading.running.own_folder import remove
 from armproof.course.grading.running.protections import try_out
 from armproof.course.grading.sandbox.bubblewrap import choose_user
-from armproof.course.grading.sandbox.errors import GradingError
 from armproof.course.grading.sandbox.kernel import PR_SET_PDEATHSIG, prctl
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.models.errors import ArmproofError

@@ -15,7 +15,7 @@ import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
-from armproof.course.grading.sandbox.errors import SandboxError
+from armproof.course.errors import SandboxError
 from armproof.course.grading.sandbox.kernel import (
     MEMORY,
     MOUNTS,

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
+from armproof.course.errors import SourceError
 from armproof.course.sources.editions import instructor_notebook, student_notebook
-from armproof.course.sources.errors import SourceError
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.nbgrader import nbgrader_notebook
 from armproof.course.sources.places import COURSE

@@ -16,8 +16,8 @@ from armproof.course.authoring.beginning.slips import slips
 from armproof.course.authoring.checking.answers import check_answers
 from armproof.course.authoring.checking.lessons import check_lesson
 from armproof.course.authoring.checking.tasks import load_tasks
+from armproof.course.errors import AuthoringError
 from armproof.course.feedback import Outcome
-from armproof.course.sources.errors import AuthoringError
 from armproof.course.sources.lesson_source import read_lesson_source
 from armproof.course.sources.places import COURSE, Place
 from armproof.models.catalogue import arm_names, load_arm

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from armproof.course.sources.errors import SourceError
+from armproof.course.errors import SourceError
 from armproof.course.sources.lesson_source import parse_cells, read_lesson_source
 from armproof.course.sources.places import COURSE
 from armproof.verification.document import parse_document

@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from armproof.course.figures.drawing.fitting import arm_view
-from armproof.course.figures.errors import FigureError
+from armproof.course.errors import FigureError
+from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.facts.motions import make_motion, motion_of
 from armproof.course.figures.facts.task import tool_points
-from armproof.course.figures.output.animation import RATE, frame_figure, frames, write_animation
-from armproof.course.figures.output.films import FILMS, film_reason, write_film
+from armproof.course.figures.output.films import FILMS, RATE, film_reason, frame_figure, frames, write_film
 from armproof.course.figures.output.production import Order, produce
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
@@ -25,7 +24,7 @@ def test_a_picture_has_the_arm_where_the_plant_has_it() -> None:
     arm = load_arm("rx90")
     motion = motion_of(arm)
     q = np.array([motion.trajectory.value(time)[:, 0] for time in np.linspace(0, motion.duration, 5)])
-    view = arm_view(arm, q, (84.0, 84.0))
+    view = Fit(arm, q).view(84.0, 84.0)
     lines = drawn(frame_figure(arm, q[3], q[:4], view, "t"))
     points = view.projection.points(tool_points(arm, q))
     assert np.abs(lines["path"] - points[:4]).max() <= TOLERANCE
@@ -35,7 +34,7 @@ def test_a_picture_has_the_arm_where_the_plant_has_it() -> None:
 def test_a_gif_shows_the_whole_motion_and_repeats_byte_for_byte(tmp_path: Path) -> None:
     arm = load_arm("planar_2r")
     motion = make_motion(arm, np.array([0.0, 0.5]), np.array([0.4, 0.9]))
-    one, other = (write_animation(arm, tmp_path / name, motion=motion) for name in ("one.gif", "other.gif"))
+    one, other = (write_film(arm, tmp_path / name, motion=motion) for name in ("one.gif", "other.gif"))
     assert one.read_bytes() == other.read_bytes()
     pictures = list(frames(arm, motion=motion))
     assert len(pictures) == round(motion.duration * RATE) + 1
@@ -58,10 +57,10 @@ def test_an_mp4_is_written_or_says_what_it_needs(tmp_path: Path, monkeypatch: py
     arm = load_arm("planar_2r")
     motion = make_motion(arm, np.array([0.0, 0.5]), np.array([0.2, 0.6]))
     if shutil.which("ffmpeg"):
-        assert write_animation(arm, tmp_path / "film.mp4", motion=motion).read_bytes()[4:8] == b"ftyp"
+        assert write_film(arm, tmp_path / "film.mp4", motion=motion).read_bytes()[4:8] == b"ftyp"
     monkeypatch.setenv("PATH", "")
     with pytest.raises(FigureError, match=r"an MP4 needs ffmpeg"):
-        write_animation(arm, tmp_path / "none.mp4", motion=motion)
+        write_film(arm, tmp_path / "none.mp4", motion=motion)
     assert not (tmp_path / "none.mp4").exists()
 
 

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from matplotlib import rcParams
 
-from armproof.course.figures.drawing.fitting import SPACING, arm_view, fit_arm
-from armproof.course.figures.drawing.labels import LANGUAGES, arm_title, number, say
+from armproof.course import words
+from armproof.course.errors import FigureError
+from armproof.course.figures.drawing.fitting import SPACING, Fit
+from armproof.course.figures.drawing.labels import arm_title, number, say
 from armproof.course.figures.drawing.layout import lay_out
 from armproof.course.figures.drawing.placement import LEADER, Label, place_labels
 from armproof.course.figures.drawing.style import HIGHEST, MM, WIDTHS, mm_axes, new_figure, styled
-from armproof.course.figures.drawing.words import WORDS
-from armproof.course.figures.errors import FigureError
 from armproof.course.figures.facts.poses import showing_pose, zero_pose
 from armproof.models.arm import Arm
 from armproof.models.numeric.joint_values import outside_limits
@@ -48,10 +48,10 @@ def test_sizes_that_no_page_has_are_refused(arguments: tuple[str, float]) -> Non
 
 
 def test_every_word_stands_in_both_languages_with_the_same_placeholders() -> None:
-    for key, words in WORDS.items():
-        assert len(words) == len(LANGUAGES), key
+    for key, said in words.words().items():
+        assert tuple(said) == words.LANGUAGES, key
         if not key.startswith("arm "):
-            english, french = (sorted(PLACEHOLDER.findall(text)) for text in words)
+            english, french = (sorted(PLACEHOLDER.findall(text)) for text in said.values())
             assert english == french, key
 
 
@@ -84,7 +84,7 @@ def test_every_arm_of_the_catalogue_has_a_french_title(arm: Arm) -> None:
 
 def test_symbols_stand_on_their_axes_and_apart(arm: Arm) -> None:
     q = showing_pose(arm)
-    spacing = arm_view(arm, q, (120, 90)).metre * SPACING
+    spacing = Fit(arm, q).view(120, 90).metre * SPACING
     layout = lay_out(arm, q, spacing)
     for spot, joint in zip(layout.spots, layout.joints, strict=True):
         beside = np.cross(spot - joint.start, joint.axis)
@@ -117,7 +117,7 @@ def test_poses_are_within_the_limits_and_always_the_same(arm: Arm) -> None:
 @pytest.mark.parametrize("arm", ["rx90"], indirect=True)
 def test_an_arm_is_seen_whole(arm: Arm) -> None:
     figure = new_figure("column", 70)
-    scene = fit_arm(figure, (0, 0, 84, 70), arm, showing_pose(arm), margin=10)
+    scene = Fit(arm, showing_pose(arm)).scene(figure, (0, 0, 84, 70))
     layout = lay_out(arm, showing_pose(arm), scene.metres(SPACING))
     for points in (*layout.links, layout.gripper[None]):
         at = scene.axes.transData.transform(scene.paper(points)) / figure.dpi / MM

@@ -10,8 +10,8 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
+from armproof.course.errors import FigureError
 from armproof.course.figures.drawing.style import mm_axes, new_figure, styled
-from armproof.course.figures.errors import FigureError
 from armproof.course.figures.kinds.sketch import sketch
 from armproof.course.figures.output.production import Order, deliver
 from armproof.course.figures.output.save import FORMATS, save_figure

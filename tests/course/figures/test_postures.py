@@ -9,7 +9,6 @@ from armproof.course.figures.kinds.postures import _fit, caption, postures, reas
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.models.showing.projection import Projection
 from armproof.models.showing.skeleton import place_skeleton
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 
@@ -65,8 +64,7 @@ def test_they_are_drawn_where_the_plant_has_them(arm: Arm) -> None:
     if reason(arm, "en") is not None:
         pytest.skip(str(reason(arm, "en")))
     found, figure = postures_of(arm), postures(arm)
-    projection = _fit(arm, 1.0)["projection"]
-    assert isinstance(projection, Projection)
+    projection = _fit(arm, found.q, 1.0).view(84.0, 60.0).projection
     few = len(found.q) <= 2
     lines = (
         drawn(figure) if few else {line.get_gid(): np.column_stack(line.get_data()) for line in figure.axes[0].lines}

@@ -7,7 +7,7 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.errors import FigureError
+from armproof.course.errors import FigureError
 from armproof.course.figures.facts.dh_rows import link_matrices, link_rows
 from armproof.course.figures.facts.lengths import frame_lengths
 from armproof.course.figures.kinds.sketch import caption, shown_frames, sketch, sketch_pose

@@ -4,10 +4,10 @@ import contextlib
 
 import pytest
 
+from armproof.course.errors import GradingError
 from armproof.course.grading.grading import grade
 from armproof.course.grading.results import Status
 from armproof.course.grading.running.keeper import Ended
-from armproof.course.grading.sandbox.errors import GradingError
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import find_submissions
 

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
+from armproof.course.errors import SandboxError
 from armproof.course.grading.running.keeper import keep
 from armproof.course.grading.running.own_folder import remove, size_of
 from armproof.course.grading.running.protections import ATTEMPTS, describe, try_out
 from armproof.course.grading.sandbox import bubblewrap
 from armproof.course.grading.sandbox.bubblewrap import choose_user, find_bubblewrap
-from armproof.course.grading.sandbox.errors import SandboxError
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.sandbox.places import lies_in_readable, readable_places
 

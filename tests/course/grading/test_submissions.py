@@ -4,8 +4,8 @@ import os
 
 import pytest
 
+from armproof.course.errors import GradingError
 from armproof.course.grading.notebook import UnreadableError, read_notebook
-from armproof.course.grading.sandbox.errors import GradingError
 from armproof.course.grading.submissions import find_submissions
 from armproof.course.grading.text import as_cell, clean, clean_lines
 from tests.course.grading.hostile import BROKEN

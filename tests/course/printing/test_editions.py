@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from armproof.course.errors import PrintError
 from armproof.course.printing.document import Edition, make_sheet
-from armproof.course.sheet.errors import PrintError
 from armproof.course.sheet.model import Blank, Display, Heading, Paragraph, Picture, Quote, Sheet, Text, walk
 from armproof.course.sheet.proof import proof_line
 from armproof.verification.check import check_document

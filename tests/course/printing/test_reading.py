@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from armproof.course.errors import PrintError
 from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.printing.printing import render
-from armproof.course.sheet.errors import PrintError
 from armproof.course.sheet.model import Display, Link, Listing, Paragraph, Picture, Table, walk
 from armproof.models.errors import ArmproofError
 from armproof.verification.check import check_document

@@ -11,10 +11,10 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from armproof.course.errors import SiteError
 from armproof.course.site import build, command, execution
 from armproof.course.site.build import build_site
 from armproof.course.site.cells import cells_of
-from armproof.course.site.errors import SiteError
 from armproof.course.site.work import Built, Order
 from armproof.course.sources.lesson_source import read_lesson_source
 from armproof.verification.report.html.folder import ReportFolderError, new_report

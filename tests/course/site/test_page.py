@@ -7,9 +7,8 @@ from dataclasses import replace
 
 import pytest
 
-from armproof.course.sheet.errors import PrintError
+from armproof.course.errors import PrintError, SiteError
 from armproof.course.site.cells import Cell, cells_of
-from armproof.course.site.errors import SiteError
 from armproof.course.site.reading import LessonReader
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
