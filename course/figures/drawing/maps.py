@@ -32,7 +32,7 @@ def map_colours() -> ListedColormap:
 
 def draw_map(
     figure: Figure, axes: Axes, box: Box, x: np.ndarray, y: np.ndarray, values: np.ndarray, highest: float, label: str,
-    lang: str, gid: str, *, extent: Sequence[float] | None = None, lined: np.ndarray | None = None,
+    lang: str, gid: str, *, extent: Sequence[float] | np.ndarray | None = None, lined: np.ndarray | None = None,
 ) -> None:  # fmt: skip
     """Draw values (len(y), len(x)) in colours with level lines, and their scale in a box; NaN where there are none.
 
