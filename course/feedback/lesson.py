@@ -14,10 +14,8 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 
-from markupsafe import Markup
-
 from armproof.course.errors import LessonError
-from armproof.course.feedback.notebook import block, show_figures
+from armproof.course.feedback.notebook import render, show_figures
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.task import Task
 from armproof.verification.running.atomic import write_atomically
@@ -94,25 +92,13 @@ class Lesson:
             "",
             self._solved(states),
         ]
-        width = max((len(name) for name in states), default=0)
-        titles = {task.name: task.title for task in self.tasks}
-        lines += [f"  {state.mark} {name.ljust(width)}  {titles[name]}" for name, state in states.items()]
+        width = max(map(len, states), default=0)
+        lines += [f"  {states[task.name].mark} {task.name.ljust(width)}  {task.title}" for task in self.tasks]
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
         states = self.progress()
-        titles = {task.name: task.title for task in self.tasks}
-        objectives = Markup("").join(Markup("<li>{}</li>").format(line) for line in self.objectives)
-        tasks = Markup("").join(
-            Markup('<li><span aria-hidden="true">{}</span> <code>{}</code> {} – {}</li>').format(
-                state.mark, name, titles[name], state.value
-            )
-            for name, state in states.items()
-        )
-        content = Markup(
-            '<p class="ap-head"><strong>{} · {}</strong></p><ul>{}</ul><p>{}</p><ul style="list-style:none;padding-left:0">{}</ul>'
-        ).format(self.number, self.title, objectives, self._solved(states), tasks)
-        return str(block("open", content))
+        return render("lesson.html", "open", lesson=self, states=states, solved=self._solved(states))
 
     def _solved(self, states: dict[str, Outcome]) -> str:
         solved = sum(state.is_right for state in states.values())

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import sys
 import tempfile
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
+from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from armproof.verification.report.html.figures import Figure as Picture
@@ -24,39 +24,28 @@ ENLARGED = 1.3  # on a screen, beside the size at which it is printed
 _SIZE = re.compile(r'\b(width|height)="([\d.]+)pt"')
 
 
-def block(kind: str, *parts: Markup) -> Markup:
-    """Return a block of the given kind (right, wrong, open, error, hint) with its style."""
-    return Markup('<style>{}</style><div class="armproof ap-{}">{}</div>').format(
-        Markup(_style()), kind, Markup("").join(parts)
-    )
+def render(template: str, kind: str, **values: Any) -> str:
+    """Return a block of the given kind (right, wrong, open, error, hint) with its style.
 
-
-def small_print(text: str) -> Markup:
-    """Return a sentence in small print."""
-    return Markup('<p class="ap-note">{}</p>').format(text)
-
-
-def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Markup:
-    """Return a table; the first cell of each row is its head."""
-    cells = Markup("").join(Markup('<th scope="col">{}</th>').format(name) for name in head)
-    lines = Markup("").join(
-        Markup('<tr><th scope="row">{}</th>{}</tr>').format(
-            first, Markup("").join(Markup("<td>{}</td>").format(cell) for cell in rest)
-        )
-        for first, *rest in rows
-    )
-    return Markup("<table><thead><tr>{}</tr></thead><tbody>{}</tbody></table>").format(cells, lines)
-
-
-def captioned(figure: Picture) -> Markup:
-    """Return a picture with its caption."""
-    return Markup("<figure>{}<figcaption>{}</figcaption></figure>").format(figure.svg, figure.caption)
+    Args:
+        template: its file; `block.html` shows `content`.
+        values: what it shows; every value is escaped unless it is Markup.
+    """
+    return _environment().get_template(template).render(kind=kind, **values)
 
 
 @cache
-def _style() -> str:
-    own = resources.files("armproof.course.feedback").joinpath("feedback.css").read_text(encoding="utf-8")
-    return own + sketch_style()
+def _environment() -> Environment:
+    environment = Environment(
+        loader=PackageLoader(__package__),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    own = (files(__package__) / "templates" / "feedback.css").read_text(encoding="utf-8")
+    environment.globals["style"] = Markup(own + sketch_style())
+    return environment
 
 
 @dataclass(frozen=True)
@@ -74,28 +63,24 @@ class Shown:
         return self.markdown
 
 
+@dataclass(frozen=True)
 class Portrait:
     """A picture of an arm with its caption."""
 
-    def __init__(self, figure: Picture) -> None:
-        self.figure = figure
-        self.caption = figure.caption
+    figure: Picture
 
     def __repr__(self) -> str:
-        return f"[{self.caption}]"
+        return f"[{self.figure.caption}]"
 
     def _repr_html_(self) -> str:
-        return str(block("open", captioned(self.figure)))
+        return render("picture.html", "open", picture=self.figure)
 
 
 def show_figures() -> None:
     """Have the notebook at hand, if any, show matplotlib's figures that pyplot does not know; elsewhere nothing is changed."""
-    ipython = sys.modules.get("IPython")
-    shell: Any = ipython.get_ipython() if ipython is not None else None
-    if shell is None:
-        return
-    formatter = shell.display_formatter.formatters["image/svg+xml"]
-    formatter.for_type_by_name("matplotlib.figure", "Figure", as_svg)
+    if (shell := sys.modules["IPython"].get_ipython()) is not None:
+        formatter = shell.display_formatter.formatters["image/svg+xml"]
+        formatter.for_type_by_name("matplotlib.figure", "Figure", as_svg)
 
 
 def as_svg(figure: Figure) -> str:

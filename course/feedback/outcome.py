@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from markupsafe import Markup
-
-from armproof.course.feedback.notebook import block, captioned, small_print, table
+from armproof.course.feedback.notebook import render
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError
@@ -120,10 +118,7 @@ class Feedback:
             "task": self.task,
             "outcome": self.outcome.value,
             "message": self.message,
-            "rows": [
-                {"entry": row.entry, "expected": row.expected, "obtained": row.obtained, "unit": row.unit}
-                for row in self.rows
-            ],
+            "rows": [asdict(row) for row in self.rows],
             "at": dict(self.at),
             "notes": list(self.notes),
             "error": None if self.error is None else {"type": self.error.type, "line": self.error.line},
@@ -146,24 +141,11 @@ class Feedback:
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        return str(block(self.outcome.kind, *self._parts()))
-
-    def _parts(self) -> Iterator[Markup]:
-        name = Markup("<code>{}</code>: ").format(self.task) if self.task else ""
-        yield Markup('<p class="ap-head"><span aria-hidden="true">{}</span> {}<strong>{}</strong></p>').format(
-            self.outcome.mark, name, self.outcome.value
-        )
-        if self.message:
-            yield Markup("<p>{}</p>").format(_sentence(self.message))
-        if self.rows:
-            yield small_print(f"At {self._configuration}") if self.at else Markup("")
-            yield table(_COLUMNS, self._shown)
-            yield small_print(self._rest) if self._rest else Markup("")
-        if self.picture is not None:
-            yield captioned(self.picture)
-        yield from (small_print(_sentence(note)) for note in self.notes)
-        if self.error is not None and self.error.source:
-            yield small_print(Markup("line {}: <code>{}</code>").format(self.error.line, self.error.source))
+        return render(
+            "feedback.html", self.outcome.kind, outcome=self.outcome, task=self.task, message=_sentence(self.message),
+            columns=_COLUMNS, rows=self._shown, rest=self._rest, at=self._configuration, picture=self.picture,
+            notes=[_sentence(note) for note in self.notes], error=self.error,
+        )  # fmt: skip
 
     @property
     def _shown(self) -> list[tuple[str, str, str, str]]:

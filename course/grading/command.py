@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from armproof.course.errors import GradingError
-from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, INTERRUPTED, give_up, tell
+from armproof.models.errors import ArmproofError, written
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up, tell
 from armproof.verification.cli.documents import Progress
+
+if TYPE_CHECKING:
+    from armproof.course.grading.grading import Grades
 
 Folder = Annotated[
     Path, typer.Argument(metavar="FOLDER", help="Notebooks, one a student, or a folder of them for each.")
@@ -52,7 +56,6 @@ def grade(
     from armproof.course.grading.pages import GRADES, write_grades
     from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
     from armproof.course.grading.submissions import find_submissions
-    from armproof.course.grading.summary import summarise
     from armproof.verification.report.html.folder import new_report
 
     try:
@@ -68,4 +71,30 @@ def grade(
     except OSError as error:
         tell("grading cannot go on: {reason}", reason=error.strerror)
         raise typer.Exit(CANNOT_RUN) from None
-    raise typer.Exit(summarise(grades, out))
+    raise typer.Exit(_summarise(grades, out))
+
+
+def _summarise(grades: Grades, out: Path) -> int:
+    """Say what became of a class, and which protections were not in force; returns the exit code."""
+    from armproof.course.grading.results import Status
+    from armproof.course.grading.running.protections import describe
+    from armproof.verification.report.html.site import INDEX
+    from armproof.verification.report.text import write_lines
+
+    troubled = [each for each in grades.graded if each.needs_a_look]
+    lines = []
+    for each in troubled:
+        what = "; ".join(part for part in (each.reason, *each.remarks) if part)
+        colour = "" if each.status is Status.GRADED else "red"
+        lines.append(((each.status.value, colour), (f"  {each.submission.file}: {what}", "")))
+    counts = Counter(each.status for each in grades.graded)
+    total = ", ".join(f"{counts[status]} {status.value}" for status in Status if counts[status])
+    number = len(grades.graded)
+    write_lines(lines)
+    write_lines([((f"{number} submission{'s' * (number != 1)}: {total}", "bold"),), ((f"results: {out / INDEX}", ""),)])
+    complain(
+        written("warning: not in force on this system: a submission {text}", text=each.text)
+        for each in describe(grades.held)
+        if not each.held
+    )
+    return FAILS if troubled else PASSES

@@ -49,10 +49,8 @@ def _status(ended: Ended, report: Report, limits: Limits) -> tuple[Status, str]:
     if ended.why == "memory":
         return Status.OUT_OF_MEMORY, f"ended{where}, which took {memory}; the cells after it were not run"
     if ended.why == "disk":
-        return (
-            Status.TOO_MUCH_OUTPUT,
-            f"ended{where}, which wrote more than {limits.disk // MEGABYTE} MB of files, or 10,000 of them",
-        )
+        most = f"more than {limits.disk // MEGABYTE} MB of files, or 10,000 of them"
+        return Status.TOO_MUCH_OUTPUT, f"ended{where}, which wrote {most}"
     if ended.why == "output":
         return Status.TOO_MUCH_OUTPUT, f"ended{where}, which printed more than {limits.flood // 1_000_000} MB"
     if ended.why:

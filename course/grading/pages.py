@@ -6,7 +6,6 @@ import csv
 import io
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
 
@@ -31,8 +30,9 @@ OUTCOMES = {
     "not attempted": State("defined", "–", "not attempted"),
     "error": State("unchecked", "!", "error"),
 }
-STATUSES = {status: State("proved" if status is Status.GRADED else "refuted", "✓" if status is Status.GRADED else "✗",
-                          status.value) for status in Status}  # fmt: skip
+STATUSES = {status: State("refuted", "✗", status.value) for status in Status} | {
+    Status.GRADED: State("proved", "✓", Status.GRADED.value)
+}
 
 
 def results_table(graded: Sequence[Graded]) -> bytes:
@@ -62,14 +62,6 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> bytes:
     writer.writerow(head)
     writer.writerows([as_cell(str(value)) for value in row] for row in rows)
     return text.getvalue().encode("utf-8-sig")
-
-
-@dataclass(frozen=True)
-class Row:
-    """A submission in the index: what was graded, and the page of its student."""
-
-    graded: Graded
-    page: str
 
 
 def _is_ours(entry: Path) -> bool:
@@ -103,7 +95,8 @@ def render_index(grades: Grades, pages: dict[str, str]) -> str:
         good=not any(each.needs_a_look for each in grades.graded),
         counts={status: counts[status] for status in Status if counts[status]},
         students=len(pages),
-        rows=[Row(each, pages[each.submission.student]) for each in grades.graded],
+        graded=grades.graded,
+        pages=pages,
         statuses=STATUSES,
         tables=(RESULTS, SUBMISSIONS),
         protections=describe(grades.held),

@@ -89,10 +89,6 @@ def _identifier(element: ElementTree.Element) -> str:
     return f"upright({quoted(text)})"
 
 
-def _number(element: ElementTree.Element) -> str:
-    return quoted(element.text or "")
-
-
 def _sign(element: ElementTree.Element) -> str:
     return " ".join(_character(character) for character in element.text or "")
 
@@ -103,14 +99,6 @@ def _character(character: str) -> str:
     if character.isalnum() and character.isascii():
         return quoted(character)
     return f"\\{character}" if character.isascii() and character not in _PLAIN and character != " " else character
-
-
-def _words(element: ElementTree.Element) -> str:
-    return quoted((element.text or "").replace("\u2002", " "))
-
-
-def _space(element: ElementTree.Element) -> str:
-    return "thin" if element.get("width") == "0.17em" else "med med"
 
 
 def quoted(text: str) -> str:
@@ -146,19 +134,11 @@ def _attached(base: str, **scripts: str) -> str:
     return f"attach({base or quoted('')}, {filled})" if filled else base
 
 
-def _sub(element: ElementTree.Element) -> str:
-    base, below = map(_one, element)
-    return _attached(base, b=below)
-
-
-def _sup(element: ElementTree.Element) -> str:
-    base, above = map(_one, element)
-    return _attached(base, t=above)
-
-
-def _sub_sup(element: ElementTree.Element) -> str:
-    base, below, above = map(_one, element)
-    return _attached(base, b=below, t=above)
+def _scripted(element: ElementTree.Element) -> str:
+    """Return a base with the scripts below or above it that the element is named after."""
+    base, *scripts = map(_one, element)
+    base = f"limits({base})" if element.tag == "munderover" else base
+    return _attached(base, **dict(zip("t" if element.tag == "msup" else "bt", scripts, strict=False)))
 
 
 def _scripts(element: ElementTree.Element) -> str:
@@ -171,10 +151,6 @@ def _scripts(element: ElementTree.Element) -> str:
 def _fraction(element: ElementTree.Element) -> str:
     above, below = map(_one, element)
     return f"frac({above or quoted('')}, {below or quoted('')})"
-
-
-def _root(element: ElementTree.Element) -> str:
-    return f"sqrt({_all(element)})"
 
 
 def _over(element: ElementTree.Element) -> str:
@@ -193,11 +169,6 @@ def _under(element: ElementTree.Element) -> str:
     return _attached(f"limits({_one(base)})", b=_one(below))
 
 
-def _under_over(element: ElementTree.Element) -> str:
-    base, below, above = map(_one, element)
-    return _attached(f"limits({base})", b=below, t=above)
-
-
 def _table(element: ElementTree.Element) -> str:
     rows = "; ".join(", ".join(_entry(cell, len(row)) for cell in row) for row in element)
     return f"grid{'Lines' if element.get('class') == 'left' else 'Cells'}({rows})"
@@ -209,26 +180,19 @@ def _entry(cell: ElementTree.Element, columns: int) -> str:
     return f"{size}({_one(cell) or quoted('')})"
 
 
-def _cell(element: ElementTree.Element) -> str:
-    return _all(element)
-
-
 _WRITERS: dict[str, Callable[[ElementTree.Element], str]] = {
     "mi": _identifier,
-    "mn": _number,
+    "mn": lambda element: quoted(element.text or ""),
     "mo": _sign,
-    "mtext": _words,
-    "mspace": _space,
+    "mtext": lambda element: quoted((element.text or "").replace("\u2002", " ")),
+    "mspace": lambda element: "thin" if element.get("width") == "0.17em" else "med med",
     "mrow": _row,
-    "msub": _sub,
-    "msup": _sup,
-    "msubsup": _sub_sup,
     "mmultiscripts": _scripts,
     "mfrac": _fraction,
-    "msqrt": _root,
+    "msqrt": lambda element: f"sqrt({_all(element)})",
     "mover": _over,
     "munder": _under,
-    "munderover": _under_over,
     "mtable": _table,
-    "mtd": _cell,
+    "mtd": _all,
+    **dict.fromkeys(("msub", "msup", "msubsup", "munderover"), _scripted),
 }

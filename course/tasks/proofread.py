@@ -11,7 +11,7 @@ from markupsafe import Markup
 
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_missing
-from armproof.course.feedback.notebook import Shown, block
+from armproof.course.feedback.notebook import Shown, render
 from armproof.course.links import shift, turn
 
 ARM = "planar_2r"
@@ -29,7 +29,9 @@ class Report:
         return self.text
 
     def _repr_html_(self) -> str:
-        return str(block("open", Markup('<pre style="white-space:pre-wrap">{}</pre>').format(self.text)))
+        return render(
+            "block.html", "open", content=Markup('<pre style="white-space:pre-wrap">{}</pre>').format(self.text)
+        )
 
 
 def show_sheet(text: str) -> Shown:

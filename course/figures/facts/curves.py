@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.figures.facts.positioning import Positioning
+from armproof.course.figures.facts.task import joint_ranges, within_limits
 from armproof.models.arm import Arm
-from armproof.models.numeric.configurations import joint_range
 from armproof.verification.singularities.families import Family
 
 _DRAWN, _ROUNDS, _ENOUGH = 400, 4, 350
@@ -30,7 +30,8 @@ def family_curve(positioning: Positioning, family: Family) -> np.ndarray:
         q = family.sample(rng, _DRAWN)
         q[:, still] = 0.0
         q = into_limits(arm, q)
-        found.append(q[within(arm, q, [k for k in moving if k not in still]) & family.contains(q, _ON_IT)])
+        kept = within_limits(arm, q)[:, [k for k in moving if k not in still]].all(axis=1)
+        found.append(q[kept & family.contains(q, _ON_IT)])
         if not 0 < sum(map(len, found)) < _ENOUGH:
             break
     q = np.vstack(found)
@@ -38,33 +39,24 @@ def family_curve(positioning: Positioning, family: Family) -> np.ndarray:
         return np.empty((0, len(arm.joints)))
     points = positioning.projection.points(positioning.points(q))
     size = max(float(np.ptp(points, axis=0).max()), 1e-9)
-    if _cells(points, size / _COARSE)[0].size > _AREA:
+    if _firsts(points, size / _COARSE).size > _AREA:
         return np.empty((0, len(arm.joints)))
-    kept = _cells(points, size / _FINE)[0]
+    kept = _firsts(points, size / _FINE)
     return _ordered(q[kept], points[kept], _GAP * size)
 
 
 def into_limits(arm: Arm, q: np.ndarray) -> np.ndarray:
     """Return configurations (N, n) with each angle changed by whole turns towards the middle of its range."""
     q = q.copy()
-    for k, joint in enumerate(arm.joints):
-        if joint.kind == "revolute":
-            low, high = joint_range(joint.lower, joint.upper, joint.kind)
+    for k, (low, high) in enumerate(joint_ranges(arm)):
+        if arm.joints[k].kind == "revolute":
             q[:, k] -= 2 * np.pi * np.round((q[:, k] - (low + high) / 2) / (2 * np.pi))
     return q
 
 
-def within(arm: Arm, q: np.ndarray, places: list[int]) -> np.ndarray:
-    """Return which configurations (N, n) keep the joints at some places, from 0, within their limits."""
-    lower, upper = (np.array([getattr(joint, side) for joint in arm.joints]) for side in ("lower", "upper"))
-    inside = (q >= lower - _ON_IT) & (q <= upper + _ON_IT)
-    return np.asarray(inside[:, places].all(axis=1))
-
-
-def _cells(points: np.ndarray, size: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the first point in each cell of a grid, and the cells."""
-    cells, first = np.unique(np.floor(points / size).astype(int), axis=0, return_index=True)
-    return np.sort(first), cells
+def _firsts(points: np.ndarray, size: float) -> np.ndarray:
+    """Return the places of the points that are the first in their cells of a grid."""
+    return np.sort(np.unique(np.floor(points / size).astype(int), axis=0, return_index=True)[1])
 
 
 def _ordered(q: np.ndarray, points: np.ndarray, gap: float) -> np.ndarray:

@@ -8,10 +8,8 @@ from functools import lru_cache
 import numpy as np
 
 from armproof.course.figures.facts.families import families_of
-from armproof.course.figures.facts.task import Task, task_of
+from armproof.course.figures.facts.task import Task, joint_ranges, task_of
 from armproof.models.arm import Arm
-from armproof.models.bulk.bulk import bulk_of
-from armproof.models.numeric.configurations import joint_range
 from armproof.verification.singularities.families import Family
 
 SIDE = 1000  # a million configurations
@@ -59,7 +57,7 @@ def joint_map(arm: Arm) -> JointMap:
     axes = tuple(_axis(arm, k, SIDE) for k in joints)
     empty = JointMap(task, joints, _best_base(task, joints, relevant), axes, np.empty(0), relevant)
     values = [part.ravel() for part in np.meshgrid(*axes)]
-    w = bulk_of(arm).manipulability(empty.configurations(*values), task.frame, task.rows)
+    w = task.manipulability(empty.configurations(*values))
     return JointMap(task, joints, empty.base, axes, w.reshape([len(axis) for axis in axes[::-1]]), relevant)
 
 
@@ -67,12 +65,12 @@ def relevant_joints(task: Task) -> tuple[int, ...]:
     """Return the places of the joints on which w depends, from 0, the one that changes it most first."""
     arm, rng = task.arm, np.random.default_rng(_SEED)
     q = np.column_stack([rng.uniform(*_range(arm, k), _DRAWN) for k in range(len(arm.joints))])
-    w = bulk_of(arm).manipulability(q, task.frame, task.rows)
+    w = task.manipulability(q)
     changes = []
     for k in range(len(arm.joints)):
         moved = q.copy()
         moved[:, k] = rng.uniform(*_range(arm, k), _DRAWN)
-        changes.append(float(np.abs(bulk_of(arm).manipulability(moved, task.frame, task.rows) - w).mean()))
+        changes.append(float(np.abs(task.manipulability(moved) - w).mean()))
     order = sorted(range(len(changes)), key=lambda k: -round(changes[k] / max(float(w.max()), 1e-300), 6))
     return tuple(k for k in order if changes[k] > _DEPENDS * max(float(w.max()), 1e-300))
 
@@ -98,15 +96,14 @@ def _best_base(task: Task, joints: tuple[int, ...], relevant: tuple[int, ...]) -
         for shown in joints:
             q[:, shown] = np.tile(rng.uniform(*_range(arm, shown), 64), len(values))
         q[:, k] = np.repeat(values, 64)
-        means = bulk_of(arm).manipulability(q, task.frame, task.rows).reshape(len(values), 64).mean(axis=1)
+        means = task.manipulability(q).reshape(len(values), 64).mean(axis=1)
         good = np.flatnonzero(means >= (1 - 1e-9) * means.max())
         base[k] = values[good[int(np.argmin(np.abs(values[good])))]]
     return base
 
 
 def _range(arm: Arm, k: int) -> tuple[float, float]:
-    joint = arm.joints[k]
-    return joint_range(joint.lower, joint.upper, joint.kind)
+    return joint_ranges(arm)[k]
 
 
 def _axis(arm: Arm, k: int, count: int) -> np.ndarray:
@@ -156,7 +153,7 @@ def highest_near(found: JointMap, place: tuple[int, ...]) -> tuple[np.ndarray, f
             for centre, step, axis in zip(at, steps, found.axes, strict=True)
         ]
         q = found.configurations(*(part.ravel() for part in np.meshgrid(*around)))
-        w = bulk_of(found.task.arm).manipulability(q, found.task.frame, found.task.rows)
+        w = found.task.manipulability(q)
         best = q[int(np.argmax(w))]
         at = [float(best[k]) for k in found.joints]
         steps = [4 * step / _ZOOMED for step in steps]

@@ -53,20 +53,13 @@ def follow(task: Task, q_0: np.ndarray, poses: np.ndarray) -> tuple[np.ndarray, 
 
 def correct(task: Task, q: np.ndarray, X: np.ndarray, rounds: int = _CORRECTIONS) -> tuple[np.ndarray, np.ndarray]:
     """Return joint values (K, n) after some Newton steps towards poses (K, 4, 4), and the error that is left, (K,)."""
-    rows = [row - 1 for row in task.rows]
+    rows = task.places
     for _ in range(rounds):
         at, J = bulk_of(task.arm).pose_and_jacobian(q, task.frame)
         error = pose_error(X, at)[:, rows]
         q = q + _bounded((damped_inverse(J[:, rows], _DAMPING) @ error[..., None])[..., 0])
-    left = pose_error(X, bulk_of(task.arm).pose(q, task.frame))[:, rows]
+    left = pose_error(X, task.pose(q))[:, rows]
     return q, np.linalg.norm(left, axis=1)
-
-
-def within_limits(task: Task, q: np.ndarray) -> np.ndarray:
-    """Return which configurations (…, n) keep every joint within its limits."""
-    lower = np.array([joint.lower for joint in task.arm.joints])
-    upper = np.array([joint.upper for joint in task.arm.joints])
-    return np.asarray(np.all((q >= lower - 1e-9) & (q <= upper + 1e-9), axis=-1))
 
 
 def _bounded(step: np.ndarray) -> np.ndarray:

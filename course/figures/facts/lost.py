@@ -72,11 +72,7 @@ def reachable_rates(arm: Arm, tool: str, rows: tuple[int, ...], lost: LostDirect
     if lost.kind == "velocity" or min(rows) > 3:
         return J_v if lost.kind == "velocity" else J_w
     _, singular_values, Vt = np.linalg.svd(J_v)
-    rank = (
-        int(np.sum(singular_values > _ZERO * max(float(singular_values.max(initial=0.0)), 1e-300)))
-        if np.any(J_v)
-        else 0
-    )
+    rank = int(np.sum(singular_values > _ZERO * max(float(singular_values.max(initial=0.0)), 1e-300)))
     return np.asarray(J_w @ Vt[rank:].T)
 
 

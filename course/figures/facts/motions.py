@@ -9,17 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.figures.facts.lines import follow, line_poses, within_limits
-from armproof.course.figures.facts.task import Task, task_of
+from armproof.course.figures.facts.lines import follow, line_poses
+from armproof.course.figures.facts.task import Task, joint_ranges, limits_of, task_of, within_limits
 from armproof.models.arm import Arm
-from armproof.models.bulk.bulk import bulk_of
 from armproof.models.errors import ModelError
 from armproof.models.motion.joint_space import point_to_point
 from armproof.models.motion.limits import read_rate_limits
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.motion.quintic import shortest_duration
 from armproof.models.motion.straight_line import StraightLine, straight_line
-from armproof.models.numeric.configurations import joint_range
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import choose_projection
 
@@ -98,7 +96,7 @@ def _pairs(arm: Arm, task: Task) -> tuple[np.ndarray, np.ndarray]:
     """Return pairs of configurations, (K, n) each, the best first."""
     rng = np.random.default_rng(_SEED)
     q = _candidates(arm, rng)
-    w = bulk_of(arm).manipulability(q, task.frame, task.rows)
+    w = task.manipulability(q)
     points, low = task.points(q), task.lowest(q)
     kept = np.flatnonzero((w >= np.quantile(w, 0.4)) & (low >= np.quantile(low, 0.4)))
     first, last = (rng.choice(kept, 3 * _TRIED) for _ in range(2))
@@ -113,36 +111,29 @@ def _pairs(arm: Arm, task: Task) -> tuple[np.ndarray, np.ndarray]:
 
 def _typical_moves(arm: Arm) -> np.ndarray:
     """Return how far each joint may well go in a figure: 60°, or half of the range of a slide, (n,)."""
-    ranges = [joint_range(joint.lower, joint.upper, joint.kind) for joint in arm.joints]
-    kinds = [joint.kind for joint in arm.joints]
-    return np.array(
-        [_TYPICAL if kind == "revolute" else (high - low) / 2 for kind, (low, high) in zip(kinds, ranges, strict=True)]
-    )
+    pairs = zip(arm.joints, joint_ranges(arm), strict=True)
+    return np.array([_TYPICAL if joint.kind == "revolute" else (high - low) / 2 for joint, (low, high) in pairs])
 
 
 def _followed(task: Task, q_0: np.ndarray, q_f: np.ndarray) -> np.ndarray:
     """Return the pairs whose straight line the arm follows within its limits, far from singular configurations."""
-    X_0, X_f = (bulk_of(task.arm).pose(q, task.frame) for q in (q_0, q_f))
+    X_0, X_f = task.pose(q_0), task.pose(q_f)
     q, error = follow(task, q_0, line_poses(X_0, pose_error(X_f, X_0), np.linspace(0.0, 1.0, _STEPS)))
-    follows = (error.max(axis=0) < 1e-6) & within_limits(task, q).all(axis=0) & (np.abs(q[-1] - q_f).max(axis=1) < 1e-6)
-    w = np.array([bulk_of(task.arm).manipulability(part, task.frame, task.rows) for part in q])
+    inside = within_limits(task.arm, q).all(axis=(0, 2))
+    follows = (error.max(axis=0) < 1e-6) & inside & (np.abs(q[-1] - q_f).max(axis=1) < 1e-6)
+    w = np.array([task.manipulability(part) for part in q])
     return np.flatnonzero(follows & (w.min(axis=0) > _FAR * w.max()))
 
 
 def _candidates(arm: Arm, rng: np.random.Generator) -> np.ndarray:
     """Return configurations well within the joint limits, rounded, (N, n)."""
     columns = []
-    for joint in arm.joints:
-        low, high = joint_range(joint.lower, joint.upper, joint.kind)
+    for joint, (low, high) in zip(arm.joints, joint_ranges(arm), strict=True):
         step, most = (_STEP, _MOST) if joint.kind == "revolute" else (_SLIDE_STEP, np.inf)
         margin = 0.1 * (high - low)
         first, last = ceil(max(low + margin, -most) / step), int(min(high - margin, most) // step)
         columns.append(step * rng.integers(first, max(first, last) + 1, _TRIED))
-    return np.clip(np.column_stack(columns), *_limits(arm))
-
-
-def _limits(arm: Arm) -> tuple[np.ndarray, np.ndarray]:
-    return np.array([joint.lower for joint in arm.joints]), np.array([joint.upper for joint in arm.joints])
+    return np.clip(np.column_stack(columns), *limits_of(arm))
 
 
 def _line(arm: Arm, task: Task, q_0: np.ndarray, q_f: np.ndarray) -> StraightLine | None:

@@ -9,13 +9,12 @@ import numpy as np
 
 from armproof.course.figures.facts.curves import into_limits
 from armproof.course.figures.facts.families import families_of
-from armproof.course.figures.facts.lines import correct, follow, line_poses, within_limits
-from armproof.course.figures.facts.task import Task, task_of
+from armproof.course.figures.facts.lines import correct, follow, line_poses
+from armproof.course.figures.facts.task import Task, joint_ranges, task_of, within_limits
 from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import bulk_of
 from armproof.models.motion.inverse_velocity import damped_inverse, joint_rates
 from armproof.models.motion.pose_error import pose_error
-from armproof.models.numeric.configurations import joint_range
 from armproof.verification.singularities.families import Family
 
 SAMPLES = 241
@@ -100,7 +99,7 @@ def _candidates(task: Task, families: list[Family]) -> _Candidates:
     owners: list[int] = []
     for k, family in enumerate(families):
         on_it = into_limits(task.arm, family.sample(rng, _DRAWN))
-        clear = within_limits(task, on_it)
+        clear = within_limits(task.arm, on_it).all(axis=1)
         for other in families[:k] + families[k + 1 :]:
             clear &= other.distance(on_it) > _ALONE
         on_it = on_it[clear]
@@ -118,7 +117,7 @@ def _with_twists(task: Task, q: np.ndarray, families: np.ndarray) -> _Candidates
     if not len(q):
         return _Candidates(q, np.empty((0, 6)), families)
     lost = np.zeros((len(q), 6))
-    lost[:, [row - 1 for row in task.rows]] = np.linalg.svd(task.jacobian(q))[0][:, :, -1]
+    lost[:, task.places] = np.linalg.svd(task.jacobian(q))[0][:, :, -1]
     parts: list[tuple[np.ndarray, np.ndarray]] = []
     for columns in (slice(0, 3), slice(3, 6)):
         size = np.linalg.norm(lost[:, columns], axis=1)
@@ -133,22 +132,21 @@ def _with_twists(task: Task, q: np.ndarray, families: np.ndarray) -> _Candidates
 def _extents(task: Task, twists: np.ndarray) -> np.ndarray:
     """Return how far the motions go to each side (m, rad), (K,)."""
     rng = np.random.default_rng(_SEED)
-    ranges = [joint_range(joint.lower, joint.upper, joint.kind) for joint in task.arm.joints]
-    points = task.points(np.column_stack([rng.uniform(*limits, 200) for limits in ranges]))
+    points = task.points(np.column_stack([rng.uniform(*limits, 200) for limits in joint_ranges(task.arm)]))
     reach = float(np.ptp(points, axis=0).max()) / 2
     return np.where(np.linalg.norm(twists[:, :3], axis=1) > 0.5, _LENGTH * reach, _TURN)
 
 
 def _best(task: Task, found: _Candidates, passes: bool) -> int | None:
     """Return the candidate whose highest rate stands out most; translations before turns."""
-    X = bulk_of(task.arm).pose(found.q, task.frame)
+    X = task.pose(found.q)
     twists = _extents(task, found.twists)[:, None] * found.twists
     good = np.ones(len(found.q), dtype=bool)
     rates = []
     ways = np.linspace(0.0, 1.0, _STEPS) ** 2  # small steps where the joints are fast
     for side in (-1.0, 1.0) if passes else (-1.0,):
         q, error = follow(task, found.q, line_poses(X, twists, side * ways))
-        good &= (error.max(axis=0) < _FOLLOWED) & within_limits(task, q).all(axis=0)
+        good &= (error.max(axis=0) < _FOLLOWED) & within_limits(task.arm, q).all(axis=(0, 2))
         rates.append(np.abs(np.diff(q, axis=0)).max(axis=2) / np.diff(ways)[:, None])
     largest = np.vstack(rates)
     sharpness = largest.max(axis=0) / np.maximum(np.median(largest, axis=0), 1e-9)
@@ -162,12 +160,11 @@ def _best(task: Task, found: _Candidates, passes: bool) -> int | None:
 def _motion(task: Task, family: Family, q_near: np.ndarray, direction: np.ndarray, passes: bool) -> NearSingular:
     extent = float(_extents(task, direction[None])[0])
     s = np.linspace(-1.0, 1.0 if passes else 0.0, SAMPLES)
-    X = bulk_of(task.arm).pose(q_near[None], task.frame)
+    X = task.pose(q_near[None])
     poses = line_poses(X, extent * direction[None], s)[:, 0]
     q = _exact(task, q_near, X, extent * direction, s, poses)
     twist = extent * (s[-1] - s[0]) / DURATION * direction
-    rows = [row - 1 for row in task.rows]
-    J = task.jacobian(q)
+    rows, J = task.places, task.jacobian(q)
     rates = joint_rates(J, np.tile(twist[rows], (SAMPLES, 1))).rates
     least = np.linalg.svd(J, compute_uv=False)[:, -1]
     damping = float(f"{_DAMPING * least.min():.1g}")
@@ -197,7 +194,7 @@ def _damped(
     task: Task, q_0: np.ndarray, poses: np.ndarray, twist: np.ndarray, damping: float, step: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return joint values, rates and errors with the damped inverse and feedback of the error, one step of time after the other."""
-    rows = [row - 1 for row in task.rows]
+    rows = task.places
     q, rates = np.empty((len(poses), len(q_0))), np.empty((len(poses), len(q_0)))
     error = np.empty((len(poses), len(rows)))
     now = np.array(q_0)

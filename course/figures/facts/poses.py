@@ -6,10 +6,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from armproof.course.figures.facts.task import tool_frame
+from armproof.course.figures.facts.task import joint_ranges, tool_frame
 from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import bulk_of
-from armproof.models.numeric.configurations import generic_configuration, joint_range
+from armproof.models.numeric.configurations import generic_configuration
 from armproof.models.showing.projection import Projection, choose_projection
 from armproof.models.showing.skeleton import place_skeleton, simplify
 
@@ -23,8 +23,7 @@ _MOST = 2.1  # rad
 def zero_pose(arm: Arm) -> np.ndarray:
     """Return the zero pose as far as the limits allow, prismatic joints at the middle of their range, (n,)."""
     values = []
-    for joint in arm.joints:
-        low, high = joint_range(joint.lower, joint.upper, joint.kind)
+    for joint, (low, high) in zip(arm.joints, joint_ranges(arm), strict=True):
         slides = joint.kind == "prismatic"
         values.append(round(0.35 * low + 0.65 * high, 3) if slides else min(max(0.0, low), high))
     return np.array(values)
@@ -46,8 +45,7 @@ def showing_pose(arm: Arm) -> np.ndarray:
 
 def _candidates(arm: Arm, rng: np.random.Generator) -> np.ndarray:
     columns = []
-    for joint, middle in zip(arm.joints, generic_configuration(arm), strict=True):
-        low, high = joint_range(joint.lower, joint.upper, joint.kind)
+    for joint, (low, high), middle in zip(arm.joints, joint_ranges(arm), generic_configuration(arm), strict=True):
         if joint.kind == "prismatic":
             columns.append(np.full(_TRIED, round(middle, 2) if high - low > 0.05 else middle))
             continue
@@ -78,11 +76,5 @@ def _clearness(arm: Arm, projection: Projection, q: np.ndarray) -> float:
     gaps = [float(np.linalg.norm(paper[i] - paper[j])) for i in range(len(paper)) for j in range(i + 2, len(paper))]
     right, up = (paper[-1] - paper[0]) / total
     below = 0.0 if projection.planar else max(0.0, float(points[0, 2] - points[:, 2].min())) / total
-    return (
-        straight
-        + 2 * min(gaps, default=total) / total
-        - 2 * below
-        + 0.3 * right
-        + 0.3 * up
-        - 0.05 * float(np.abs(q).mean())
-    )
+    apart = min(gaps, default=total) / total
+    return straight + 2 * apart - 2 * below + 0.3 * right + 0.3 * up - 0.05 * float(np.abs(q).mean())

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from armproof.course.figures.facts.families import singularities_of
-from armproof.course.figures.facts.task import task_of
+from armproof.course.figures.facts.task import generic_jacobian, task_of
 from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import bulk_of
 from armproof.models.numeric.configurations import generic_configuration
@@ -71,9 +71,7 @@ def positioning_of(arm: Arm) -> Positioning | None:
     if task.turns_only:
         return None
     frame = _wrist_centre(arm) or task.frame
-    J = NumericKinematics(
-        arm, generic_configuration(arm) + np.random.default_rng(_SEED).uniform(-0.2, 0.2, (8, len(arm.joints)))
-    ).jacobian(frame)[:, :3]
+    J = generic_jacobian(arm, frame, _SEED)[:, :3]
     moving = np.abs(J) > _ZERO * np.abs(J).max()
     rows = tuple(int(k) + 1 for k in np.flatnonzero(moving.any(axis=(0, 2))))
     columns = tuple(int(k) + 1 for k in np.flatnonzero(moving.any(axis=(0, 1))))

@@ -11,8 +11,8 @@ import numpy as np
 from armproof.course.figures.facts.poses import showing_pose
 from armproof.course.figures.facts.task import Task, task_of
 from armproof.models.arm import Arm
-from armproof.models.bulk.bulk import bulk_of
 from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.motion.pose_error import pose_error
 from armproof.models.numeric.joint_values import outside_limits
 
 STARTS = 480
@@ -71,30 +71,18 @@ def _by_formula(arm: Arm, target: np.ndarray) -> np.ndarray | None:
 def _by_iteration(task: Task, target: np.ndarray) -> np.ndarray:
     """Return the solutions that Newton's method finds from many starts, and the target's own."""
     arm = task.arm
-    goal = bulk_of(arm).pose(target[None], task.frame)
+    goal = task.pose(target[None])
     starts = np.random.default_rng(_SEED).uniform(-np.pi, np.pi, (STARTS, len(arm.joints)))
     q = np.vstack([target, starts])
     for _ in range(_STEPS):
-        error = _error(task, q, goal)
+        error = pose_error(goal, task.pose(q))[:, task.places]
         step = np.einsum("nij,nj->ni", np.linalg.pinv(task.jacobian(q), rcond=1e-6), error)
         size = np.linalg.norm(step, axis=1, keepdims=True)
         q = q + step * np.minimum(1.0, 0.7 / np.maximum(size, 1e-300))
-    reached = np.abs(_error(task, q, goal)).max(axis=1) < _REACHED
+    reached = np.abs(pose_error(goal, task.pose(q))[:, task.places]).max(axis=1) < _REACHED
     turning = [k for k, joint in enumerate(arm.joints) if joint.kind == "revolute"]
     q[:, turning] = np.pi - np.mod(np.pi - q[:, turning], 2 * np.pi)
     return _distinct(arm, q[reached])
-
-
-def _error(task: Task, q: np.ndarray, goal: np.ndarray) -> np.ndarray:
-    """Return the twist that would bring the tool to its goal, rows of the task, (N, m)."""
-    X = bulk_of(task.arm).pose(q, task.frame)
-    R = goal[:, :3, :3] @ X[:, :3, :3].transpose(0, 2, 1)
-    skew = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1) / 2
-    sine, cosine = np.linalg.norm(skew, axis=1), (np.trace(R, axis1=1, axis2=2) - 1) / 2
-    angle = np.arctan2(sine, cosine)
-    rotation = skew * (angle / np.maximum(sine, 1e-300))[:, None]
-    twist = np.hstack([goal[:, :3, 3] - X[:, :3, 3], rotation])
-    return np.asarray(twist[:, [row - 1 for row in task.rows]])
 
 
 def _distinct(arm: Arm, q: np.ndarray) -> np.ndarray:

@@ -10,7 +10,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import bulk_of
 from armproof.models.exact.trace import trace_of
-from armproof.models.numeric.configurations import generic_configuration
+from armproof.models.numeric.configurations import generic_configuration, joint_range
 from armproof.models.numeric.drake_arm import frame_of
 from armproof.models.numeric.plant import NumericKinematics
 
@@ -36,9 +36,22 @@ class Task:
         """Whether the rows are of ω only."""
         return min(self.rows) > 3
 
+    @property
+    def places(self) -> list[int]:
+        """The rows, from 0."""
+        return [row - 1 for row in self.rows]
+
+    def pose(self, q: np.ndarray) -> np.ndarray:
+        """Return the pose of the tool's frame in frame 0 at configurations (N, n), (N, 4, 4)."""
+        return bulk_of(self.arm).pose(q, self.frame)
+
+    def manipulability(self, q: np.ndarray) -> np.ndarray:
+        """Return √det(J Jᵀ) at configurations (N, n), (N,)."""
+        return bulk_of(self.arm).manipulability(q, self.frame, self.rows)
+
     def points(self, q: np.ndarray) -> np.ndarray:
         """Return the origin of the tool's frame in frame 0, (N, 3)."""
-        return np.asarray(bulk_of(self.arm).pose(q, self.frame)[:, :3, 3])
+        return np.asarray(self.pose(q)[:, :3, 3])
 
     def lowest(self, q: np.ndarray) -> np.ndarray:
         """Return the least height of the origins of the frames over the base, (N,)."""
@@ -47,7 +60,7 @@ class Task:
 
     def jacobian(self, q: np.ndarray) -> np.ndarray:
         """Return the rows of the task of the geometric Jacobian, (N, m, n), from the exact trace."""
-        return np.asarray(bulk_of(self.arm).jacobian(q, self.frame)[:, [row - 1 for row in self.rows]])
+        return np.asarray(bulk_of(self.arm).jacobian(q, self.frame)[:, self.places])
 
 
 @lru_cache(maxsize=64)
@@ -57,7 +70,7 @@ def task_of(arm: Arm) -> Task:
     The same rows as analyse_singularities takes where it is not told any.
     """
     frame = tool_frame(arm)
-    J = NumericKinematics(arm, _near_generic(arm)).jacobian(frame)
+    J = generic_jacobian(arm, frame, _SEED)
     used = [row for row in range(6) if np.abs(J[:, row]).max() > _ZERO * np.abs(J).max()]
     if len(used) > len(arm.joints):
         rank = _rank(J)
@@ -66,9 +79,26 @@ def task_of(arm: Arm) -> Task:
     return Task(arm, frame, tuple(row + 1 for row in used))
 
 
-def _near_generic(arm: Arm) -> np.ndarray:
-    rng = np.random.default_rng(_SEED)
-    return generic_configuration(arm) + rng.uniform(-0.2, 0.2, (8, len(arm.joints)))
+def generic_jacobian(arm: Arm, frame: str, seed: int) -> np.ndarray:
+    """Return the Jacobian of a frame at eight configurations near a generic one, (8, 6, n)."""
+    near = np.random.default_rng(seed).uniform(-0.2, 0.2, (8, len(arm.joints)))
+    return np.asarray(NumericKinematics(arm, generic_configuration(arm) + near).jacobian(frame))
+
+
+def joint_ranges(arm: Arm) -> list[tuple[float, float]]:
+    """Return the range of each joint from which configurations are drawn: its limits, or half a turn or half a metre to each side."""
+    return [joint_range(joint.lower, joint.upper, joint.kind) for joint in arm.joints]
+
+
+def limits_of(arm: Arm) -> np.ndarray:
+    """Return the lower and the upper limits of the joints, (2, n)."""
+    return np.array([[joint.lower for joint in arm.joints], [joint.upper for joint in arm.joints]])
+
+
+def within_limits(arm: Arm, q: np.ndarray) -> np.ndarray:
+    """Return which joint values (…, n) are within the limits of their joints."""
+    lower, upper = limits_of(arm)
+    return np.asarray((q >= lower - _ZERO) & (q <= upper + _ZERO))
 
 
 def _rank(J: np.ndarray) -> int:

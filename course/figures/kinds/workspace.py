@@ -17,9 +17,9 @@ from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import INK, PAPER, Box, new_figure, styled
 from armproof.course.figures.facts.curves import family_curve
 from armproof.course.figures.facts.positioning import Positioning, position_singularities, positioning_of
+from armproof.course.figures.facts.task import joint_ranges
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
-from armproof.models.numeric.configurations import joint_range
 from armproof.models.showing.skeleton import stick_points
 
 CONFIGURATIONS = 1_000_000
@@ -61,8 +61,7 @@ def workspace_of(arm: Arm) -> Workspace:
     q = np.zeros((CONFIGURATIONS, len(arm.joints)))
     rng = np.random.default_rng(_SEED)
     for column in positioning.free:
-        joint = arm.joints[column - 1]
-        q[:, column - 1] = rng.uniform(*joint_range(joint.lower, joint.upper, joint.kind), CONFIGURATIONS)
+        q[:, column - 1] = rng.uniform(*joint_ranges(arm)[column - 1], CONFIGURATIONS)
     points = positioning.projection.points(positioning.points(q))
     low, high = points.min(axis=0), points.max(axis=0)
     cell = float((high - low).max()) / _CELLS

@@ -81,15 +81,12 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
                 task.asks.judge(task.right[0])
     recorder = Recorder({id(task): (lesson.name, task.asks) for lesson in course for task in lesson.tasks})
     Task.check = recorder.wrap(Task.check)  # type: ignore[method-assign]
-    return [
-        {
-            "name": lesson.name,
-            "number": lesson.number,
-            "title": lesson.title,
-            "tasks": [{"name": task.name, "title": task.title} for task in lesson.tasks],
-        }
-        for lesson in course
-    ], recorder.results
+    return [_described(lesson) for lesson in course], recorder.results
+
+
+def _described(lesson: Any) -> dict[str, Any]:
+    tasks = [{"name": task.name, "title": task.title} for task in lesson.tasks]
+    return {"name": lesson.name, "number": lesson.number, "title": lesson.title, "tasks": tasks}
 
 
 def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
@@ -97,9 +94,8 @@ def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
     from armproof.course.feedback import lesson as opened
     from armproof.course.feedback import open_lesson
 
-    names = sorted(
-        path.stem for path in (folder / "tasks").glob("*.py") if path.stem.isidentifier() and path.stem != "__init__"
-    )
+    stems = (path.stem for path in (folder / "tasks").glob("*.py"))
+    names = sorted(stem for stem in stems if stem.isidentifier() and stem != "__init__")
     if not names:
         raise GradingError("{folder}: no lessons of your own: there is no tasks/<name>.py in it", folder=folder)
     found = {name: open_lesson(name, folder) for name in names}

@@ -26,16 +26,7 @@ from armproof.course.grading.sandbox.limits import LIBRARIES, Limits
 _GRACE = 30.0  # s beyond a submission's own time, after which a keeper that does not answer is given up
 _STARTING = 300.0
 _PATIENCE = 8.0
-_KEPT = (
-    "PATH",
-    "PYTHONPATH",
-    "PYTHONHOME",
-    "LD_LIBRARY_PATH",
-    "DYLD_LIBRARY_PATH",
-    "VIRTUAL_ENV",
-    "HOME",
-    "SYSTEMROOT",
-)
+_KEPT = "PATH PYTHONPATH PYTHONHOME LD_LIBRARY_PATH DYLD_LIBRARY_PATH VIRTUAL_ENV HOME SYSTEMROOT".split()
 
 
 class Client:
@@ -117,17 +108,8 @@ class Client:
         os.chmod(self._base, 0o711)  # a run of another user finds its own folder there, and none other
         pairs = [socket.socketpair() for _ in range(self._jobs)]
         ends = [theirs.fileno() for _, theirs in pairs]
-        command = [
-            sys.executable,
-            "-P",
-            "-m",
-            "armproof.course.grading.running.server",
-            self._base,
-            self._bubblewrap,
-            self._used,
-            self._own,
-            *map(str, ends),
-        ]
+        server = (sys.executable, "-P", "-m", "armproof.course.grading.running.server")
+        command = [*server, self._base, self._bubblewrap, self._used, self._own, *map(str, ends)]
         self._server = subprocess.Popen(
             command, pass_fds=ends, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, env=_environment(),
             cwd=self._base, start_new_session=True,

@@ -24,8 +24,7 @@ from armproof.course.grading.running.processes import end_all
 from armproof.course.grading.running.watch import Watch
 from armproof.course.grading.sandbox.bubblewrap import SEARCHED, Sandbox
 from armproof.course.grading.sandbox.kernel import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
-from armproof.course.grading.sandbox.limits import LIBRARIES, Limits
-from armproof.course.grading.sandbox.resources import limit_resources
+from armproof.course.grading.sandbox.limits import LIBRARIES, Limits, limit_resources
 
 Send = Callable[[dict[str, Any]], None]
 _dumps, _write_bytes, _process = json.dumps, os.write, os.getpid  # as they are now, whatever a submission makes of them

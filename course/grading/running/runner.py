@@ -74,14 +74,8 @@ def _describe(problem: BaseException, number: int, name: str) -> dict[str, Any]:
         message = "(its message cannot be shown)"
     if isinstance(problem, SystemExit):
         message = "the cell ends the program: it calls exit()"
-    out_of_memory = isinstance(problem, MemoryError)
-    return {
-        "cell": number,
-        "line": line,
-        "type": type(problem).__name__[:80],
-        "message": message,
-        "memory": out_of_memory,
-    }
+    kind, out_of_memory = type(problem).__name__[:80], isinstance(problem, MemoryError)
+    return {"cell": number, "line": line, "type": kind, "message": message, "memory": out_of_memory}
 
 
 def _main_module() -> dict[str, Any]:

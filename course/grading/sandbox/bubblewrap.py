@@ -16,18 +16,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from armproof.course.errors import SandboxError
-from armproof.course.grading.sandbox.kernel import (
-    MEMORY,
-    MOUNTS,
-    NAMES,
-    NETWORK,
-    PR_SET_NO_NEW_PRIVS,
-    PROCESSES,
-    USERS,
-    give_up_capabilities,
-    join,
-    prctl,
-)
+from armproof.course.grading.sandbox import kernel
 from armproof.course.grading.sandbox.places import DEVICES, readable_places
 
 PROGRAM = "bwrap"
@@ -81,20 +70,20 @@ class Sandbox:
             self._wait_until_made()
             self._first = os.pidfd_open(json.load(file)["child-pid"])
         try:
-            join(self._first, PROCESSES | (USERS if user is None else 0))
+            kernel.join(self._first, kernel.PROCESSES | (kernel.USERS if user is None else 0))
         except OSError as problem:
             self.end()
             raise SandboxError("its sandbox cannot be joined ({reason})", reason=problem) from None
 
     def enter(self) -> None:
         """Shut this process in, for good and without privileges: one that was forked since the sandbox was made."""
-        join(self._first, MOUNTS | NETWORK | MEMORY | NAMES)
+        kernel.join(self._first, kernel.MOUNTS | kernel.NETWORK | kernel.MEMORY | kernel.NAMES)
         if self._user is not None:
             os.setgroups([])
             os.setresgid(self._user, self._user, self._user)
             os.setresuid(self._user, self._user, self._user)
-        give_up_capabilities()
-        prctl(PR_SET_NO_NEW_PRIVS, 1)
+        kernel.give_up_capabilities()
+        kernel.prctl(kernel.PR_SET_NO_NEW_PRIVS, 1)
 
     def end(self) -> None:
         """End every process in the sandbox; they are gone when the children of this process have been waited for."""
@@ -115,14 +104,7 @@ class Sandbox:
 
 
 def _arguments(own: str) -> Iterator[str]:
-    yield from (
-        "--unshare-pid",
-        "--unshare-net",
-        "--unshare-ipc",
-        "--unshare-uts",
-        "--die-with-parent",
-        "--new-session",
-    )
+    yield from "--unshare-pid --unshare-net --unshare-ipc --unshare-uts --die-with-parent --new-session".split()
     if os.geteuid() != 0:
         yield "--unshare-user"
     readable = readable_places()
