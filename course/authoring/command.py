@@ -56,8 +56,8 @@ lesson = typer.Typer(
 @lesson.command("list")
 def list_lessons(folder: o.Folder = None) -> None:
     """List the lessons: number, name, title, tasks, arms."""
-    from armproof.course.authoring.listing import described
-    from armproof.course.authoring.writing import rows
+    from armproof.course.authoring.checking.report import rows
+    from armproof.course.authoring.checking.tasks import described
     from armproof.verification.report.text import write_lines
 
     try:
@@ -83,7 +83,7 @@ def build(
     Only what changed is written, and over no notebook that somebody has worked in. Exit code 0: all is up to date; 1: with --check, something is not; 2: a source is malformed.
     """
     from armproof.course.authoring.checking.building import orphans, refuse_worked_in, stale, write_stale
-    from armproof.course.authoring.writing import relative
+    from armproof.course.authoring.checking.report import relative
 
     try:
         place = _place(folder)
@@ -134,7 +134,7 @@ def new(
     It passes `armproof lesson check` as it is written. Exit code 0: it is written; 2: it cannot be.
     """
     from armproof.course.authoring.beginning.new import new_lesson
-    from armproof.course.authoring.writing import relative
+    from armproof.course.authoring.checking.report import relative
 
     try:
         place = _place_for_writing(folder)
@@ -190,7 +190,7 @@ def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out
 def _check(place: Place, sources: list[Path], processes: int, report_format: o.Format) -> int:
     """Write the reports as they come; return the exit code."""
     from armproof.course.authoring.checking.lessons import check_lessons
-    from armproof.course.authoring.writing import write_json, write_text
+    from armproof.course.authoring.checking.report import write_json, write_text
 
     write = write_json if report_format is o.Format.json else write_text
     reports = write(check_lessons(place, sources, processes), sources)

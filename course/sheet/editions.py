@@ -13,7 +13,7 @@ from dataclasses import replace
 from itertools import zip_longest
 from typing import TypeGuard
 
-from armproof.course.sheet.model import (
+from armproof.course.sheet.model import (  # fmt: skip
     Blank,
     Block,
     Display,
@@ -23,9 +23,11 @@ from armproof.course.sheet.model import (
     Picture,
     Quote,
     Table,
+    inner,
     plain,
+    with_inner,
 )
-from armproof.course.sheet.reading import is_solution
+from armproof.course.sheet.reading import opens_solution
 
 _LINE = 7.0  # mm of a line in handwriting
 _HIGHEST = 100.0  # mm, so that two with their questions fill a page
@@ -40,7 +42,7 @@ def with_solutions(blocks: Sequence[Block]) -> tuple[Block, ...]:
         for block in ([part[0]] if is_one and len(part) > 1 else part)
     ]
     return tuple(
-        replace(block, leads=True) if isinstance(block, Paragraph) and _is_solution(after) else block
+        replace(block, leads=True) if isinstance(block, Paragraph) and is_solution(after) else block
         for block, after in zip_longest(gathered, gathered[1:])
     )
 
@@ -49,30 +51,23 @@ def for_students(blocks: Sequence[Block]) -> tuple[Block, ...]:
     """Return the blocks without the formulas of errata, and with blank space for each solution."""
     kept: list[Block] = []
     for block in with_solutions(blocks):
-        if _is_solution(block):
+        if is_solution(block):
             kept.append(Blank(_height(block.blocks)))
-        elif isinstance(block, Quote):
-            inside = for_students(block.blocks)
-            words = tuple(each for each in inside if not isinstance(each, Display | Table))
-            kept.append(replace(block, blocks=words if block.kind == "erratum" else inside))
-        elif isinstance(block, Listing):
-            kept.append(replace(block, items=tuple(for_students(item) for item in block.items)))
-        else:
-            kept.append(block)
+            continue
+        block = with_inner(block, for_students)
+        if isinstance(block, Quote) and block.kind == "erratum":
+            block = replace(block, blocks=tuple(each for each in block.blocks if not isinstance(each, Display | Table)))
+        kept.append(block)
     return tuple(kept)
 
 
 def has_solutions(blocks: Sequence[Block]) -> bool:
     """Whether a document has a worked solution, by itself or in a list or a quote."""
-    for block in with_solutions(blocks):
-        if isinstance(block, Quote) and (_is_solution(block) or has_solutions(block.blocks)):
-            return True
-        if isinstance(block, Listing) and any(has_solutions(item) for item in block.items):
-            return True
-    return False
+    return any(is_solution(block) or any(map(has_solutions, inner(block))) for block in with_solutions(blocks))
 
 
-def _is_solution(block: Block | None) -> TypeGuard[Quote]:
+def is_solution(block: Block | None) -> TypeGuard[Quote]:
+    """Whether a block is a worked solution."""
     return isinstance(block, Quote) and block.kind == "solution"
 
 
@@ -82,7 +77,7 @@ def _parts(blocks: Sequence[Block]) -> list[tuple[bool, list[Block]]]:
     level = 0  # of the solution's heading; 0 outside one
     for block in blocks:
         if isinstance(block, Heading):
-            if is_solution(block.parts):
+            if opens_solution(block.parts):
                 level = min(level, block.level) if level else block.level
                 runs.append((True, []))
             elif level and block.level <= level:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
@@ -164,7 +164,7 @@ class Sheet:
     blocks: tuple[Block, ...]
     draft: bool = False
     solutions: bool = False
-    warnings: tuple[str, ...] = field(default=())
+    warnings: tuple[str, ...] = ()
 
     @property
     def records(self) -> tuple[Record, ...]:
@@ -173,15 +173,24 @@ class Sheet:
         return tuple(record for record in found if record is not None)
 
 
+def inner(block: Block) -> tuple[tuple[Block, ...], ...]:
+    """Return the sequences of blocks that a block holds: the one of a quote, those of the items of a list."""
+    return (block.blocks,) if isinstance(block, Quote) else block.items if isinstance(block, Listing) else ()
+
+
+def with_inner(block: Block, change: Callable[[tuple[Block, ...]], tuple[Block, ...]]) -> Block:
+    """Return a block with each sequence of blocks that it holds changed."""
+    if isinstance(block, Quote):
+        return replace(block, blocks=change(block.blocks))
+    return replace(block, items=tuple(map(change, block.items))) if isinstance(block, Listing) else block
+
+
 def walk(blocks: tuple[Block, ...]) -> Iterator[Block]:
     """Yield blocks and all blocks in them, in their order."""
     for block in blocks:
         yield block
-        if isinstance(block, Quote):
-            yield from walk(block.blocks)
-        elif isinstance(block, Listing):
-            for item in block.items:
-                yield from walk(item)
+        for part in inner(block):
+            yield from walk(part)
 
 
 def plain(parts: tuple[Inline, ...]) -> str:

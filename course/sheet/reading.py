@@ -45,6 +45,7 @@ from armproof.verification.verdict import DocumentResult, Record, Verdict
 _DIRECTIVE = re.compile(r"\s*\{?\s*\.?(?P<name>[\w:-]*)\}?\s*(?P<title>[^\n]*)")
 _ERRATUM = re.compile(r"[#*_\s]*errat(?:um|a)\b", re.IGNORECASE)
 _SOLUTION = re.compile(r"[#*_\s]*(?:worked\s+)?(?:solution|corrigé)s?\b", re.IGNORECASE)
+_SOLUTION_HEADING = re.compile(r"(?:worked )?(?:solution|corrigé)s?(?: *\d[\w.]*)?(?: *[.:–—-].*)?", re.IGNORECASE)
 _MATRIX = 64.0  # em beyond which a matrix's cells are broken into lines: one a little too wide is made smaller instead
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
@@ -251,11 +252,6 @@ def _squeezed(latex: str) -> str:
     return "".join(latex.split())
 
 
-def is_solution(parts: tuple[Inline, ...]) -> bool:
+def opens_solution(parts: tuple[Inline, ...]) -> bool:
     """Whether a heading opens a worked solution: "Solution", "Solution 2", "Solution: the pose", "Corrigé"."""
-    return (
-        re.fullmatch(
-            r"(?:worked )?(?:solution|corrigé)s?(?: *\d[\w.]*)?(?: *[.:–—-].*)?", plain(parts).strip(), re.IGNORECASE
-        )
-        is not None
-    )
+    return _SOLUTION_HEADING.fullmatch(plain(parts).strip()) is not None

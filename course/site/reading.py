@@ -9,9 +9,9 @@ from urllib.parse import unquote
 
 from markdown_it.token import Token
 
-from armproof.course.sheet.editions import with_solutions
+from armproof.course.sheet.editions import is_solution, with_solutions
 from armproof.course.sheet.inline import InlineReader
-from armproof.course.sheet.model import Block, Heading, Inline, Link, Listing, Paragraph, Quote, Styled, Text
+from armproof.course.sheet.model import Block, Heading, Inline, Link, Paragraph, Styled, Text, with_inner
 from armproof.course.sheet.reading import BlockReader
 from armproof.course.site.cells import Cell
 from armproof.models.arm import Arm
@@ -92,7 +92,8 @@ class LessonReader:
 
     def cell(self, cell: Cell) -> tuple[Block, ...]:
         """Return the blocks of a Markdown cell, its worked solutions as quotes, or left out."""
-        return self._edition(with_solutions(self._blocks.read(cell.source, cell.line, cell.number)))
+        blocks = with_solutions(self._blocks.read(cell.source, cell.line, cell.number))
+        return blocks if self.solutions else _without_solutions(blocks)
 
     def text(self, text: str) -> tuple[Block, ...]:
         """Return the blocks of a question, a hint or an output: its displays are no claims, its headings none of the page."""
@@ -106,19 +107,9 @@ class LessonReader:
         """Raise PrintError where a display that was checked is not on the page."""
         self._blocks.close()
 
-    def _edition(self, blocks: Iterable[Block]) -> tuple[Block, ...]:
-        if self.solutions:
-            return tuple(blocks)
-        kept: list[Block] = []
-        for block in blocks:
-            if isinstance(block, Quote) and block.kind == "solution":
-                continue
-            if isinstance(block, Quote):
-                block = Quote(block.kind, self._edition(block.blocks))
-            elif isinstance(block, Listing):
-                block = Listing(tuple(self._edition(item) for item in block.items), block.start)
-            kept.append(block)
-        return tuple(kept)
+
+def _without_solutions(blocks: Iterable[Block]) -> tuple[Block, ...]:
+    return tuple(with_inner(block, _without_solutions) for block in blocks if not is_solution(block))
 
 
 class _QuestionReader(BlockReader):

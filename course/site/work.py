@@ -87,7 +87,7 @@ def build_rest(order: Order, described: Sequence[Described], folder: Path) -> No
 
 
 def _write_lesson(order: Order, described: Sequence[Described], index: int, folder: Path) -> tuple[str, ...]:
-    from armproof.course.site.execution import execute
+    from armproof.course.site.cells import execute
     from armproof.course.site.page import Neighbour, Surroundings, write_page
     from armproof.course.sources.editions import student_notebook
     from armproof.course.sources.lesson_source import read_lesson_source

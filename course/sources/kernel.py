@@ -16,7 +16,7 @@ from subprocess import DEVNULL
 from typing import Any
 
 from armproof.course.errors import AuthoringError
-from armproof.course.sources.notebook import as_bytes, as_notebook
+from armproof.course.sources.editions import as_bytes, as_notebook
 from armproof.course.sources.places import COURSE, Place
 from armproof.verification.document.cells import Cell
 

@@ -12,9 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from armproof.course.errors import SourceError
-from armproof.course.sources.editions import metadata_of
+from armproof.course.sources.editions import as_bytes, as_notebook, metadata_of
 from armproof.course.sources.lesson_source import Check, LessonSource
-from armproof.course.sources.notebook import as_bytes, as_notebook
 from armproof.verification.document.cells import Cell
 
 POINTS = 1

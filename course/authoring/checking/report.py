@@ -1,14 +1,22 @@
-"""What the check of a lesson found."""
+"""What the check of a lesson found, and how it is printed: a table row by row, then what is wrong; or JSON."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import json
+import sys
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
 from typing import Any
 
+from armproof.verification.cli.documents import Progress
+from armproof.verification.report.text import Line, write_lines
+
 SECONDS_ALLOWED = 5.0  # for a solved lesson, from the start of its kernel
+HEAD = ("lesson", "tasks", "answers", "equations", "solved", "student", "check", "")
+_ORDER = ("proved", "confirmed", "defined", "refuted", "unchecked", "unreadable")
 
 
 @dataclass(frozen=True)
@@ -65,3 +73,77 @@ class Report:
             "student_seconds": self.student_seconds,
             "median_check_seconds": self.median_check,
         }
+
+
+def write_text(reports: Iterable[Report], sources: Sequence[Path]) -> list[Report]:
+    """Write each report as soon as it is there; return them all."""
+    started = time.perf_counter()
+    write_lines([head(sources)])
+    found: list[Report] = []
+    with Progress(len(sources), "lessons") as progress:
+        for report in reports:
+            progress.clear()
+            write_lines([row(report, sources)])
+            sys.stdout.flush()
+            progress.advance()
+            found.append(report)
+    problems = [problem for report in found for problem in report.problems]
+    if problems:
+        write_lines([(("", ""),), *(((relative(problem), ""),) for problem in problems)])
+    passing = sum(report.passes for report in found)
+    seconds = time.perf_counter() - started
+    count = f"{len(found)} lesson{'' if len(found) == 1 else 's'}"
+    write_lines([(("", ""),), ((f"{count}, {passing} pass{'es' if passing == 1 else ''}; {seconds:.0f} s", ""),)])
+    return found
+
+
+def write_json(reports: Iterable[Report], sources: Sequence[Path]) -> list[Report]:
+    """Write one JSON object when all are there; return the reports."""
+    found = list(reports)
+    text = json.dumps({"lessons": [report.as_json() for report in found]}, indent=1, ensure_ascii=False)
+    sys.stdout.write(text + "\n")
+    return found
+
+
+def rows(cells: Sequence[Sequence[str]]) -> Iterator[Line]:
+    """Yield the lines of a table, its columns as wide as their widest cell."""
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    for row in cells:
+        yield ((("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))).rstrip(), ""),)
+
+
+def head(sources: Sequence[Path]) -> Line:
+    """Return the head of the table of reports, which is written row by row."""
+    return ((_line(HEAD, sources), "bold"),)
+
+
+def row(report: Report, sources: Sequence[Path]) -> Line:
+    """Return the row of a report."""
+    verdict = "cannot be checked" if report.cannot_run else "passes" if report.passes else "does not pass"
+    if report.is_slow:
+        verdict += ", slow"
+    cells = (
+        report.source.stem,
+        str(report.tasks),
+        f"{report.right} + {report.wrong}",
+        ", ".join(f"{report.verdicts[name]} {name}" for name in _ORDER if name in report.verdicts) or "none",
+        _seconds(report.seconds),
+        _seconds(report.student_seconds),
+        "" if report.median_check is None else f"{1000 * report.median_check:.0f} ms",
+        verdict,
+    )
+    return ((_line(cells, sources), "green" if report.passes else "red"),)
+
+
+def _line(cells: Sequence[str], sources: Sequence[Path]) -> str:
+    widths = (max((len(source.stem) for source in sources), default=6), 5, 9, 34, 6, 7, 6, 0)
+    return "  ".join(cell.ljust(width) for cell, width in zip(cells, widths, strict=True)).rstrip()
+
+
+def _seconds(value: float | None) -> str:
+    return "" if value is None else f"{value:.1f} s"
+
+
+def relative(text: str) -> str:
+    """Return a message with paths below the working folder as they are from there."""
+    return text.replace(f"{Path.cwd()}/", "")

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from armproof.course.errors import SourceError
-from armproof.course.sources.lesson_source import LessonSource
+from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import Place
 
 if TYPE_CHECKING:
@@ -61,3 +62,22 @@ def _line_of(error: Exception, file: Path) -> int:
             line = trace.tb_lineno
         trace = trace.tb_next
     return line
+
+
+if TYPE_CHECKING:
+    from armproof.course.feedback import Lesson
+
+
+def described(place: Place, source: Path) -> tuple[str, str, str, str, str]:
+    """Return what the list says of a lesson; raises SourceError where its source or its tasks are malformed."""
+    lesson = load_tasks(place, read_lesson_source(source))
+    arms = ", ".join(dict.fromkeys(_arms(lesson))) or "none"
+    return str(lesson.number), lesson.name, lesson.title, str(len(lesson.tasks)), arms
+
+
+def _arms(lesson: Lesson) -> Iterator[str]:
+    """Yield the arms that the tasks ask about."""
+    for task in lesson.tasks:
+        arm: Any = getattr(task.asks, "arm", None)
+        if arm is not None:
+            yield arm if isinstance(arm, str) else "a DH table"

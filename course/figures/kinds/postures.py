@@ -35,6 +35,7 @@ _LOWEST, _HIGHEST = 40.0, 62.0  # mm, of a panel
 _SIZE = 0.7
 
 
+@styled()
 def postures(arm: Arm, lang: str = "en") -> Figure:
     """Return the postures of an arm laid over each other on one target, in different strokes.
 
@@ -49,7 +50,6 @@ def postures(arm: Arm, lang: str = "en") -> Figure:
     return _draw_few(arm, found, lang) if len(found.q) <= _FEW else _draw_panels(arm, found, lang)
 
 
-@styled()
 def _draw_few(arm: Arm, found: Postures, lang: str) -> Figure:
     table = [["", *(math(joint.symbol) for joint in arm.joints)]]
     for number, q in enumerate(found.q, start=1):
@@ -68,7 +68,6 @@ def _draw_few(arm: Arm, found: Postures, lang: str) -> Figure:
     return finish(figure, scene)
 
 
-@styled()
 def _draw_panels(arm: Arm, found: Postures, lang: str) -> Figure:
     shown = found.q[:_MOST]
     titles = [PanelTitle(say("all_postures", lang, count=len(found.q)), [])]

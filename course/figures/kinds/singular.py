@@ -88,6 +88,7 @@ def _plainest(analysis: SingularityAnalysis, family: Family, generic: np.ndarray
     return np.asarray(best)
 
 
+@styled()
 def singular(arm: Arm, lang: str = "en") -> Figure:
     """Return the arm at a generic pose and on each family of its singular configurations.
 
@@ -98,14 +99,7 @@ def singular(arm: Arm, lang: str = "en") -> Figure:
         FigureError: a language that the labels are not written in.
     """
     check_language(lang)
-    return _draw(arm, lang)
-
-
-@styled()
-def _draw(arm: Arm, lang: str) -> Figure:
-    poses = singular_poses(arm)
-    analysis = singularities_of(arm)
-    generic = showing_pose(arm)
+    poses, analysis, generic = singular_poses(arm), singularities_of(arm), showing_pose(arm)
     titles = [PanelTitle(say("generic_pose", lang), [say("rank", lang, rank=analysis.generic_rank)])]
     titles += [_title(letter, pose, lang) for letter, pose in zip(LETTERS, poses, strict=False)]
     configurations = np.array([generic, *(pose.q for pose in poses)])

@@ -29,6 +29,7 @@ _LONGEST = 62.0  # mm, of a link
 _BEYOND = 7.5  # mm from a joint's symbol to the arrow of its turning
 
 
+@styled()
 def sketch(arm: Arm, lang: str = "en", *, table: bool = True) -> Figure:
     """Return the kinematic sketch of an arm: planar arms in their plane, spatial ones from a fixed side.
 
@@ -43,14 +44,8 @@ def sketch(arm: Arm, lang: str = "en", *, table: bool = True) -> Figure:
         FigureError: a language that the labels are not written in.
     """
     check_language(lang)
-    return _draw(arm, lang, table)
-
-
-@styled()
-def _draw(arm: Arm, lang: str, with_table: bool) -> Figure:
-    rows = link_rows(arm)
-    q = sketch_pose(arm)
-    figure, scene = _page(arm, rows if with_table else None, q, lang)
+    rows, q = link_rows(arm), sketch_pose(arm)
+    figure, scene = _page(arm, rows if table else None, q, lang)
     layout = draw_arm(scene, arm, q)
     draw_frames(scene, {name: layout.frames[name] for name in shown_frames(arm)})
     _draw_joint_variables(scene, arm, layout)

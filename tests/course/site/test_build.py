@@ -12,7 +12,7 @@ import typer
 from typer.testing import CliRunner
 
 from armproof.course.errors import SiteError
-from armproof.course.site import build, command, execution
+from armproof.course.site import build, cells, command
 from armproof.course.site.build import build_site
 from armproof.course.site.cells import cells_of
 from armproof.course.site.work import Built, Order
@@ -38,7 +38,7 @@ def order(lesson) -> Order:
 @pytest.fixture
 def no_kernel(monkeypatch):
     """Execute nothing; processes inherit it."""
-    monkeypatch.setattr(execution, "execute", lambda source, place, *, solved: cells_of(source))
+    monkeypatch.setattr(cells, "execute", lambda source, place, *, solved: cells_of(source))
 
 
 def content(folder: Path) -> dict[str, bytes]:
@@ -66,16 +66,16 @@ def test_a_lesson_is_executed_and_a_site_stands_on_its_own(order, tmp_path):
 
 def test_a_lesson_that_does_not_run_is_named_with_cell_line_and_exception(order, tmp_path, monkeypatch):
     source = read_lesson_source(order.sources[0])
-    fault = execution.Fault(4, 5, "ZeroDivisionError: division by zero\nand more")
-    monkeypatch.setattr(execution, "run_cells", lambda *arguments: execution_run(fault))
+    fault = cells.Fault(4, 5, "ZeroDivisionError: division by zero\nand more")
+    monkeypatch.setattr(cells, "run_cells", lambda *arguments: execution_run(fault))
     start = source.cells[4].line
     expected = rf"{source.path}:{start}: cell 4, line 5, does not run: ZeroDivisionError: division by zero"
     with pytest.raises(SiteError, match=f"^{re.escape(expected)}$"):
-        execution.execute(source, order.place)
+        cells.execute(source, order.place)
     with pytest.raises(
         SiteError, match=f":{start + 4}: cell 4, line 5"
     ):  # the line of the file, where that is what ran
-        execution.execute(source, order.place, solved=True)
+        cells.execute(source, order.place, solved=True)
     with pytest.raises(SiteError, match="cell 4, line 5"):
         build_site(order, tmp_path / "out")
     assert not (tmp_path / "out").exists() and not list(tmp_path.glob(".out*"))
