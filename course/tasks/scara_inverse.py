@@ -54,7 +54,7 @@ def show_inverse(inverse: Any, X: float, Y: float, Z: float, psi: float) -> Any:
 
 def _draw(arm, q, target):
     """Draw the answer in full over the two postures of the closed form, pale, seen from above."""
-    from armproof.course.figures.drawing.fitting import fit_arm
+    from armproof.course.figures.drawing.fitting import Fit
     from armproof.course.figures.drawing.scene import finish
     from armproof.course.figures.drawing.style import GREY, STROKES, new_figure, styled
     from armproof.course.inverse import inverse_of
@@ -67,9 +67,7 @@ def _draw(arm, q, target):
         figure = new_figure("column", 72.0)
         shown = np.vstack([q[None], right])
         at = np.array([*target[:2], 0.0])
-        scene = fit_arm(
-            figure, (0.0, 0.0, 84.0, 72.0), arm, shown, projection=plane_projection(arm), points=at[None], margin=9.0
-        )
+        scene = Fit(arm, shown, plane_projection(arm), at[None], margin=9.0).scene(figure, (0.0, 0.0, 84.0, 72.0))
         for k, posture in enumerate(right):
             scene.line(stick_points(arm, posture, "4"), gid=f"drake {k + 1}", color=GREY, linewidth=5.0, alpha=0.3)
         stroke = STROKES[1]
