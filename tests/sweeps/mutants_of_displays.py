@@ -44,16 +44,15 @@ WRAPS = [(r"\arctan(", ")"), (r"\sqrt{", "}"), (r"\operatorname{rank}(", ")"), (
          (r"\left(", r"\right)^2"), (r"\det(", ")"), (r"|", "|"), (r"\frac{1}{", "}"), (r"\begin{bmatrix}", r"\end{bmatrix}")]  # fmt: skip
 PIECES = [*RELATIONS, "{", "}", "(", ")", "|", "^", "_", "&", r"\\", r"\frac", r"\sqrt", r"\arctan", r"\det", r"\operatorname",
           r"\begin", r"\end", r"\left", r"\right", "-", "+", "0", "J", r"\theta", r"\dot", r"\pm", r"\sum", r"\underbrace", "'"]  # fmt: skip
-# Displays that attacks found hard: an arm, the display, and whether it is not yet borne.
+# Displays that attacks found hard: an arm, and the display.
 HARD = (
-    ("rx90", r"\arctan(\arctan(\arctan(S_{23} + C_1))) = \arctan(\arctan(\frac{S_2}{C_3 + \arctan S_1}))", False),
+    ("rx90", r"\arctan(\arctan(\arctan(S_{23} + C_1))) = \arctan(\arctan(\frac{S_2}{C_3 + \arctan S_1}))"),
     (
         "kr210",
         r"\arctan\frac{\arctan\frac{S_2}{C_1}}{\arctan\frac{C_{23}}{S_4}} = \arctan\frac{\sqrt{1 - \sqrt{C_2}}}{\arctan S_5}",
-        False,
     ),
-    ("kr210", r"\operatorname{rank} J = 3 \iff \theta_5 = 0", True),
-    ("kr210", r"\operatorname{rank} J = 3 \iff \det J = 0", True),
+    ("kr210", r"\operatorname{rank} J = 3 \iff \theta_5 = 0"),
+    ("kr210", r"\operatorname{rank} J = 3 \iff \det J = 0"),
 )
 
 
@@ -126,11 +125,9 @@ def failures_of_page(drawn: tuple[str, int]) -> list[Failure]:
     return [Failure(name, " ".join(d.latex.split()), what) for d, what in alone]
 
 
-def failures_of_hard(arm: str, latex: str, not_yet: bool) -> list[Failure]:
-    """Return what fails of a hard display; of one that is not yet borne, that it is."""
+def failures_of_hard(arm: str, latex: str) -> list[Failure]:
+    """Return what fails of a hard display."""
     what = _failure(Document(Path("page.md"), {"arm": arm}, (), ()), None, [Display(1, latex)])
-    if not_yet:
-        what = "" if what else "mended: HARD says that it is not yet borne"
     return [Failure(arm, latex, what)] if what else []
 
 

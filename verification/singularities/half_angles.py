@@ -32,6 +32,7 @@ class HalfAngles:
         self.ring, self.parts = ring, dict(ring.parts)
         found: dict[Generator, None] = dict.fromkeys(extra)
         for value in values:
+            ring.budget.check()
             for part in (value.numerator, value.denominator):
                 for powers, _ in ring.terms(part):
                     found.update(dict.fromkeys(powers))
@@ -102,6 +103,7 @@ class HalfAngles:
 
         total = self.zero
         for powers, coefficient in terms:
+            self.ring.budget.check()
             term = self.context.constant(fmpq(coefficient.numerator, coefficient.denominator))
             for generator, power in powers.items():
                 if generator[0] not in ("cos", "sin"):

@@ -23,5 +23,6 @@ def maximal_minors(matrix: Matrix, size: int) -> list[Scalar]:
         raise BeyondReach("{count} minors", count=comb(rows, size) * comb(columns, size))
     found = []
     for chosen in itertools.combinations(range(rows), size):
+        matrix.rows[0][0].ring.budget.check()
         found += [minor for minor in matrix.minors(size, chosen).values() if not minor.is_zero()]
     return found
