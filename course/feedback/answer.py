@@ -16,7 +16,7 @@ import numpy as np
 from armproof.course.errors import AnswerError
 from armproof.models.errors import ArmproofError
 from armproof.verification.functions.latex import write_matrix
-from armproof.verification.functions.tracing.from_sympy import FromSympy, is_expression
+from armproof.verification.functions.tracing.expressions import FromSympy, is_sympy
 from armproof.verification.functions.tracing.number import TracedNumber, as_traced, constant, function, symbol
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import GREEK, one_of
@@ -67,7 +67,7 @@ def is_missing(answer: Any) -> bool:
 
 def is_function(answer: Any) -> bool:
     """Whether an answer is to be called."""
-    return callable(answer) and not is_expression(answer) and not hasattr(answer, "shape")
+    return callable(answer) and not is_sympy(answer) and not hasattr(answer, "shape")
 
 
 def as_latex(answer: Any) -> str:
@@ -107,7 +107,7 @@ def _cell(value: Any) -> str:
     if isinstance(value, list | tuple):
         raise AnswerError("a formula is a number, a column or a matrix, not an array of more dimensions")
     try:
-        traced = FromSympy(_with_underscore).convert(value) if is_expression(value) else as_traced(value)
+        traced = FromSympy(_with_underscore).convert(value)
         return write_matrix(np.array(traced, dtype=object))
     except ArmproofError as problem:
         raise AnswerError("the answer is no formula: {reason}", reason=problem) from None

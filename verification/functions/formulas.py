@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import operator
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 from math import isqrt, pi, sqrt
@@ -19,6 +20,15 @@ from armproof.verification.functions.tracing.number import TracedNumber
 
 _LARGEST_DENOMINATOR = 360  # of a multiple of π
 _LARGEST_RADICAND = 1000
+
+
+_ARITHMETIC: dict[str, Callable[..., Scalar]] = {
+    "add": operator.add,
+    "subtract": operator.sub,
+    "multiply": operator.mul,
+    "divide": operator.truediv,
+    "negative": operator.neg,
+}
 
 
 class Formulas:
@@ -73,17 +83,9 @@ class Formulas:
             return self.exact.symbol(node.arguments[0])
         if operation in ("cos", "sin", "tan"):
             cosine, sine = self._cos_sin(node.arguments[0])
-            return {"cos": lambda: cosine, "sin": lambda: sine, "tan": lambda: sine / cosine}[operation]()
-        if operation == "add":
-            return values[0] + values[1]
-        if operation == "subtract":
-            return values[0] - values[1]
-        if operation == "multiply":
-            return values[0] * values[1]
-        if operation == "divide":
-            return values[0] / values[1]
-        if operation == "negative":
-            return -values[0]
+            return cosine if operation == "cos" else sine if operation == "sin" else sine / cosine
+        if operation in _ARITHMETIC:
+            return _ARITHMETIC[operation](*values)
         if operation == "power":
             return values[0] ** node.arguments[1]
         if operation == "sqrt":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
@@ -94,12 +94,6 @@ class FunctionCheck:
 
     def as_json(self) -> dict[str, Any]:
         """Return the check as JSON writes it."""
-        error = None
-        if self.error is not None:
-            error = {
-                "type": self.error.type, "message": self.error.message, "file": self.error.file,
-                "line": self.error.line, "source": self.error.source,
-            }  # fmt: skip
         return {
             "arm": self.arm,
             "quantities": list(self.quantities),
@@ -112,7 +106,7 @@ class FunctionCheck:
             "table": [row.as_json() for row in self.table],
             "samples": self.samples,
             "max_error": self.max_error,
-            "error": error,
+            "error": None if self.error is None else asdict(self.error),
             "printed": self.printed,
             "notes": list(self.notes),
             "exact": self.exact,

@@ -13,6 +13,15 @@ from armproof.verification.latex.writer import symbol_as_latex
 
 MOST_CHARACTERS = 20_000  # shared nodes are written out: a long formula is checked in another way
 _SUM, _PRODUCT, _ATOM = range(3)  # how strongly the written term holds together
+_WRITTEN = {  # the template, how strongly its arguments have to hold together, and how strongly it does
+    "add": ("{} + {}", (_SUM, _PRODUCT), _SUM),
+    "subtract": ("{} - {}", (_SUM, _PRODUCT), _SUM),
+    "multiply": (r"{} \cdot {}", (_PRODUCT, _PRODUCT), _PRODUCT),
+    "divide": (r"\frac{{{}}}{{{}}}", (_SUM, _SUM), _ATOM),
+    "negative": ("-{}", (_PRODUCT,), _SUM),
+    "sqrt": (r"\sqrt{{{}}}", (_SUM,), _ATOM),
+    "abs": (r"\left|{}\right|", (_SUM,), _ATOM),
+}
 _FUNCTIONS = {"acos": r"\arccos", "asin": r"\arcsin", "atan": r"\arctan", "atan2": r"\operatorname{atan2}"}
 
 
@@ -54,23 +63,13 @@ class _Writer:
             return _constant(arguments[0])
         if operation == "symbol":
             return symbol_as_latex(arguments[0]), _ATOM
-        if operation in ("add", "subtract"):
-            sign = "+" if operation == "add" else "-"
-            return f"{self.write(arguments[0], _SUM)} {sign} {self.write(arguments[1], _PRODUCT)}", _SUM
-        if operation == "multiply":
-            return rf"{self.write(arguments[0], _PRODUCT)} \cdot {self.write(arguments[1], _PRODUCT)}", _PRODUCT
-        if operation == "divide":
-            return rf"\frac{{{self.write(arguments[0], _SUM)}}}{{{self.write(arguments[1], _SUM)}}}", _ATOM
-        if operation == "negative":
-            return f"-{self.write(arguments[0], _PRODUCT)}", _SUM
         if operation == "power":
             return f"{self.write(arguments[0], _ATOM)}^{{{arguments[1]}}}", _PRODUCT
-        inner = ", ".join(self.write(argument, _SUM) for argument in arguments)
-        if operation == "sqrt":
-            return rf"\sqrt{{{inner}}}", _ATOM
-        if operation == "abs":
-            return rf"\left|{inner}\right|", _ATOM
-        return f"{_FUNCTIONS.get(operation, chr(92) + operation)}({inner})", _PRODUCT
+        if operation in _WRITTEN:
+            template, inner, own = _WRITTEN[operation]
+            return template.format(*map(self.write, arguments, inner)), own
+        inside = ", ".join(self.write(argument, _SUM) for argument in arguments)
+        return f"{_FUNCTIONS.get(operation, chr(92) + operation)}({inside})", _PRODUCT
 
 
 def _constant(value: int | float | Fraction) -> tuple[str, int]:

@@ -7,9 +7,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from armproof.verification.functions.tracing import from_sympy
-from armproof.verification.functions.tracing.from_drake import FromDrake
-from armproof.verification.functions.tracing.from_sympy import FromSympy
+from armproof.verification.functions.tracing.expressions import FromDrake, FromSympy, sympy_is_loaded
 from armproof.verification.functions.tracing.number import TracedNumber, Untraceable, as_traced, symbol
 from armproof.verification.functions.tracing.rebuild import rebuild
 
@@ -39,12 +37,9 @@ def trace_function(function: Callable[..., Any], call: Caller) -> Any:
         Untraceable: the function branches on a value of its arguments, draws random numbers, or calls what takes no
             symbols; the message says what the first attempt met.
     """
-    routes: list[Callable[[], Any]] = [
-        lambda: _by_traced_numbers(function, call),
-        lambda: _by_drake(function, call),
-    ]
-    if from_sympy.is_loaded():
-        routes.insert(1, lambda: _by_sympy(function, call))
+    routes: list[Callable[[], Any]] = [lambda: _by_traced_numbers(function, call)]
+    routes += [lambda: _by_expressions(function, call, FromSympy)] if sympy_is_loaded() else []
+    routes.append(lambda: _by_expressions(function, call, FromDrake))
     first: Exception | None = None
     for route in routes:
         try:
@@ -60,16 +55,9 @@ def _by_traced_numbers(function: Callable[..., Any], call: Caller) -> Any:
     return _map(call(rebuild(function), symbol), as_traced)
 
 
-def _by_drake(function: Callable[..., Any], call: Caller) -> Any:
-    route = FromDrake()
-    returned = call(function, route.variable)
-    return _map(returned, lambda value: route.convert(value) if hasattr(value, "Unapply") else as_traced(value))
-
-
-def _by_sympy(function: Callable[..., Any], call: Caller) -> Any:
-    route = FromSympy()
-    returned = call(function, route.variable)
-    return _map(returned, lambda value: route.convert(value) if from_sympy.is_expression(value) else as_traced(value))
+def _by_expressions(function: Callable[..., Any], call: Caller, kind: type[FromDrake | FromSympy]) -> Any:
+    route = kind()
+    return _map(call(function, route.variable), route.convert)
 
 
 def _map(value: Any, convert: Callable[[Any], TracedNumber]) -> Any:

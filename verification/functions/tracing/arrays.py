@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from functools import reduce
 from typing import Any
 
 import numpy as np
 
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.functions.tracing.number import (
-    ONE,
     ZERO,
     TracedNumber,
     Untraceable,
@@ -77,44 +77,23 @@ def _square(matrix: Any) -> np.ndarray:
 
 
 def det(matrix: Any) -> TracedNumber:
-    """Return the determinant, by expansion over column subsets."""
-    rows = _square(matrix)
-    size = len(rows)
-    minors: dict[tuple[int, ...], TracedNumber] = {(): ONE}
-    for count in range(1, size + 1):
-        row = rows[count - 1]
-        minors = {columns: _expand(row, columns, minors) for columns in combinations(range(size), count)}
-    return minors[tuple(range(size))]
+    """Return the determinant."""
+    return as_traced(_matrix(_square(matrix)).determinant())
 
 
-def _expand(row: np.ndarray, columns: tuple[int, ...], minors: dict[tuple[int, ...], TracedNumber]) -> TracedNumber:
-    total = ZERO
-    for place, column in enumerate(columns):
-        rest = columns[:place] + columns[place + 1 :]
-        term = multiply(as_traced(row[column]), minors[rest])
-        total = total + term if (len(columns) - 1 + place) % 2 == 0 else total - term
-    return total
+def _matrix(rows: np.ndarray) -> Matrix:
+    return Matrix(tuple(tuple(map(as_traced, row)) for row in rows))
 
 
 def inv(matrix: Any) -> np.ndarray:
     """Return the inverse: of a homogeneous transform block by block, of any other by its adjugate."""
     rows = _square(matrix)
-    if rows.shape == (4, 4) and [_plain(cell) for cell in rows[3]] == [0, 0, 0, 1]:
+    if rows.shape == (4, 4) and [as_traced(cell).value for cell in rows[3]] == [0, 0, 0, 1]:
         inverse = as_objects(np.eye(4))
         inverse[:3, :3] = inv(rows[:3, :3])
         inverse[:3, 3] = -(inverse[:3, :3] @ rows[:3, 3])
         return inverse  # type: ignore[no-any-return]
-    size, determinant = len(rows), det(rows)
-    inverse = np.empty((size, size), dtype=object).view(TracedArray)
-    for r in range(size):
-        for c in range(size):
-            minor = det(np.delete(np.delete(rows, r, 0), c, 1))
-            inverse[c, r] = (minor if (r + c) % 2 == 0 else -minor) / determinant
-    return inverse
-
-
-def _plain(cell: Any) -> Any:
-    return as_traced(cell).value
+    return np.array(_matrix(rows).adjugate().rows, dtype=object).view(TracedArray) / det(rows)
 
 
 def solve(matrix: Any, right: Any) -> Any:
@@ -137,16 +116,10 @@ def norm(vector: Any, ord: Any = None, axis: Any = None, keepdims: bool = False)
 def matrix_power(matrix: Any, exponent: int) -> np.ndarray:
     """Return an integer power of a square matrix."""
     rows = _square(matrix)
-    base = inv(rows) if exponent < 0 else rows
-    result: np.ndarray = as_objects(np.eye(len(rows)))
-    for _ in range(abs(exponent)):
-        result = result @ base
-    return result
+    base: np.ndarray = inv(rows) if exponent < 0 else rows
+    return reduce(np.matmul, [base] * abs(exponent), as_objects(np.eye(len(rows))))
 
 
 def multi_dot(matrices: Any) -> Any:
     """Return the product of matrices, from the left."""
-    product, *rest = [np.asarray(matrix, dtype=object) for matrix in matrices]
-    for matrix in rest:
-        product = product @ matrix
-    return product
+    return reduce(np.matmul, (np.asarray(matrix, dtype=object) for matrix in matrices))
