@@ -26,7 +26,7 @@ class OutsideAlgebra(EvaluationError):
 
 
 class Algebra(Protocol):
-    """What the evaluator needs of scalars."""
+    """What the evaluator needs of scalars; an algebra that computes its own values need not say so."""
 
     @property
     def budget(self) -> Budget:
@@ -76,19 +76,19 @@ class Algebra(Protocol):
     @property
     def exact(self) -> Algebra | None:
         """The algebra whose values this one samples; None for one that computes its own."""
-        ...
+        return None
 
     def from_exact(self, value: Value) -> Value:
         """Return a value of that algebra in this one."""
-        ...
+        return value
 
     def at(self, values: Mapping[str, Any]) -> Algebra | None:
         """Return the algebra where variables have other values; None for one in which they are substituted."""
-        ...
+        return None
 
     def divide_by(self, denominator: Any) -> None:
         """Take note that something is divided by a denominator, which is not zero."""
-        ...
+        return
 
     def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:
         """Return a value with joint variables or lengths replaced."""

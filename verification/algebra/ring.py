@@ -117,16 +117,6 @@ class Scalar:
         coefficient = value.numerator.leading_coefficient() if not value.numerator.is_zero() else fmpq(0)
         return Fraction(int(coefficient.p), int(coefficient.q))
 
-    def __repr__(self) -> str:
-        return f"({self._shown(self.numerator)})/({self._shown(self.denominator)})"
-
-    def _shown(self, polynomial: fmpq_mpoly) -> str:
-        terms = [
-            "·".join([str(k), *(f"{kind[0]}[{name}]^{power}" for (kind, name), power in powers.items())])
-            for powers, k in self.ring.terms(polynomial)
-        ]
-        return " + ".join(terms) or "0"
-
 
 RootRule = Callable[[Scalar], Scalar]  # how a square root is taken
 

@@ -66,7 +66,7 @@ class LearntNotation:
         symbols, arm = self.names.state.notation.symbols, self.names.arm
         if arm is None:
             free = [symbol for symbol in symbols if not symbol.startswith("dot ")]
-            names = {key: n.Name(*_base_and_index(key), text=symbols[key]) for key in free}
+            names = {key: n.Name(*key.partition("_")[::2], text=symbols[key]) for key in free}
             angles = tuple(name for name in names.values() if name.base in ANGLES)
             lengths = tuple(name for name in names.values() if name not in angles)[:12]
             joints = sorted(
@@ -83,11 +83,6 @@ class LearntNotation:
         prismatic = [joint.symbol for joint in arm.joints if joint.kind == "prismatic"]
         joints = [int(found.group(1)) for symbol in revolute if (found := re.search(r"_(\d)$", symbol))]
         return Letters(tuple(joints), names_of(revolute), names_of([*arm.lengths, *prismatic]))
-
-
-def _base_and_index(key: str) -> tuple[str, str]:
-    base, _, index = key.partition("_")
-    return base, index
 
 
 class Mender:

@@ -29,22 +29,6 @@ class ArmAlgebra(OfArm):
         self.arm = arm
         self._cache: dict[Quantity, Value] = {}
 
-    @property
-    def exact(self) -> Algebra | None:
-        """An algebra of its own, which samples no other."""
-        return None
-
-    def from_exact(self, value: Value) -> Value:
-        """Return a value of the algebra itself."""
-        return value
-
-    def at(self, values: Mapping[str, Any]) -> Algebra | None:
-        """Values are substituted afterwards."""
-        return None
-
-    def divide_by(self, denominator: Any) -> None:
-        """Divide by anything that is not zero."""
-
     def quantity(self, quantity: Quantity) -> Value:
         """Return a quantity of the arm: a Matrix, or a scalar where one component is meant."""
         if quantity not in self._cache:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import cache
 from string import Formatter
 from typing import Any
 
 from armproof.models.errors import ArmproofError, MessageKind
 from armproof.models.errors import look_up as _
 from armproof.verification.findings.kinds import WORDS, Kind
-
-_PARSED: dict[str, tuple[tuple[str, str | None, str], ...]] = {}
 
 
 class Audience(StrEnum):
@@ -143,11 +142,9 @@ def pieces(finding: Finding, audience: Audience = Audience.REPORT) -> Iterator[t
             yield from _term(terms[name], form, inside, audience)
 
 
+@cache
 def _parsed(template: str) -> tuple[tuple[str, str | None, str], ...]:
-    if template not in _PARSED:
-        parts = Formatter().parse(template)
-        _PARSED[template] = tuple((literal, name, form or "") for literal, name, form, _ in parts)
-    return _PARSED[template]
+    return tuple((literal, name, form or "") for literal, name, form, _ in Formatter().parse(template))
 
 
 def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[tuple[str, Piece]]:

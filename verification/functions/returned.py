@@ -112,21 +112,14 @@ def fit(values: np.ndarray, shape: tuple[int, int]) -> Fitted | None:
 
     A vector may be flat, a column or a row; a point may have its fourth coordinate 1.
     """
-    if values.shape == shape:
-        return Fitted(values)
     rows, columns = shape
-    if shape == (1, 1) and values.size == 1:
-        return Fitted(values.reshape(1, 1))
-    if columns == 1 and values.ndim == 1 and values.size == rows:
+    is_flat = 1 in shape and values.shape == (rows * columns,)
+    if values.shape == shape or is_flat or (shape == (1, 1) and values.size == 1):
         return Fitted(values.reshape(shape))
     if columns == 1 and values.shape == (1, rows):
         return Fitted(values.reshape(shape), "the vector is returned as a row")
-    if rows == 1 and values.ndim == 1 and values.size == columns:
-        return Fitted(values.reshape(shape))
-    if shape == (3, 1) and values.shape in ((4,), (4, 1)):
-        last = values.ravel()[3]
-        if last in (0.0, 1.0):
-            return Fitted(values.ravel()[:3].reshape(shape), "the vector is returned in homogeneous coordinates")
+    if shape == (3, 1) and values.shape in ((4,), (4, 1)) and values.ravel()[3] in (0.0, 1.0):
+        return Fitted(values.ravel()[:3].reshape(shape), "the vector is returned in homogeneous coordinates")
     return None
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from enum import Enum
 
 from armproof.verification.algebra.budget import Budget
@@ -119,13 +120,12 @@ class Decomposer:
         self, variety: Variety, factor: Factor, equations: tuple[Polynomial, ...]
     ) -> list[tuple[Variety, tuple[Polynomial, ...]]]:
         relations = [relation.factor for relation in variety.chain]
-        bare = Variety(self.half, variety.factors, variety.lengths, variety.values)
         chain = arrange(self.half, [*relations, factor], self.constant)
         if chain is not None:
-            return [(Variety(self.half, bare.factors, bare.lengths, bare.values, chain), equations)]
+            return [(replace(variety, chain=chain), equations)]
         simpler = self.factors(self._eliminate(relations, factor))
         again = (*(relation.polynomial for relation in relations), factor.polynomial, *equations)
-        return [branch for f in simpler for branch in self._with(bare, f, again)]
+        return [branch for f in simpler for branch in self._with(replace(variety, chain=()), f, again)]
 
     def _eliminate(self, relations: Sequence[Factor], factor: Factor) -> Polynomial:
         """Return a consequence of the relations and the factor with one variable fewer."""

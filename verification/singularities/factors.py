@@ -76,9 +76,6 @@ class Factor:
         """Whether a symbol is a length, or the prime of a root."""
         return name in self.positive or name.isdigit()
 
-    def __repr__(self) -> str:
-        return f"Factor({self.polynomial}, {self.kind.value})"
-
 
 def half_sum(half: HalfAngles, signs: Collection[tuple[str, int]]) -> tuple[Polynomial, Polynomial]:
     """Return sin and cos of half of Σ ± θ, times a common positive factor."""

@@ -53,7 +53,7 @@ def choose_jacobian(
     """
     arm = algebra.arm
     assert arm is not None
-    frame, expressed_in = arm.frame_names(_last(arm) if frame is None else frame, expressed_in)
+    frame, expressed_in = arm.frame_names(arm.frames[-1] if frame is None else frame, expressed_in)
     count = len(arm.joints)
     if count > MOST_JOINTS:
         raise BeyondReach(
@@ -83,11 +83,6 @@ def _task_rows(whole: Matrix) -> tuple[int, ...]:
         if len(kept) >= width and exact_rank(whole.block([r - 1 for r in kept], range(width))) == width:
             return kept
     return used
-
-
-def _last(arm: Arm) -> str:
-    """The tool's frame: the last of the document's frames."""
-    return arm.frames[-1]
 
 
 def _checked(what: str, chosen: Sequence[int] | None, count: int) -> tuple[int, ...]:
