@@ -224,7 +224,7 @@ class BulkKinematics:
         values = np.empty((len(q), min(part.size)))
         for start in range(0, len(q), _CHUNK):
             J = self.jacobian(q[start : start + _CHUNK], part.frame, part.expressed_in)
-            values[start : start + _CHUNK] = np.linalg.svd(part.of_arrays(J), compute_uv=False)
+            values[start : start + _CHUNK] = np.linalg.svd(J[:, part.rows][:, :, part.columns], compute_uv=False)
         return values
 
     def _rank(self, part: JacobianPart) -> int:

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from itertools import combinations
 from math import comb
 
-import numpy as np
-
 from armproof.models.arm import Arm
 from armproof.models.bulk.graph import ONE, Graph, Matrix, Term
 from armproof.models.errors import Fault, ModelError
@@ -56,10 +54,6 @@ class JacobianPart:
     def maximal_minors(self) -> int:
         """The number of minors that have as many rows, or as many columns, as the part."""
         return comb(max(self.size), min(self.size))
-
-    def of_arrays(self, J: np.ndarray) -> np.ndarray:
-        """Return the part of (N, 6, n) Jacobians."""
-        return J[:, self.rows][:, :, self.columns]
 
     def of_terms(self, J: Matrix) -> Matrix:
         """Return the part of a 6×n Jacobian of terms, transposed if it has more rows than columns."""

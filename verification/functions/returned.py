@@ -77,12 +77,11 @@ def _read_array(value: Any) -> np.ndarray:
 def _stacked(value: Any) -> np.ndarray:
     """Return nested lists, or rows that are themselves arrays, as one array."""
     try:
-        array = np.asarray(value)
+        return np.asarray(value)
     except ValueError:
         raise NotNumbers("the function returns rows of different lengths") from None
     except OverflowError as problem:
         raise NotNumbers("the function returns what is no number: {reason}", reason=problem) from None
-    return array
 
 
 def _as_floats(array: np.ndarray) -> np.ndarray:

@@ -37,7 +37,7 @@ def trace_function(function: Callable[..., Any], call: Caller) -> Any:
         Untraceable: the function branches on a value of its arguments, draws random numbers, or calls what takes no
             symbols; the message says what the first attempt met.
     """
-    routes: list[Callable[[], Any]] = [lambda: _by_traced_numbers(function, call)]
+    routes: list[Callable[[], Any]] = [lambda: _map(call(rebuild(function), symbol), as_traced)]
     routes += [lambda: _by_expressions(function, call, FromSympy)] if sympy_is_loaded() else []
     routes.append(lambda: _by_expressions(function, call, FromDrake))
     first: Exception | None = None
@@ -49,10 +49,6 @@ def trace_function(function: Callable[..., Any], call: Caller) -> Any:
     text, *_ = str(first).splitlines() or [""]
     reason = text if isinstance(first, Untraceable) else f"{type(first).__name__}: {text}"
     raise Untraceable(reason) from None
-
-
-def _by_traced_numbers(function: Callable[..., Any], call: Caller) -> Any:
-    return _map(call(rebuild(function), symbol), as_traced)
 
 
 def _by_expressions(function: Callable[..., Any], call: Caller, kind: type[FromDrake | FromSympy]) -> Any:

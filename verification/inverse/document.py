@@ -1,30 +1,38 @@
-"""The inverse kinematics that a document states: read from its front matter and displays, and its record."""
+"""The inverse kinematics that a document states: the order in which its displays solve for the joints, and its record."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document, read_document
-from armproof.verification.errors import DocumentError, EvaluationError
+from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.inverse.branch_graph import BranchGraph
-from armproof.verification.inverse.derivation import Derivation
+from armproof.verification.inverse.derivation import Derivation, Step
 from armproof.verification.inverse.formulas import read_formulas
+from armproof.verification.inverse.given_target import GivenTarget
 from armproof.verification.inverse.kinematics import InverseKinematics
 from armproof.verification.inverse.numeric_algebra import NumericAlgebra
-from armproof.verification.inverse.planning import NoDerivation, plan
-from armproof.verification.inverse.resolution import forward_values
+from armproof.verification.inverse.resolution import Resolution, forward_values
 from armproof.verification.inverse.symbolic_algebra import free_algebra
 from armproof.verification.inverse.target import read_claim
 from armproof.verification.naming.names import Names, read_names
 from armproof.verification.verdict import Record, Verdict
 
+MOST_SIGNS = 6  # independent signs: 64 branches
 LATEX = r"\mathrm{FK}(\mathrm{IK}(x)) = x"
+
+
+class NoDerivation(DocumentError):
+    """The displays of a document do not solve for every joint."""
+
+    kind = Kind.NO_DERIVATION
 
 
 def read_inverse(source: Path | str | Document) -> InverseKinematics:
@@ -52,16 +60,74 @@ def read_derivation(document: Document, names: Names) -> Derivation:
     start = Derivation(names, target, read_formulas(document, names))
     _check_target(start)
     values = {**start.arm.lengths, **start.arm.angles}
-    return plan(start, order, NumericAlgebra(start.arm, target, BranchGraph(), values))
+    return _plan(start, order, NumericAlgebra(start.arm, target, BranchGraph(), values))
 
 
 def _check_target(derivation: Derivation) -> None:
     """Raise DocumentError for a name of the target without a meaning on the arm."""
-    arm = derivation.arm
     try:
-        forward_values(derivation, free_algebra(Ring(), arm))
+        forward_values(derivation, free_algebra(Ring(), derivation.arm))
     except EvaluationError as error:
         raise DocumentError(say(Kind.OF_INVERSE, problem=finding_of(error)), "inverse") from None
+
+
+def _plan(start: Derivation, order: tuple[str, ...], algebra: GivenTarget) -> Derivation:
+    """Return the derivation with its steps: for each joint the first display that can be computed when it is due.
+
+    Args:
+        start: names, target and formulas.
+        order: the joints in the order in which they are solved; () takes the displays in their order.
+        algebra: any, with the target in it.
+
+    Raises:
+        NoDerivation: a joint that no display solves for, and what the displays that try lack.
+    """
+    resolution = Resolution(start, algebra, {})
+    steps: list[Step] = []
+    left = list(order) or [joint.symbol for joint in start.arm.joints]
+    while left:
+        found = _next_step(resolution, left[:1] if order else left)
+        if found is None:
+            raise NoDerivation(_why_not(resolution, left[:1] if order else left), "inverse")
+        step, value = found
+        algebra.solved[step.joint] = value
+        steps.append(step)
+        left.remove(step.joint)
+    signs = tuple(dict.fromkeys(resolution.branching))
+    if len(signs) > MOST_SIGNS:
+        raise DocumentError(say(Kind.TOO_MANY_SIGNS, count=len(signs), most=MOST_SIGNS), "inverse")
+    return replace(start, steps=tuple(steps), choice=dict(resolution.choice), signs=signs)
+
+
+def _next_step(resolution: Resolution, joints: list[str]) -> tuple[Step, Any] | None:
+    """Return the first display, in the document's order, that solves for one of the joints."""
+    formulas = [formula for joint in joints for formula in resolution.derivation.formulas.get(joint, [])]
+    for formula in sorted(formulas, key=lambda formula: formula.line):
+        known, choice = len(resolution.branching), dict(resolution.choice)
+        try:
+            return Step(formula.key, formula), resolution.scalar(formula)
+        except TooComplex:
+            raise
+        except EvaluationError:
+            del resolution.branching[known:]
+            resolution.choice = choice
+    return None
+
+
+def _why_not(resolution: Resolution, joints: list[str]) -> str:
+    target = ", ".join(resolution.derivation.target.names)
+    reasons = "; ".join(_reason(resolution, joint) for joint in joints)
+    return f"'inverse': no display solves for {' or '.join(joints)} by {target}: {reasons}"
+
+
+def _reason(resolution: Resolution, joint: str) -> str:
+    found = []
+    for formula in resolution.derivation.formulas.get(joint, []):
+        try:
+            resolution.scalar(formula)
+        except EvaluationError as error:
+            found.append(f"line {formula.line}: {error}")
+    return ", ".join(found) or f"no display '{joint} = …'"
 
 
 def check_inverse(document: Document, arm: Arm | None) -> Record:

@@ -52,7 +52,7 @@ class Factor:
         angles, others = self.half.used(self.polynomial)
         if never_zero(self.half, self.polynomial, self.positive):
             return Kind.NEVER
-        if not angles and all(self.is_length(name) for _, name in others):
+        if not angles and all(name in self.positive or name.isdigit() for _, name in others):
             return Kind.LENGTHS
         return Kind.ANGLE if self.angle_sum is not None else Kind.EQUATION
 
@@ -64,17 +64,14 @@ class Factor:
             return None
         if any(self.half.degree(self.polynomial, angle) != 1 for angle in angles):
             return None
+        monic = self.polynomial / self.polynomial.leading_coefficient()
         for signs in itertools.product((1, -1), repeat=len(angles) - 1):
             chosen = ((angles[0], 1), *zip(angles[1:], signs, strict=True))
             sine, cosine = half_sum(self.half, chosen)
             for turns, candidate in ((0, sine), (2, cosine), (1, sine - cosine), (-1, sine + cosine)):
-                if _proportional(candidate, self.polynomial):
+                if (candidate / candidate.leading_coefficient() - monic).is_zero():
                     return AngleSum(chosen, turns)
         return None
-
-    def is_length(self, name: str) -> bool:
-        """Whether a symbol is a length, or the prime of a root."""
-        return name in self.positive or name.isdigit()
 
 
 def half_sum(half: HalfAngles, signs: Collection[tuple[str, int]]) -> tuple[Polynomial, Polynomial]:
@@ -84,10 +81,6 @@ def half_sum(half: HalfAngles, signs: Collection[tuple[str, int]]) -> tuple[Poly
         t, u = half.pair(angle)
         sine, cosine = sine * u + sign * cosine * t, cosine * u - sign * sine * t
     return sine, cosine
-
-
-def _proportional(a: Polynomial, b: Polynomial) -> bool:
-    return bool((a * b.leading_coefficient() - b * a.leading_coefficient()).is_zero())
 
 
 def never_zero(half: HalfAngles, polynomial: Polynomial, positive: Collection[str]) -> bool:

@@ -57,16 +57,12 @@ class Echelon:
         half = self.variety.half
         involved = [k for k, row in enumerate(self.rows) if not row[free].is_zero()]
         pivots = {k: self.rows[k][self.pivots[k]] for k in involved}
-        common = reduce(_lcm, pivots.values(), half.one)
+        common = reduce(lambda a, b: a * divmod(b, a.gcd(b))[0], pivots.values(), half.one)
         vector = [half.zero] * self.width
         vector[free] = common
         for k in involved:
             vector[self.pivots[k]] = -self.rows[k][free] * divmod(common, pivots[k])[0]
         return primitive(half, vector)
-
-
-def _lcm(a: Polynomial, b: Polynomial) -> Polynomial:
-    return a * divmod(b, a.gcd(b))[0]
 
 
 def primitive(half: HalfAngles, vector: Sequence[Polynomial]) -> tuple[Polynomial, ...]:

@@ -21,9 +21,8 @@ from armproof.verification.singularities.half_angles import HalfAngles
 from armproof.verification.singularities.jacobians import choose_jacobian, lost_from_simple
 from armproof.verification.singularities.linear import as_scalars, eliminate, polynomial_rows
 from armproof.verification.singularities.points import Sampler, joint_unknowns
-from armproof.verification.singularities.probe import Probe
 from armproof.verification.singularities.second_order import jacobian_derivatives
-from armproof.verification.singularities.variety import Variety
+from armproof.verification.singularities.variety import Probe, Variety
 from armproof.verification.singularities.writing import trigonometric_factors, write_condition, write_product
 
 LENGTHS = frozenset({"a_3", "d_3"})

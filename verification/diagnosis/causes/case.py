@@ -133,16 +133,14 @@ class Case:
         off = (np.abs(self.true - self.obtained) > TOLERANCE * self.size).any(axis=0)
         return [(name, mask) for name, mask in self.blocks if (off & mask).any()]
 
-    @cached_property
-    def _in_question(self) -> np.ndarray:
-        return np.any([mask for _, mask in self.wrong], axis=0)
-
     def explained_by(self, candidates: Iterable[Candidate]) -> Explanation:
         """Return the candidate that was obtained in every block that is wrong, with the fewest exceptions."""
         best = Explanation()
         if self.fits and not self.wrong:  # right but for rounding, beside numbers that are large
             return best
-        place = self._in_question if self.fits else np.ones(self.obtained.shape[1:], dtype=bool)
+        place = np.ones(self.obtained.shape[1:], dtype=bool)
+        if self.fits:
+            place = np.any([mask for _, mask in self.wrong], axis=0)
         first, limit = self.obtained[0][place], TOLERANCE * self.size[0][place]
         for finding, values in candidates:
             if values.shape != self.obtained.shape or not (np.abs(values[0][place] - first) <= limit).all():
