@@ -57,31 +57,16 @@ class Kind(MessageKind):
     DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
-    NOT_AS_USUAL_BOUND = (
-        "not_as_usual_bound",
-        "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}",
-    )
-    NUMBERS_FOR_LENGTHS = (
-        "numbers_for_lengths",
-        "numbers stand where the arm has lengths, and the document gives the lengths no values: state them",
-    )
-    WHICH_INDEX = (
-        "which_index",
-        "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter",
-    )
+    NOT_AS_USUAL_BOUND = "not_as_usual_bound", "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}"
+    NUMBERS_FOR_LENGTHS = "numbers_for_lengths", "numbers stand where the arm has lengths, and the document gives the lengths no values: state them"
+    WHICH_INDEX = "which_index", "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter"
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
     LEFT_OUT = "left_out", "'{text}' stands beside the equation and in none: what it says is not decided"
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"
     INDEX_OR_POWER = "index_or_power", "a script above a joint variable may count it or be a power: which is not said"
     OWN_NAME = "own_name", "'{text}' is a sine or cosine elsewhere and may be a name of its own here"
-    SIZES_OF_CONVENTION = (
-        "sizes_of_convention",
-        "{reason}; what the name stands for is only convention: bind it in the front matter (quantities) to have it checked",
-    )
-    NO_ARM_TO_COMPARE = (
-        "no_arm_to_compare",
-        "no arm is given and nothing defined before: there is nothing to compare it with",
-    )
+    SIZES_OF_CONVENTION = "sizes_of_convention", "{reason}; what the name stands for is only convention: bind it in the front matter (quantities) to have it checked"
+    NO_ARM_TO_COMPARE = "no_arm_to_compare", "no arm is given and nothing defined before: there is nothing to compare it with"
     NUMBER_HERE = "number_here", "`{name}` is a number here, not the arm's vector"
     VECTOR_HERE = "vector_here", "`{name}` is a vector here, a component elsewhere"
     NO_SUCH_LENGTH = "no_such_length", "the arm has no `{name}`; with `{length}` the equation holds"
@@ -540,10 +525,7 @@ class Kind(MessageKind):
     PROVED_FOR_JOINTS = "proved_for_joints", "proved for all joint values"
     PROVED_FOR_LENGTHS = "proved_for_lengths", "proved for all joint values and all lengths"
     PROVED_AT_LENGTHS = "proved_at_lengths", "proved for all joint values, at the arm's lengths {values}"
-    RIGHT_AT_LENGTHS_ONLY = (
-        "right_at_lengths_only",
-        "right at the arm's own lengths only: with other values of the lengths that the function takes it is wrong",
-    )
+    RIGHT_AT_LENGTHS_ONLY = "right_at_lengths_only", "right at the arm's own lengths only: with other values of the lengths that the function takes it is wrong"
     VALUE = "value", "`{name}` = {value:g}"
     EQUAL_AT = "equal_at", "equal at {count:,} configurations"
     NOT_THE_FORMULA = "not_the_formula", "not exactly the arm's formula: a rounded constant or a difference quotient"

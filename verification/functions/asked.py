@@ -113,10 +113,9 @@ class Part:
         """Rows and columns of the quantity."""
         return self.true.shape[1], self.true.shape[2]
 
-    @property
-    def is_scalar(self) -> bool:
-        """Whether the quantity is one number."""
-        return self.asked.quantity.scalar
+    def place(self, row: int, column: int) -> tuple[int | None, int | None]:
+        """Return an entry's row and column from 1, given from 0; none of them where the quantity is one number."""
+        return (None, None) if self.asked.quantity.scalar else (row + 1, column + 1)
 
 
 def read_part(number: int, asked: Asked, true: np.ndarray, returned: np.ndarray) -> Part:

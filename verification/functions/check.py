@@ -69,7 +69,7 @@ def check_function(
     with Guard(seconds) as guard:
         caller = FunctionCaller(loaded, function, layout, guard, len(asked))
         try:
-            found = _check(loaded, caller, asked, blank, (samples, seed))
+            found = _check(caller, asked, blank, (samples, seed))
         except Stopped as stop:
             found = replace(blank, verdict=stop.verdict, findings=(stop.finding,), error=stop.error)
     verdicts = found.verdicts or (found.verdict,) * len(asked)
@@ -78,9 +78,9 @@ def check_function(
 
 
 def _check(
-    arm: Arm, caller: FunctionCaller, asked: tuple[Asked, ...], blank: FunctionCheck, sampling: tuple[int, int]
+    caller: FunctionCaller, asked: tuple[Asked, ...], blank: FunctionCheck, sampling: tuple[int, int]
 ) -> FunctionCheck:
-    at = probes(arm)
+    at = probes(caller.arm)
     returned = caller.many(at.q)
     parts = [
         read_part(number, item, at.true(item.quantity)[: len(values)], values)
@@ -92,24 +92,22 @@ def _check(
     proof = None
     if steady and not any(part.mismatch for part in parts):
         traced = caller.trace()
-        proof = traced if isinstance(traced, str) else prove(arm, parts, traced, caller.layout.lengths)
+        proof = traced if isinstance(traced, str) else prove(caller.arm, parts, traced, caller.layout.lengths)
     if isinstance(proof, str):
         caller.notes[f"not traced: {proof}"] = None
         proof = None
-    found = judge(arm, caller, parts, proof, blank, sampling)
+    found = judge(caller, parts, proof, blank, sampling)
     notes = tuple(dict.fromkeys(part.note for part in parts if part.note))
     found = replace(found, notes=notes, exact=proof is not None)
     if found.verdict is not FunctionVerdict.REFUTED:
         return found
-    found = _explained(arm, caller, parts, proof, found)
+    found = _explained(caller, parts, proof, found)
     return found if steady else replace(found, findings=(UNSTEADY,))
 
 
-def _explained(
-    arm: Arm, caller: FunctionCaller, parts: list[Part], proof: Proof | None, found: FunctionCheck
-) -> FunctionCheck:
+def _explained(caller: FunctionCaller, parts: list[Part], proof: Proof | None, found: FunctionCheck) -> FunctionCheck:
     try:
-        return explain(arm, caller, parts, proof, found)
+        return explain(caller, parts, proof, found)
     except Exception as fault:  # a fault of ours must not cost the verdict
         caller.notes[f"internal error, please report it: {type(fault).__name__}: {fault}"] = None
         return replace(found, findings=(say(Kind.RESULT_DIFFERS),))

@@ -7,7 +7,6 @@ from functools import reduce
 
 import numpy as np
 
-from armproof.models.arm import Arm
 from armproof.verification.diagnosis.causes import find_cause
 from armproof.verification.diagnosis.causes.case import Case, Explanation
 from armproof.verification.diagnosis.causes.probes import partners, probes
@@ -24,15 +23,13 @@ from armproof.verification.verdict import WrongEntry
 FEW = 2  # wrong entries that do not change with q: any mistake with exceptions might explain those
 
 
-def explain(
-    arm: Arm, caller: FunctionCaller, parts: list[Part], proof: Proof | None, found: FunctionCheck
-) -> FunctionCheck:
+def explain(caller: FunctionCaller, parts: list[Part], proof: Proof | None, found: FunctionCheck) -> FunctionCheck:
     """Return a refuted check with its message, its wrong entries and its table."""
     findings: list[Finding] = []
     entries: list[WrongEntry] = []
     for part in parts:
         if part.wrong or part.mismatch:
-            said, found_entries = _explain_part(arm, caller, part, proof)
+            said, found_entries = _explain_part(caller, part, proof)
             if len(parts) > 1:
                 said[:1] = [say(Kind.OF_QUANTITY, label=part.asked.label, what=said[0])]
             findings.extend(said)
@@ -42,26 +39,17 @@ def explain(
             entries.extend(describe_entries(replace(part, wrong=list(different)), proof, mend=True))
     if not any(part.wrong or part.mismatch for part in parts):  # nothing to see at the arm's own lengths
         return replace(found, findings=tuple(findings), entries=tuple(entries))
-    telling = most_telling(arm, caller, parts)
-    outside = [
-        joint.symbol for joint in arm.joints if not joint.lower <= telling.configuration[joint.symbol] <= joint.upper
-    ]
+    telling = most_telling(caller, parts)
+    q = telling.configuration
+    outside = [joint.symbol for joint in caller.arm.joints if not joint.lower <= q[joint.symbol] <= joint.upper]
     if outside:
         caller.notes[f"at the configuration shown, {', '.join(outside)} lies outside its limits"] = None
-    return replace(
-        found,
-        findings=tuple(findings),
-        entries=tuple(entries),
-        counterexample=telling.configuration,
-        table=telling.table,
-    )
+    return replace(found, findings=tuple(findings), entries=tuple(entries), counterexample=q, table=telling.table)
 
 
-def _explain_part(
-    arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None
-) -> tuple[list[Finding], list[WrongEntry]]:
+def _explain_part(caller: FunctionCaller, part: Part, proof: Proof | None) -> tuple[list[Finding], list[WrongEntry]]:
     """Return what is wrong with a part: its cause as a whole, or what mends its entries one by one."""
-    cause = _whole(arm, caller, part, proof)
+    cause = _whole(caller, part, proof)
     unsettled = cause.finding is None or (not cause.is_whole and len(part.wrong) <= MENDED)
     seek = unsettled and part.elsewhere is None
     entries = _entries(part, proof, seek)
@@ -80,22 +68,21 @@ def _is_constant(part: Part) -> bool:
 def _entries(part: Part, proof: Proof | None, mend: bool) -> list[WrongEntry]:
     if proof is not None and not part.mismatch:
         return describe_entries(part, proof, mend=mend)
-    places = [(None, None) if part.is_scalar else (r + 1, c + 1) for r, c in part.wrong]
-    return [WrongEntry(part.number, row, column, "", "") for row, column in places]
+    return [WrongEntry(part.number, *part.place(r, c), "", "") for r, c in part.wrong]
 
 
-def _whole(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) -> Explanation:
+def _whole(caller: FunctionCaller, part: Part, proof: Proof | None) -> Explanation:
     """Say what the result as a whole is instead; nothing where none is found."""
     if not np.isfinite(part.obtained).all():
         return Explanation(say(Kind.NOT_FINITE))
     if part.elsewhere is not None:
         return Explanation(_only_elsewhere(part))
-    if finding := (_whole_numbers(part) if proof is None else None) or _wrong_default(arm, caller, part):
+    if finding := (_whole_numbers(part) if proof is None else None) or _wrong_default(caller, part):
         return Explanation(finding)
-    if len(part.obtained) < len(probes(arm).q):  # a slow function
+    if len(part.obtained) < len(probes(caller.arm).q):  # a slow function
         return Explanation(part.mismatch or _nearly(part))
     try:
-        cause = find_cause(_case(arm, caller, part))
+        cause = find_cause(_case(caller, part))
     except Stopped:  # where more is asked of the function than was, it raises
         cause = Explanation()
     if part.mismatch:
@@ -105,11 +92,13 @@ def _whole(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) ->
     return cause if cause.finding is not None else Explanation(_nearly(part))
 
 
-def _case(arm: Arm, caller: FunctionCaller, part: Part) -> Case:
-    at, there, index = probes(arm), partners(arm), part.number - 1
-    return Case(
-        arm, part.asked.quantity, at.numeric, part.true, part.obtained, there.numeric, lambda: caller.many(there.q)[index]
-    )  # fmt: skip
+def _case(caller: FunctionCaller, part: Part) -> Case:
+    at, there = probes(caller.arm), partners(caller.arm)
+
+    def obtained_there() -> np.ndarray:
+        return caller.many(there.q)[part.number - 1]
+
+    return Case(caller.arm, part.asked.quantity, at.numeric, part.true, part.obtained, there.numeric, obtained_there)
 
 
 def _only_elsewhere(part: Part) -> Finding:
@@ -123,23 +112,17 @@ def _only_elsewhere(part: Part) -> Finding:
 
 def _whole_numbers(part: Part) -> Finding | None:
     """Entries cut to whole numbers: an array of integers does that to what is assigned to it."""
-    if (
-        part.mismatch
-        or not (part.obtained == np.trunc(part.obtained)).all()
-        or (part.true == np.trunc(part.true)).all()
-    ):
-        return None
-    if np.abs(part.obtained - np.trunc(part.true)).max() > 0:
+    if part.mismatch or not (part.obtained == np.trunc(part.true)).all() or (part.true == part.obtained).all():
         return None
     return say(Kind.CUT_TO_INTEGERS)
 
 
-def _wrong_default(arm: Arm, caller: FunctionCaller, part: Part) -> Finding | None:
+def _wrong_default(caller: FunctionCaller, part: Part) -> Finding | None:
     """The formula may be right, and the default value of a length another than the arm's."""
     if part.mismatch or not caller.layout.defaults:
         return None
     try:
-        values = caller.with_lengths_of_the_arm().many(probes(arm).q)[part.number - 1]
+        values = caller.with_lengths_of_the_arm().many(probes(caller.arm).q)[part.number - 1]
     except Stopped:
         return None
     again = read_part(part.number, part.asked, part.true, values)
@@ -147,7 +130,7 @@ def _wrong_default(arm: Arm, caller: FunctionCaller, part: Part) -> Finding | No
         return None
     other = [
         say(Kind.DEFAULT, length=symbol, printed=str(caller.layout.defaults[symbol]), correct=value)
-        for symbol, value in constants_of(arm).items()
+        for symbol, value in constants_of(caller.arm).items()
         if symbol in caller.layout.defaults and caller.layout.defaults[symbol] != value
     ]
     if not other:

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import FAMILIES
 from armproof.verification.diagnosis.causes.probes import Configurations, samples
 from armproof.verification.findings import Finding, Kind, say
@@ -23,19 +22,14 @@ _WEIGHT = list(FunctionVerdict)
 
 
 def judge(
-    arm: Arm,
-    caller: FunctionCaller,
-    parts: list[Part],
-    proof: Proof | None,
-    blank: FunctionCheck,
-    sampling: tuple[int, int],
+    caller: FunctionCaller, parts: list[Part], proof: Proof | None, blank: FunctionCheck, sampling: tuple[int, int]
 ) -> FunctionCheck:
     """Give each part its verdict, and the check the worst of them.
 
     Args:
         sampling: at how many configurations a function is called that is not proved, and their seed.
     """
-    count, largest = _sample(arm, caller, parts, proof, sampling)
+    count, largest = _sample(caller, parts, proof, sampling)
     for part in parts:
         if part.mismatch or part.wrong:
             continue
@@ -44,7 +38,7 @@ def judge(
             continue
         proved = proof is not None and proof.proved[part.number - 1]
         part.verdict = FunctionVerdict.PROVED if proved else FunctionVerdict.CONFIRMED
-        part.findings = (_claim(arm, caller, part, proof),) if proved else _confirmed(count, proof)
+        part.findings = (_claim(caller, part, proof),) if proved else _confirmed(count, proof)
     verdicts = tuple(part.verdict for part in parts)
     worst = max(verdicts, key=_WEIGHT.index)
     findings = tuple(finding for part in parts if part.verdict is worst for finding in part.findings)
@@ -57,7 +51,7 @@ def _confirmed(count: int, proof: Proof | None) -> tuple[Finding, ...]:
     return (equal,) if proof is None else (equal, say(Kind.NOT_THE_FORMULA))
 
 
-def _claim(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) -> Finding:
+def _claim(caller: FunctionCaller, part: Part, proof: Proof | None) -> Finding:
     """Say for which values a part is proved."""
     assert proof is not None
     symbols = proof.bench.lengths_in(part.asked.quantity)
@@ -65,12 +59,12 @@ def _claim(arm: Arm, caller: FunctionCaller, part: Part, proof: Proof | None) ->
         return say(Kind.PROVED_FOR_JOINTS)
     if set(symbols) <= set(caller.layout.lengths) and proof.for_all_lengths[part.number - 1]:
         return say(Kind.PROVED_FOR_LENGTHS)
-    values = [say(Kind.VALUE, name=symbol, value=constants_of(arm)[symbol]) for symbol in symbols]
+    values = [say(Kind.VALUE, name=symbol, value=constants_of(caller.arm)[symbol]) for symbol in symbols]
     return say(Kind.PROVED_AT_LENGTHS, values=values)
 
 
 def _sample(
-    arm: Arm, caller: FunctionCaller, parts: list[Part], proof: Proof | None, sampling: tuple[int, int]
+    caller: FunctionCaller, parts: list[Part], proof: Proof | None, sampling: tuple[int, int]
 ) -> tuple[int, float | None]:
     """Call the function at configurations of the six families; return at how many, and the largest error of what is right.
 
@@ -80,7 +74,7 @@ def _sample(
     if not right:
         return 0, None
     proved = proof is not None and all(proof.proved[part.number - 1] for part in right)
-    at = samples(arm, min(FEW, sampling[0]) if proved else sampling[0], sampling[1])
+    at = samples(caller.arm, min(FEW, sampling[0]) if proved else sampling[0], sampling[1])
     results = _call(caller, at, SECONDS_FOR_FEW if proved else np.inf)
     largest = max(float(scaled_errors(part.obtained, part.true).max()) for part in right)
     for part in right if results else ():

@@ -29,13 +29,13 @@ class Telling:
 Shown = list[tuple[Part, np.ndarray, np.ndarray]]  # parts with what was obtained, and what is true, at a configuration
 
 
-def most_telling(arm: Arm, caller: FunctionCaller, parts: list[Part]) -> Telling:
+def most_telling(caller: FunctionCaller, parts: list[Part]) -> Telling:
     """Return the simplest configuration at which all that is wrong can be seen.
 
     Tried are the zero pose and one joint at a quarter turn, by which one can reckon in one's head; then the probes; then,
     where those are right, the configuration at which the first error was met.
     """
-    wrong = [part for part in parts if part.wrong and not part.mismatch]
+    arm, wrong = caller.arm, [part for part in parts if part.wrong and not part.mismatch]
     wanted = {(part.number, place) for part in wrong for place in part.wrong}
     started = time.monotonic()
     for index, q in enumerate(simple(arm).q):
@@ -81,8 +81,7 @@ def _table(arm: Arm, shown: Shown) -> tuple[tuple[TableRow, ...], set[tuple[int,
     for part, obtained, true in shown:
         for place in wrong_entries(obtained[None], true[None]):
             unit = kind_of(part.asked.quantity).unit(part.asked.quantity, arm, *place)
-            row, column = (None, None) if part.is_scalar else (place[0] + 1, place[1] + 1)
-            rows.append(TableRow(part.number, row, column, float(true[place]), float(obtained[place]), unit))
+            rows.append(TableRow(part.number, *part.place(*place), float(true[place]), float(obtained[place]), unit))
             if not abs(true[place] - obtained[place]) <= VISIBLE:
                 seen.add((part.number, place))
     return tuple(rows), seen

@@ -40,7 +40,6 @@ def _entries(
     part: Part, proof: Proof, true: Sequence[Sequence[Scalar]], writer: EntryWriter, mend: bool
 ) -> Iterator[WrongEntry]:
     for index, (r, c) in enumerate(part.wrong):
-        row, column = (None, None) if part.is_scalar else (r + 1, c + 1)
         printed, correct, change = "", "", None
         if index < (WRITTEN if mend else WRITTEN_ANYWAY):
             try:
@@ -49,7 +48,7 @@ def _entries(
                     printed, correct, change = writer.describe(value, right, mend and len(part.wrong) <= MENDED)
             except EvaluationError:  # the formula is beyond the algebra; the table shows its values
                 pass
-        yield WrongEntry(part.number, row, column, printed, correct, change)
+        yield WrongEntry(part.number, *part.place(r, c), printed, correct, change)
 
 
 class EntryWriter:
