@@ -189,7 +189,6 @@ class Fault(MessageKind):
     TWIST_NOT_FINITE = "twist_not_finite", "a twist has finite numbers only; one is NaN or infinite"
     JACOBIAN_SHAPE = "jacobian_shape", "a Jacobian has the shape (m, n), a batch of them (N, m, n), not {shape}"
     JACOBIAN_NOT_FINITE = "jacobian_not_finite", "a Jacobian has finite numbers only; one is NaN or infinite"
-    RANK_OF_SHAPE = "rank_of_shape", "a {form} needs full {of} rank {rank}, and a Jacobian of this shape has at most rank {count}; take the {side} inverse"
     JACOBIAN_NO_NUMBERS = "jacobian_no_numbers", "a Jacobian is an array of numbers: {reason}"
     SAME_POINTS = "same_points", "points {first} and {second} of the path are the same configuration; a path moves on"
     SAME_ENDS = "same_ends", "q_0 and q_f are the same configuration; to stay there, give a duration"

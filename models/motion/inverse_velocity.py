@@ -27,45 +27,6 @@ class JointRates:
     form: Form
 
 
-def right_inverse(J: np.ndarray) -> np.ndarray:
-    """Return the right inverse J⁺ = Jᵀ (J Jᵀ)⁻¹ of Jacobians of full row rank: J J⁺ = I, and ‖J⁺ v‖ is least.
-
-    It is the form for an arm with at least as many joints as rows of the task. All inverses of this module are
-    computed from the singular values of J, because J Jᵀ has the square of its condition number.
-
-    Args:
-        J: (m, n) or (N, m, n).
-
-    Returns:
-        (n, m) or (N, n, m), read-only.
-
-    Raises:
-        ModelError: J is no matrix of finite numbers, or its rank is below m.
-    """
-    U, singular_values, Vt = _decompose(J)
-    _require_rank(singular_values, U.shape[-2], "right inverse", "row")
-    return _compose(U, 1 / singular_values, Vt)
-
-
-def left_inverse(J: np.ndarray) -> np.ndarray:
-    """Return the left inverse J⁺ = (Jᵀ J)⁻¹ Jᵀ of Jacobians of full column rank: J⁺ J = I, and ‖v − J J⁺ v‖ is least.
-
-    It is the form for an arm with at most as many joints as rows of the task.
-
-    Args:
-        J: (m, n) or (N, m, n).
-
-    Returns:
-        (n, m) or (N, n, m), read-only.
-
-    Raises:
-        ModelError: J is no matrix of finite numbers, or its rank is below n.
-    """
-    U, singular_values, Vt = _decompose(J)
-    _require_rank(singular_values, Vt.shape[-1], "left inverse", "column")
-    return _compose(U, 1 / singular_values, Vt)
-
-
 def applicable_form(J: np.ndarray) -> Literal["inverse", "right inverse", "left inverse"]:
     """Return which form of the pseudo-inverse a Jacobian of full rank has: right if m < n, left if m > n, both if m = n."""
     rows, columns = np.shape(J)[-2:]
@@ -77,6 +38,10 @@ def applicable_form(J: np.ndarray) -> Literal["inverse", "right inverse", "left 
 def pseudo_inverse(J: np.ndarray) -> np.ndarray:
     """Return the pseudo-inverse of Jacobians of full rank, in the form that applies; see applicable_form.
 
+    With at least as many joints as rows of the task it is the right inverse J⁺ = Jᵀ (J Jᵀ)⁻¹: J J⁺ = I, and ‖J⁺ v‖ is least;
+    with at most as many the left inverse J⁺ = (Jᵀ J)⁻¹ Jᵀ: J⁺ J = I, and ‖v − J J⁺ v‖ is least. All inverses of this module
+    are computed from the singular values of J, because J Jᵀ has the square of its condition number.
+
     Args:
         J: (m, n) or (N, m, n).
 
@@ -86,8 +51,10 @@ def pseudo_inverse(J: np.ndarray) -> np.ndarray:
     Raises:
         ModelError: J is no matrix of finite numbers, or its rank is below both m and n: the arm is singular.
     """
-    J = _matrices(J)
-    return left_inverse(J) if applicable_form(J) == "left inverse" else right_inverse(J)
+    U, singular_values, Vt = _decompose(J)
+    form = ("left inverse", "column") if U.shape[-2] > Vt.shape[-1] else ("right inverse", "row")
+    _require_full_rank(singular_values, *form)
+    return _compose(U, 1 / singular_values, Vt)
 
 
 def damped_inverse(J: np.ndarray, damping: float | np.ndarray) -> np.ndarray:
@@ -167,12 +134,8 @@ def _compose(U: np.ndarray, inverted: np.ndarray, Vt: np.ndarray) -> np.ndarray:
     return inverse
 
 
-def _require_rank(singular_values: np.ndarray, rank: int, form: str, kind: str) -> None:
-    count = singular_values.shape[-1]
-    if count < rank:
-        raise ModelError(
-            Fault.RANK_OF_SHAPE, form=form, of=kind, rank=rank, count=count, side="left" if kind == "row" else "right"
-        )
+def _require_full_rank(singular_values: np.ndarray, form: str, kind: str) -> None:
+    rank = singular_values.shape[-1]
     zero = rank * np.finfo(float).eps * singular_values[..., :1]  # the rule of numpy.linalg.matrix_rank
     ranks = np.sum(singular_values > zero, axis=-1)
     if (ranks < rank).any():

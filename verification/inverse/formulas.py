@@ -49,13 +49,8 @@ class Formula:
         return self.latex[slice(*node.span)].strip()
 
     @property
-    def sign(self) -> str:
-        """The name of its sign: what has two values."""
-        return self.key
-
-    @property
     def branching(self) -> bool:
-        """Whether a ± stands in it: it has two values."""
+        """Whether a ± stands in it: it has two values, and its key is the name of the sign."""
         return has_branches(self.node)
 
     def value(self, evaluator: Evaluator) -> object:

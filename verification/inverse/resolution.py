@@ -103,11 +103,11 @@ class Resolution:
             return self.algebra.quantity(meaning)
         node, sign = self._with_names_of_functions(meaning.node), 1
         if meaning.branching:
-            sign = self.signs.get(meaning.sign, 1)
-            if meaning.sign not in self.branching:
-                self.branching.append(meaning.sign)
+            sign = self.signs.get(meaning.key, 1)
+            if meaning.key not in self.branching:
+                self.branching.append(meaning.key)
             if not sign:
-                node = with_named_sign(node, meaning.sign)
+                node = with_named_sign(node, meaning.key)
         return replace(meaning, node=node).value(Evaluator(self.names, self.algebra, sign))
 
     def scalar(self, formula: Formula) -> Any:
