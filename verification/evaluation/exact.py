@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.models.exact.polynomial import Rows
@@ -13,7 +12,7 @@ from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.calculus import derivative, substitute
 from armproof.verification.algebra.matrix import Matrix, exact_rank
-from armproof.verification.algebra.protocol import Algebra, OutsideAlgebra, Value
+from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import OfArm, kind_of
 from armproof.verification.algebra.ring import Ring, Scalar
