@@ -16,7 +16,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.index_direction import shown_direction
+from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.outcome import Outcome, new_one
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -121,9 +121,10 @@ class DocumentChecker:
 
     def direction_in(self, document: Document) -> tuple[str, int]:
         """Return which index names the reference, as a document's first link matrix shows it, and its line; else ("", 0)."""
+        displays = [display for display in document.displays if TWO_SCRIPTS.search(display.latex)]
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
-                return shown_direction(self.checker, document.displays) or ("", 0)
+                return (shown_direction(self.checker, displays) if displays else None) or ("", 0)
         except TooComplex:
             return "", 0
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import cached_property
 
 from armproof.verification.conditions.implication import (
     Implication,
@@ -17,14 +18,14 @@ from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.introduced import named_sign
-from armproof.verification.equations.outcome import Outcome, with_role
+from armproof.verification.equations.outcome import Outcome, with_role, without_misreading
 from armproof.verification.equations.readings import counted
-from armproof.verification.equations.understanding import without_misreading
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.vocabulary import ASKED
+from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
 CHANGES = re.compile(
@@ -41,8 +42,12 @@ class Statements:
         self.checker = checker
         self.names = checker.names
         self.ring = checker.exact.ring
-        self.general = GeneralStatements(checker)
         self.given = GivenValues(checker.equality)
+
+    @cached_property
+    def general(self) -> GeneralStatements:
+        """Checks what is said of any link; made where something is."""
+        return GeneralStatements(self.checker)
 
     def check(
         self, statements: list[n.Statement], line: int, *, define: bool = True, latex: str = ""
@@ -239,7 +244,9 @@ class Statements:
             return [Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)]
         if any(isinstance(member, n.Cases) for member in chain.members):
             return self._cases(chain, equation, line, define)
-        outcomes = self.general.check(chain, equation, line, define) or self._decided(chain, equation, line, define)
+        is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in chain.members)
+        found = self.general.check(chain, equation, line, define) if is_general else None
+        outcomes = found or self._decided(chain, equation, line, define)
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)
         return [without_misreading(o, chain, self.names) if o.verdict is Verdict.REFUTED else o for o in outcomes]

@@ -119,9 +119,7 @@ class Claim:
         node = self._checker.names.reader.read_expression(latex)
         with self._budget.of(SECONDS_TO_DECIDE), np.errstate(all="ignore"):
             value = Evaluator(self._checker.names, self.samples).evaluate(node)
-        rows = value.rows if isinstance(value, Matrix) else ((value,),)
-        cells = [[np.broadcast_to(cell, (SAMPLES,)) for cell in row] for row in rows]
-        return np.moveaxis(np.array(cells, dtype=float), -1, 0)
+        return self.samples.stacked(value)
 
     def value_at(self, latex: str, at: Mapping[str, float]) -> float:
         """Return a scalar formula at given values of joints and letters."""

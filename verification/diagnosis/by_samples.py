@@ -11,7 +11,6 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.diagnosis.causes.case import Explanation
 from armproof.verification.diagnosis.causes.display import display_case
 from armproof.verification.diagnosis.causes.find import find_other, find_slip
-from armproof.verification.diagnosis.causes.probes import stack
 from armproof.verification.diagnosis.counterexample import SAMPLED, Probe, count_terms
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
@@ -30,7 +29,7 @@ def discrepancy_of(checker: ChainChecker, probe: Probe, outcome: Outcome, sample
         return None
     try:
         with np.errstate(all="ignore"):  # what has no value there is found below
-            true, printed = (stack(samples.from_exact(side), samples.samples) for side in (pair.true, pair.printed))
+            true, printed = (samples.stacked(samples.from_exact(side)) for side in (pair.true, pair.printed))
     except EvaluationError:
         return None
     values = tuple((float(printed[sample, r, c]), float(true[sample, r, c])) for r, c in outcome.wrong)

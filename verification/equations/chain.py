@@ -117,5 +117,8 @@ class ChainChecker:
             chain, outcomes, partial(self.check, first_equation=first_equation, line=line, define=False)
         )
         outcomes = [outcome.left_open(doubt) for outcome in outcomes] if doubt else outcomes
-        outcomes.extend(definitions.labels(chain, first_equation))
+        for index, node in enumerate(chain.members):
+            for brace in n.walk(node):
+                if isinstance(brace, n.Labelled):
+                    outcomes.extend(definitions.label(brace, first_equation + max(0, index - 1)))
         return outcomes

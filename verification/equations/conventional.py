@@ -23,7 +23,7 @@ from armproof.verification.evaluation.blocks import partition
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
-from armproof.verification.naming.conventions import applied, conventional, is_usual
+from armproof.verification.naming.conventions import LETTERS, applied, conventional, is_usual
 from armproof.verification.verdict import Verdict
 
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
@@ -208,7 +208,7 @@ class Conventions:
 
     def _candidates(self, node: n.Node, name: n.Name) -> tuple[Quantity, ...]:
         arm = self.names.arm
-        if arm is None or not self._is_open(node, name):
+        if arm is None or name.base not in LETTERS or not self._is_open(node, name):
             return ()
         found = conventional(name, arm, self.names.transforms)
         if isinstance(bare(node), n.Call):
@@ -289,7 +289,7 @@ class Conventions:
             return False
         lengths = set(self.names.arm.lengths) if self.names.arm is not None else set()
         printed = [*n.walk(outcome.printed.node)]
-        if not any(isinstance(each, n.Number) and "." in each.text for each in printed):
+        if not any(isinstance(each, n.Number) and each.decimals for each in printed):
             return False
         symbols = {self.names.known_symbol(each.key) for each in printed if isinstance(each, n.Name)}
         return not symbols & lengths and not lengths & self.names.state.configuration.keys()

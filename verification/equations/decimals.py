@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from decimal import Decimal
 
 from armproof.verification.algebra.calculus import leaves_open
 from armproof.verification.algebra.matrix import Matrix
@@ -29,32 +28,17 @@ def depends_on(value: Matrix, symbols: set[str]) -> bool:
     )
 
 
-def coarsest_decimals(nodes: Iterable[n.Node], rounded: Mapping[str, int]) -> int | None:
-    """Return the fewest decimals, from three on, of the numbers in these trees and of the names made of such; None without."""
-    places = []
-    for below in (below for node in nodes for below in n.walk(node)):
-        if isinstance(below, n.Number) and "." in below.text:
-            places.append(_places(below))
-        elif isinstance(below, n.Name) and below.key in rounded:
-            places.append(rounded[below.key])
-    return min((count for count in places if count >= 3), default=None)
-
-
 def finest_decimals(nodes: Iterable[n.Node]) -> int:
     """Return the most decimals of the numbers in these trees, 0 without."""
-    return max(
-        (_places(b) for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and "." in b.text), default=0
-    )
+    return max((b.decimals for node in nodes for b in n.walk(node) if isinstance(b, n.Number)), default=0)
 
 
 def fewest_decimals(nodes: Iterable[n.Node]) -> int:
     """Return to how many decimals numbers are printed: the fewest of the sides that are one number, else of all; 6 without."""
     nodes = [n.ungrouped(node) for node in nodes]
     alone = [node for node in nodes if isinstance(node, n.Number)]
-    inside = [
-        b for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and "." in b.text.replace("{,}", ".")
-    ]
-    return min(map(_places, alone or inside), default=6)
+    inside = [b for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and b.decimals]
+    return min((number.decimals for number in alone or inside), default=6)
 
 
 def is_number(node: n.Node) -> bool:
@@ -63,10 +47,6 @@ def is_number(node: n.Node) -> bool:
         isinstance(below, n.JointAngles | n.Matrix | n.Sequence) or (isinstance(below, n.Name) and below.key != "pi")
         for below in n.walk(node)
     )
-
-
-def _places(number: n.Number) -> int:
-    return -int(Decimal(number.text.replace("{,}", ".")).as_tuple().exponent)
 
 
 @dataclass(frozen=True)
@@ -95,21 +75,20 @@ def roundings(node: n.Node, shape: tuple[int, int]) -> dict[tuple[int, int], Rou
 
 
 def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
-    decimals = [_places(b) for b in n.walk(cell) if isinstance(b, n.Number) and "." in b.text]
+    decimals = [b.decimals for b in n.walk(cell) if isinstance(b, n.Number) and b.decimals]
     alone = not any(isinstance(b, n.Product | n.Quotient | n.Power | n.Call) for b in n.walk(cell))
     if not decimals and alone:
-        decimals = [_places(b) for b in n.walk(whole) if isinstance(b, n.Number) and "." in b.text]
+        decimals = [b.decimals for b in n.walk(whole) if isinstance(b, n.Number) and b.decimals]
     if not decimals:
         return EXACT
     unit = 10.0 ** -max(decimals)
     return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
 
 
-def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:
+def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool, decimals: int) -> bool:
     """Confirm an equation whose numbers are rounded (1.501 for √(1.5² + 0.054²)) to the decimals they are printed with."""
     assert outcome.true is not None and outcome.printed is not None
-    decimals = coarsest_decimals((outcome.true.node, outcome.printed.node), route.names.state.rounded)
-    if decimals is None or not _leaves_rounding(outcome, decimals):
+    if not _leaves_rounding(outcome, decimals):
         return False
     errors = route.sampled_errors(outcome, branches)
     if errors is None:

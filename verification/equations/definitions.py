@@ -2,48 +2,55 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.equations.alignment import Pair
-from armproof.verification.equations.decimals import coarsest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Readings
-from armproof.verification.equations.sides import Member
+from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
+from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Verdict
 
 
+@dataclass(frozen=True)
 class Definitions:
     """Gives unbound names their meaning in one chain.
 
-    Args:
+    Attributes:
         readings: how else a member may be read.
         line: where the display stands.
         defines: whether the names are to keep their meaning after the display.
         fresh: the new letters of a matrix that the chain defines.
     """
 
-    def __init__(self, readings: Readings, line: int, defines: bool, fresh: frozenset[str]) -> None:
-        self.readings = readings
-        self.equality = readings.equality
-        self.members = readings.members
-        self.route = readings.equality.route
-        self.names = readings.names
-        self.line = line
-        self.defines = defines
-        self.fresh = fresh
+    readings: Readings
+    line: int
+    defines: bool
+    fresh: frozenset[str]
+
+    @property
+    def members(self) -> Members:
+        """The sides of its equations."""
+        return self.readings.members
+
+    @property
+    def names(self) -> Names:
+        """The names of the document."""
+        return self.readings.names
 
     def define(self, true: Member, member: Member, equation: int) -> Outcome:
         """Give the unbound names of a member their meaning by what is known, or say what is not bound."""
         if isinstance(member.problem, OutsideAlgebra):
             branches = has_branches(true.node) or has_branches(member.node)
-            return self.route.confirm_only(true.node, member.node, equation, branches, member.problem)
+            return self.readings.equality.route.confirm_only(true.node, member.node, equation, branches, member.problem)
         if isinstance(member.problem, NoValue):
             located = self._define_entries(true, member, equation, False)
             if located is not None and located.verdict is Verdict.REFUTED:
@@ -56,7 +63,7 @@ class Definitions:
             if key is not None:
                 if self.defines:
                     self.names.define(key, self.members.meaning(true.node), self.line)
-                    if (decimals := coarsest_decimals((true.node,), self.names.state.rounded)) is not None:
+                    if (decimals := self.members.decimals(true.node)) is not None:
                         self.names.state.rounded[key] = decimals
                     if isinstance(member.node, n.Name):
                         self.names.add_frame(member.node)
@@ -100,14 +107,14 @@ class Definitions:
             if key in self.fresh:
                 cell = Member(block.cell, None, UnboundName(str(key)))
             if cell.known:
-                if not self.equality.equals_block(block.of(value), cell.value):
+                if not self.readings.equality.equals_block(block.of(value), cell.value):
                     wrong.append((block.row, block.column))
             elif isinstance(cell.problem, NoValue):
                 wrong.append((block.row, block.column))
             elif key is None or not isinstance(cell.problem, UnboundName):
                 unknown = cell.problem
             elif key in first:
-                if not self.equality.equals_block(first[key], block.of(value)):
+                if not self.readings.equality.equals_block(first[key], block.of(value)):
                     wrong.append((block.row, block.column))
             else:
                 first[key] = block.of(value)
@@ -128,26 +135,20 @@ class Definitions:
             defines=tuple(first),
         )
 
-    def labels(self, chain: n.Chain, first_equation: int) -> list[Outcome]:
+    def label(self, brace: n.Labelled, equation: int) -> Iterator[Outcome]:
         """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim."""
-        outcomes: list[Outcome] = []
-        for index, member in enumerate(chain.members):
-            for below in n.walk(member):
-                if isinstance(below, n.Labelled) and below.unread:
-                    left_out = say(Kind.LEFT_OUT, text=below.unread)
-                    outcomes.append(Outcome(Verdict.UNCHECKED, (left_out,), first_equation + max(0, index - 1)))
-                if not isinstance(below, n.Labelled) or below.label is None:
-                    continue
-                label, inner = self.members.evaluate(below.label), self.members.evaluate(below.inner)
-                key = bare_key(below.label)
-                if label.known and inner.known:
-                    outcomes.append(self.equality.compare(label, inner, first_equation + max(0, index - 1), False))
-                elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
-                    self.names.define(key, self.members.meaning(below.inner), self.line)
-                elif key is None and label.problem is not None:
-                    unread = (finding_of(label.problem),)
-                    outcomes.append(Outcome(Verdict.UNCHECKED, unread, first_equation + max(0, index - 1)))
-        return outcomes
+        if brace.unread:
+            yield Outcome(Verdict.UNCHECKED, (say(Kind.LEFT_OUT, text=brace.unread),), equation)
+        if brace.label is None:
+            return
+        label, inner = self.members.evaluate(brace.label), self.members.evaluate(brace.inner)
+        key = bare_key(brace.label)
+        if label.known and inner.known:
+            yield self.readings.equality.compare(label, inner, equation, False)
+        elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
+            self.names.define(key, self.members.meaning(brace.inner), self.line)
+        elif key is None and label.problem is not None:
+            yield Outcome(Verdict.UNCHECKED, (finding_of(label.problem),), equation)
 
     def nothing_known(self, members: list[Member], equation: int) -> list[Outcome]:
         """Nothing has a value: a bare new name on one side is a definition in words or symbols, else unchecked."""
@@ -157,7 +158,9 @@ class Definitions:
         if len(outside) >= 2 and len(outside) == len(members):
             first, *others = outside
             return [
-                self.route.confirm_only(first.node, m.node, equation + k, has_branches(m.node), m.problem)
+                self.readings.equality.route.confirm_only(
+                    first.node, m.node, equation + k, has_branches(m.node), m.problem
+                )
                 for k, m in enumerate(others)
                 if m.problem is not None
             ]

@@ -30,7 +30,6 @@ from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.jacobian_parts import jacobian_name
 from armproof.verification.verdict import Verdict
 
 
@@ -70,7 +69,7 @@ class Equality:
                 wrong = different_entries(pair, exactly_equal)
             if not wrong:
                 outcome.verdict, outcome.pair, outcome.findings = Verdict.PROVED, pair, _noted(pair)
-                if pair.true_rows is not None and (name := jacobian_name(true.node, self.names)) is not None:
+                if pair.true_rows is not None and (name := self.members.jacobian_name(true.node)) is not None:
                     self.names.state.shown[name.key] = tuple(row + 1 for row in pair.true_rows)
                 return self.route.confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
@@ -84,7 +83,8 @@ class Equality:
             outcome.verdict, outcome.wrong = Verdict.PROVED, []
             outcome.findings = (say(Kind.TABLE_ANGLES),)
             return outcome
-        if holds_to_its_decimals(self.route, outcome, branches):
+        decimals = self.members.decimals(true.node, printed.node)
+        if decimals is not None and holds_to_its_decimals(self.route, outcome, branches, decimals):
             return outcome
         return self.route.doubt(outcome, branches)
 

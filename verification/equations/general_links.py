@@ -14,10 +14,9 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.verdict import Verdict
 
-PAIRS = {("i-1", "i"): False, ("i", "i-1"): True}
 MIXED = 9  # as many where indices of both conventions are mixed, which is nobody's own definition
 NEARLY = 6  # a matrix with at most so many wrong entries is meant to be that link matrix
 
@@ -51,11 +50,9 @@ class GeneralStatements:
         self._general = ChainChecker(general, replace_arm(checker), checker.sampled)
 
     def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
-        """Return the outcomes if the chain is about the general link matrix, else None."""
-        heads = [self._link_pair(member) for member in chain.members]
-        if not any(heads) or any(
-            m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)
-        ):
+        """Return the outcomes of a chain with a link matrix of any link if they are about that, else None."""
+        heads = [self._is_inverse(member) for member in chain.members]
+        if any(m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)):
             return None
         self._general.confirm = self.checker.confirm
         named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
@@ -71,13 +68,11 @@ class GeneralStatements:
         outcomes = self._general.check(replace(chain, members=members), equation, line, define)
         return [self._noted(outcome, convention) for outcome in outcomes] or None
 
-    def _members(
-        self, chain: n.Chain, heads: list[tuple[bool, bool] | None], convention: str
-    ) -> tuple[n.Node, tuple[n.Node, ...]]:
+    def _members(self, chain: n.Chain, heads: list[bool | None], convention: str) -> tuple[n.Node, tuple[n.Node, ...]]:
         """Return the link matrix of a convention, and the chain with it (or its inverse) in the place of its name."""
         link = replace(LINKS[convention], span=chain.members[0].span)
         members = tuple(
-            member if head is None else n.Postfix(link, "-1") if head[1] else link
+            member if head is None else n.Postfix(link, "-1") if head else link
             for head, member in zip(heads, chain.members, strict=True)
         )
         return next(m for m, head in zip(members, heads, strict=True) if head is not None), members
@@ -85,7 +80,7 @@ class GeneralStatements:
     def _is_defined(self, chain: n.Chain) -> bool:
         """Whether the document has given the link matrix a meaning of its own: then only what is exactly one is judged here."""
         return any(isinstance(below, n.Name) and below.key in self.checker.names.state.definitions
-                   for member in chain.members if self._link_pair(member) for below in n.walk(member))  # fmt: skip
+                   for member in chain.members if self._is_inverse(member) is not None for below in n.walk(member))  # fmt: skip
 
     def identity(self, chain: n.Chain, equation: int, line: int) -> list[Outcome] | None:
         """Return the outcomes of an identity in letters that are no arm's: R_z(θ) = […], cos² θ + sin² θ = 1; else None.
@@ -134,24 +129,8 @@ class GeneralStatements:
         except EvaluationError:
             return MIXED + 1
 
-    def _link_pair(self, node: n.Node) -> tuple[bool, bool] | None:
-        """Return (True, whether inverse) for {}^{i-1}T_i, T_i^{i-1}, {}^{i-1}_iT, A_i and their inverses."""
-        node = bare(node)
-        if isinstance(node, n.Postfix) and node.operator == "-1":
-            inner = self._link_pair(node.base)
-            return None if inner is None else (True, not inner[1])
-        if not isinstance(node, n.Name) or node.base not in ("T", "A", "H") or node.primes or node.dots:
-            return None
-        if node.pre_sup and (node.sub or node.pre_sub) and not node.sup:
-            pair = (node.pre_sup, node.sub or node.pre_sub)
-        elif node.sub and node.sup:
-            upper = self.checker.names.transforms == "upper"
-            pair = (node.sup, node.sub) if upper else (node.sub, node.sup)
-        elif node.sub == "i" and not node.sup and not node.pre_sup and node.base in ("A", "H", "T"):
-            pair = ("i-1", "i")
-        else:
-            return None
-        return (True, PAIRS[pair]) if pair in PAIRS else None
+    def _is_inverse(self, node: n.Node) -> bool | None:
+        return is_inverse_link(node, self.checker.names.transforms)
 
     def _conventions(self, chain: n.Chain) -> tuple[str, ...]:
         """The convention that the front matter names, else those to which the indices of a and α belong."""

@@ -107,9 +107,7 @@ class GivenValues:
             return False
         numbers = [below for below in n.walk(value) if isinstance(below, n.Number)]
         moving, asked = self.members.evaluate(name), self.members.evaluate(value)
-        if not any("." in number.text or number.value >= 2 for number in numbers) or not isinstance(
-            moving.value, Scalar
-        ):
+        if not any(number.decimals or number.value >= 2 for number in numbers) or not isinstance(moving.value, Scalar):
             return False
         here = self.equality.compare(moving, asked, 0, False)
         # at the configuration given before it is a claim, and right

@@ -16,11 +16,15 @@ from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.quantities import leads_outwards
 
 DIRECTIONS = ("upper", "lower")
-_TWO_SCRIPTS = re.compile(r"[TAHR]\}*\s*(?:_\s*(?:\w|\{[^{}]*\})\s*\^|\^\s*(?:\w|\{[^{}]*\})\s*_)")
+TWO_SCRIPTS = re.compile(r"[TAHR]\}*\s*(?:_\s*(?:\w|\{[^{}]*\})\s*\^|\^\s*(?:\w|\{[^{}]*\})\s*_)")
 
 
 def shown_direction(checker: ChainChecker, displays: Iterable[Display]) -> tuple[str, int] | None:
-    """Return the direction in which the first telling link matrix holds, and its line; None where none tells."""
+    """Return the direction in which the first telling link matrix holds, and its line; None where none tells.
+
+    Args:
+        displays: those in which a transform has TWO_SCRIPTS.
+    """
     names = checker.names
     if names.arm is None or names.stated_transforms:
         return None
@@ -36,7 +40,7 @@ def shown_direction(checker: ChainChecker, displays: Iterable[Display]) -> tuple
 
 
 def _chains(checker: ChainChecker, display: Display) -> Iterator[n.Chain]:
-    if display.erratum or not display.closed or not _TWO_SCRIPTS.search(display.latex):
+    if display.erratum or not display.closed:
         return
     try:
         statements = checker.names.reader.read(display.latex)

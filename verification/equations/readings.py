@@ -1,11 +1,14 @@
-"""The other readings that a display may have: fewer rows of a Jacobian, an angle of its own, a slipped index, an index above."""
+"""The other readings that a display may have: parts of a Jacobian, an angle of its own, a slipped index, an index above."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import square_rows
 from armproof.verification.equations.equality import Equality
@@ -15,12 +18,12 @@ from armproof.verification.errors import UnboundName
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
-from armproof.verification.naming.jacobian_parts import jacobian_name, jacobian_rows, part_of_jacobian
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.quantities import leads_outwards
+from armproof.verification.naming.quantities import ANGULAR, LINEAR, leads_outwards, numbered_frames
 from armproof.verification.verdict import Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
+_PART = re.compile(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
 
 
 class Readings:
@@ -37,7 +40,7 @@ class Readings:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
             if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
                 continue
-            name = jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], self.names, True)  # type: ignore[attr-defined]
+            name = self.members.jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], True)  # type: ignore[attr-defined]
             if name is None:
                 continue
             value = self.members.evaluate(name).value
@@ -54,7 +57,7 @@ class Readings:
         """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
         if not isinstance(member.problem, UnboundName) or not isinstance(member.node, n.Name):
             return member
-        quantity = part_of_jacobian(member.node, known[0].value, self.names)
+        quantity = _part_of_jacobian(member.node, known[0].value, self.names)
         if quantity is None:
             return member
         self.names.state.inferred[member.node.key] = quantity
@@ -106,7 +109,7 @@ class Readings:
 
     def with_fewer_rows(self, chain: n.Chain, check: Check, mismatch: bool) -> list[Outcome] | None:
         """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
-        whole = [(below, name) for below in n.walk(chain) if (name := jacobian_name(below, self.names, True)) is below]
+        whole = [(below, name) for below in n.walk(chain) if (name := self.members.jacobian_name(below, True)) is below]
         fixed = any(name.sub.startswith("rows") for name, _ in whole)  # these are read so already
         if not whole or fixed or any(member is name for member in chain.members for name, _ in whole):
             return None
@@ -114,7 +117,7 @@ class Readings:
         printed = self.names.state.shown.get(whole[0][1].key) or self.names.state.shown.get("J")
         value = self.members.evaluate(whole[0][0]).value
         possible = (
-            jacobian_rows(value, printed)
+            _jacobian_rows(value, printed)
             if mismatch and isinstance(value, Matrix) and len(value.rows) == 6
             else [printed]
         )
@@ -192,3 +195,54 @@ def _is_joint(node: n.Node, names: Names) -> bool:
         {joint.symbol for joint in names.arm.joints if joint.kind == "revolute"} if names.arm is not None else set()
     )
     return isinstance(node, n.Name) and not node.dots and names.known_symbol(node.key) in joints
+
+
+def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | None:
+    """Return what an unbound J_k, J_{vk}, J_{ωk} or J_{ik} stands for, told by the size of what it is equated to.
+
+    J_k is the k-th column where a 6×1 or shorter column stands on the other side, J_{ik} an entry where a scalar does
+    (of the rows in which the document has shown J); a name with any other value is the document's own.
+    """
+    found = _PART.fullmatch(name.sub)
+    arm = names.arm
+    if arm is None or name.base != "J" or found is None or name.sup or name.pre_sub or name.primes or name.dots:
+        return None
+    part, digits = found.group("part"), found.group("digits").replace(",", "")
+    whole = _whole_jacobian(names, name.pre_sup)
+    if whole is None or (part and part not in (*LINEAR, *ANGULAR)):
+        return None
+    column = int(digits[-1])
+    count = len(whole.columns or arm.joints)
+    if not 1 <= column <= count:
+        return None
+    columns = (whole.columns[column - 1],) if whole.columns else (column,)
+    if len(digits) == 1 and isinstance(value, Matrix) and value.shape[1] == 1:
+        if part and value.shape[0] == 3:
+            return replace(whole, rows=(1, 2, 3) if part in LINEAR else (4, 5, 6), columns=columns)
+        return replace(whole, columns=columns) if not part and value.shape[0] in (2, 3, 4, 6) else None  # 4: [z; 0]
+    if len(digits) == 2 and not part and not isinstance(value, Matrix | list):
+        rows = whole.rows or names.state.shown.get("J") or (1, 2, 3, 4, 5, 6)
+        row = int(digits[0])
+        return replace(whole, rows=(rows[row - 1],), columns=columns, scalar=True) if 1 <= row <= len(rows) else None
+    return None
+
+
+def _jacobian_rows(value: Value, printed: tuple[int, ...] | None) -> Iterator[tuple[int, ...]]:
+    """Yield the rows (from 1) that a shorter Jacobian is likely to hold: as printed before, v, the plane's, all that move."""
+    if not isinstance(value, Matrix):
+        return
+    moving = tuple(i for i, row in enumerate(value.rows, 1) if not all(cell.is_zero() for cell in row))
+    yield from dict.fromkeys(rows for rows in (printed, (1, 2, 3), (1, 2), moving, (4, 5, 6)) if rows)
+
+
+def _whole_jacobian(names: Names, reference: str) -> Quantity | None:
+    """The Jacobian of which the parts are: the one the front matter binds, else that of the last frame."""
+    for key in ("J", "J(q)", "J(theta)"):
+        if not reference and key in names.quantities:
+            quantity = names.quantities[key]
+            return quantity if quantity.kind == "jacobian" else None
+    assert names.arm is not None
+    if reference and reference not in names.arm.frames:
+        return None
+    frames = numbered_frames(names.arm)
+    return Quantity("jacobian", frames[-1], reference or frames[0])

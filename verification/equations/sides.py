@@ -106,6 +106,31 @@ class Members:
         alone = len(found) == 1 and isinstance(n.ungrouped(node), n.Name | n.Call)
         return next(iter(found.values())) if alone else "; ".join(f"{key}: {words}" for key, words in found.items())
 
+    def jacobian_name(self, node: n.Node, parts: bool = False) -> n.Name | None:
+        """Return the name of a Jacobian that notation implies (the front matter lists no rows for it), or None.
+
+        It is that of all six rows, or with `parts` that of some, J_v.
+        """
+        node = n.ungrouped(node)
+        if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
+            node = node.arguments[0]
+        if not isinstance(node, n.Name) or node.base != "J" or node.key in self.names.quantities:
+            return None
+        quantity = self.names.quantity(replace(node, dots=0))
+        return (
+            node if quantity is not None and quantity.kind == "jacobian" and (parts or quantity.rows is None) else None
+        )
+
+    def decimals(self, *nodes: n.Node) -> int | None:
+        """Return the fewest decimals, from three on, of the numbers in trees and of the names made of such; None without."""
+        places = []
+        for below in (below for node in nodes for below in n.walk(node)):
+            if isinstance(below, n.Number):
+                places.append(below.decimals)
+            elif isinstance(below, n.Name):
+                places.append(self.names.state.rounded.get(below.key, 0))
+        return min((count for count in places if count >= 3), default=None)
+
     def is_symbol(self, node: n.Node) -> bool:
         """Whether a tree is the name of a joint variable or a length."""
         return isinstance(node, n.Name) and self.names.known_symbol(node.key) is not None

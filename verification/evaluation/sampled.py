@@ -139,6 +139,11 @@ class SampledAlgebra(ArmAlgebra):
         ring = value.ring
         return self._sample(ring, value.numerator) / self._sample(ring, value.denominator)
 
+    def stacked(self, value: Value) -> np.ndarray:
+        """Return a sampled matrix or scalar as an array, (N, rows, columns)."""
+        rows = value.rows if isinstance(value, Matrix) else ((value,),)
+        return np.moveaxis(np.array([[np.broadcast_to(cell, (self.samples,)) for cell in row] for row in rows]), -1, 0)
+
     def _sample(self, ring: Ring, polynomial: Any) -> np.ndarray:
         total = np.zeros(self.samples)
         known: dict[tuple[tuple[str, str], int], np.ndarray] = {}

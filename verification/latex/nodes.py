@@ -27,6 +27,11 @@ class Number(Node):
     value: Fraction
     text: str = field(default="", compare=False)
 
+    @property
+    def decimals(self) -> int:
+        """How many digits stand behind its point or comma."""
+        return len(self.text.replace("{,}", ".").partition(".")[2])
+
 
 @dataclass(frozen=True, slots=True)
 class Name(Node):

@@ -29,6 +29,8 @@ MANIPULABILITIES = frozenset("w mu m M".split())
 WHOLE_JACOBIAN = frozenset("geo G g".split())
 USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi".split())  # seldom anything else, of an arm
 AXES = "xyz"
+LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
+LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z".split())  # with a meaning; no other has one
 
 
 def is_usual(name: n.Name) -> bool:

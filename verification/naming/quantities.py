@@ -12,6 +12,7 @@ from armproof.verification.algebra.quantity_kinds import KINDS, QuantityKind, ki
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 
 
 def read_quantity(key: str, spec: object, arm: Arm | None) -> Quantity:
@@ -156,6 +157,23 @@ def leads_outwards(name: n.Name, arm: Arm, transforms: str) -> bool:
     if pair is None or not all(frame in arm.frames for frame in pair):
         return False
     return arm.frames.index(pair[0]) < arm.frames.index(pair[1])
+
+
+def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
+    """Whether a tree is the inverse of a link matrix of any link, {}^{i-1}T_i, T_i^{i-1}, A_i; None where it is neither."""
+    node = bare(node)
+    if isinstance(node, n.Postfix) and node.operator == "-1":
+        inner = is_inverse_link(node.base, transforms)
+        return None if inner is None else not inner
+    if not isinstance(node, n.Name) or node.base not in ("T", "A", "H") or node.primes or node.dots:
+        return None
+    if node.pre_sup and (node.sub or node.pre_sub) and not node.sup:
+        pair = (node.pre_sup, node.sub or node.pre_sub)
+    elif node.sub and node.sup:
+        pair = (node.sup, node.sub) if transforms == "upper" else (node.sub, node.sup)
+    else:
+        pair = ("i-1", node.sub) if not node.sup and not node.pre_sup else ("", "")
+    return {("i-1", "i"): False, ("i", "i-1"): True}.get(pair)
 
 
 def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:

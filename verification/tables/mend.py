@@ -12,7 +12,6 @@ from functools import reduce
 
 import numpy as np
 
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -37,13 +36,13 @@ def single_mends(found: TableReading) -> Iterator[tuple[RowVerdict, str, Scalar]
     q = np.random.default_rng(2019).uniform(-2.0, 2.0, (CONFIGURATIONS, len(found.arm.joints)))
     sampled = SampledAlgebra(found.claim.algebra, q)
     base = found.arm.frames[0]
-    goals = [_stack(sampled.quantity(Quantity("pose", frame, base))) for frame in last_frames(found.arm)]
-    links = [_stack(sampled_link(found, verdict.values, sampled)) for verdict in found.verdicts]
+    goals = [sampled.stacked(sampled.quantity(Quantity("pose", frame, base))) for frame in last_frames(found.arm)]
+    links = [sampled.stacked(sampled_link(found, verdict.values, sampled)) for verdict in found.verdicts]
     for k, verdict in enumerate(found.verdicts):
         before, after = (reduce(np.matmul, some, np.eye(4)) for some in (links[:k], links[k + 1 :]))
         for parameter in PARAMETERS:
             for value in _changes(found, verdict, parameter):
-                changed = _stack(sampled_link(found, {**verdict.values, parameter: value}, sampled))
+                changed = sampled.stacked(sampled_link(found, {**verdict.values, parameter: value}, sampled))
                 if any(_is_at(before @ changed @ after, goal) for goal in goals):
                     yield verdict, parameter, value
 
@@ -62,11 +61,6 @@ def _changes(found: TableReading, verdict: RowVerdict, parameter: str) -> Iterat
         others = [ring.zero, -printed, *signed, *(printed + length for length in signed)]
         others += [one + other for k, one in enumerate(lengths) for other in lengths[k + 1 :]]
     yield from (other for other in others if not (other - printed).is_zero())
-
-
-def _stack(matrix: Matrix) -> np.ndarray:
-    cells = [[np.broadcast_to(cell, (CONFIGURATIONS,)) for cell in row] for row in matrix.rows]
-    return np.moveaxis(np.array(cells), -1, 0)
 
 
 def _is_at(product: np.ndarray, goal: np.ndarray) -> bool:

@@ -257,6 +257,12 @@ def test_a_determinant_at_a_configuration_is_a_claim(judge: Judge, values: str, 
     assert judge(rf"\left. \det J_v \right|_{{{values}}} = 0", arm=ARM).verdict is verdict
 
 
+@pytest.mark.parametrize("comma", [".", "{,}"])
+def test_a_decimal_comma_rounds_as_a_point_does(judge: Judge, comma: str) -> None:
+    assert judge(rf"\cos\frac{{\pi}}{{6}} = 0{comma}866").verdict is Verdict.CONFIRMED
+    assert judge(rf"\cos\frac{{\pi}}{{6}} = 0{comma}867").verdict is Verdict.REFUTED
+
+
 def test_rounded_numbers_hold_to_the_decimals_printed(judge: Judge) -> None:
     arm = {"dh": "classic", "rows": [{"a": 1.5, "alpha": 0, "d": 0.054, "theta": "theta_1"}]}
     bound = {"p": {"origin": 1}}

@@ -12,7 +12,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import Case
-from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes, stack
+from armproof.verification.diagnosis.causes.probes import Configurations, partners, probes
 from armproof.verification.diagnosis.counterexample import count_terms
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -54,4 +54,5 @@ def _quantity(checker: ChainChecker, outcome: Outcome) -> Quantity | None:
 
 
 def _at(exact: ExactAlgebra, value: Matrix, at: Configurations) -> np.ndarray:
-    return stack(SampledAlgebra(exact, at.q).from_exact(value), len(at.q))
+    sampled = SampledAlgebra(exact, at.q)
+    return sampled.stacked(sampled.from_exact(value))

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.models.numeric.plant import NumericKinematics
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -34,14 +32,8 @@ class Configurations:
     def true(self, quantity: Quantity) -> np.ndarray:
         """Return a quantity at each configuration: (N, rows, columns)."""
         if quantity not in self._true:
-            self._true[quantity] = stack(self._algebra.quantity(quantity), len(self.q))
+            self._true[quantity] = self._algebra.stacked(self._algebra.quantity(quantity))
         return self._true[quantity]
-
-
-def stack(value: Any, count: int) -> np.ndarray:
-    """Return a sampled matrix or scalar as an array (count, rows, columns)."""
-    rows = value.rows if isinstance(value, Matrix) else ((value,),)
-    return np.moveaxis(np.array([[np.broadcast_to(cell, (count,)) for cell in row] for row in rows]), -1, 0)
 
 
 @lru_cache(maxsize=32)
