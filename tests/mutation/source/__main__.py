@@ -1,4 +1,4 @@
-"""Mutants of the trusted base against a fast selection of tests: `python -m tests.mutation.source [--sample N] [FILE…]`.
+"""Mutants of the trusted base against the tests that speak of it: `python -m tests.mutation.source [--sample N] [FILE…]`.
 
 The trusted base is what can make a false equation pass. A mutant that no test kills is either harmless (the same verdicts,
 a slower way) or a missing test. Exit code 1 if fewer are killed than wanted, 2 if the selection fails without a mutant.
@@ -7,26 +7,25 @@ a slower way) or a missing test. Exit code 1 if fewer are killed than wanted, 2 
 from __future__ import annotations
 
 import argparse
+import math
 import os
+import signal
 import subprocess
 import sys
 import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import partial
-from pathlib import Path
 from random import Random
 
 from tests.mutation.source.mutants import Mutant, mutants_of
-from tests.mutation.source.run import SURVIVED, UNCHANGED
+from tests.mutation.source.run import KILLED, SURVIVED, UNCHANGED
+from tests.mutation.source.trusted import ROOT, trusted_files
 
-ROOT = Path(__file__).resolve().parents[3]
-TRUSTED = ["models/exact/*.py", "verification/algebra/*.py", "verification/evaluation/*.py", "verification/equations/alignment.py",
-           "verification/equations/equality.py", "verification/equations/second_route.py"]  # fmt: skip
-TESTS = ["tests/verification/test_soundness.py", "tests/verification/algebra", "tests/verification/evaluation",
-         "tests/verification/equations", "tests/models/exact"]  # fmt: skip
-WANTED, SECONDS = 0.95, 180
+WANTED, SECONDS = 0.95, 90
+IDLE = 20  # so many times its processor time, a mutant waits for what never comes
+OUT_OF_TIME = -signal.SIGXCPU
+FATES = {SURVIVED: "survived", KILLED: "killed", OUT_OF_TIME: "timeout", -signal.SIGKILL: "timeout", -signal.SIGSEGV: "killed"}
 
 
 @dataclass(frozen=True)
@@ -46,52 +45,53 @@ def main() -> int:
     parser.add_argument("--sample", type=int, default=0, help="so many mutants, drawn at random; 0: all")
     parser.add_argument("--seed", type=int, default=2019)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes")
-    parser.add_argument("--timeout", type=float, default=SECONDS, help="seconds for one mutant")
-    parser.add_argument(
-        "--tests", nargs="*", default=[t for t in TESTS if (ROOT / t).exists()], help="what pytest runs"
-    )
-    parser.add_argument("files", nargs="*", default=TRUSTED, help="files or patterns, from the project's folder")
+    parser.add_argument("--seconds", type=int, default=SECONDS, help="processor time for one mutant")
+    parser.add_argument("--minutes", type=float, default=24 * 60, help="start no mutant after so many minutes")
+    parser.add_argument("files", nargs="*", help="files or patterns, from the project's folder; none: the trusted base")
     options = parser.parse_args()
     drawn = draw(options.files, options.sample, options.seed)
-    if (
-        not drawn
-        or fate_of((drawn[0][0], Mutant(UNCHANGED, 0, "", "")), options.tests, options.timeout * 3).fate != "survived"
-    ):
+    unchanged = {file: Mutant(UNCHANGED, 0, "", "") for file, _ in drawn[:1]}
+    if any(fate_of(pair, options.seconds).fate != "survived" for pair in unchanged.items()) or not drawn:
         print("no mutant, or the selection fails without one", file=sys.stderr)
         return 2
-    started = time.perf_counter()
+    until = time.monotonic() + 60 * options.minutes
     with ThreadPoolExecutor(options.jobs) as pool:
-        fates = list(pool.map(partial(fate_of, tests=options.tests, timeout=options.timeout), drawn))
-    print(f"{time.perf_counter() - started:.0f} s")
+        fates = [tell(fate) for fate in pool.map(lambda pair: fate_of(pair, options.seconds, until), drawn) if fate.fate]
     return report(fates)
 
 
+def tell(fate: Fate) -> Fate:
+    """Print a survivor as soon as it is known."""
+    if fate.fate == "survived":
+        mutant = fate.mutant
+        print(f"{fate.file}:{mutant.line}: {mutant.kind} (mutant {mutant.index}): {mutant.words}", flush=True)
+    return fate
+
+
 def draw(patterns: list[str], sample: int, seed: int) -> list[tuple[str, Mutant]]:
-    """Return the mutants of the files that are named, or a sample of them."""
-    files = sorted({path for pattern in patterns for path in ROOT.glob(pattern)})
-    found = [(str(path.relative_to(ROOT)), m) for path in files for m in mutants_of(path.read_text("utf-8"))]
-    return Random(seed).sample(found, sample) if 0 < sample < len(found) else found
+    """Return the mutants of the files that are named, or a sample of them in a random order."""
+    named = sorted({str(path.relative_to(ROOT)) for pattern in patterns for path in ROOT.glob(pattern)})
+    files = named if patterns else trusted_files()
+    found = [(file, mutant) for file in files for mutant in mutants_of((ROOT / file).read_text("utf-8"))]
+    return Random(seed).sample(found, min(sample, len(found))) if sample else found
 
 
-def fate_of(drawn: tuple[str, Mutant], tests: list[str], timeout: float) -> Fate:
-    """Return what becomes of a mutant in a process of its own."""
+def fate_of(drawn: tuple[str, Mutant], seconds: int, until: float = math.inf) -> Fate:
+    """Return what becomes of a mutant in a process of its own; nothing where the time is up."""
     file, mutant = drawn
-    command = [sys.executable, "-m", "tests.mutation.source.run", file, str(mutant.index), *tests]
+    if time.monotonic() > until:
+        return Fate(file, mutant, "")
+    command = [sys.executable, "-m", "tests.mutation.source.run", file, str(mutant.index), str(seconds)]
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     try:
-        run = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, timeout=timeout)
+        code = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, timeout=IDLE * seconds).returncode
     except subprocess.TimeoutExpired:
-        return Fate(file, mutant, "timeout")
-    return Fate(file, mutant, "survived" if run.returncode == SURVIVED else "killed")
+        code = OUT_OF_TIME
+    return Fate(file, mutant, FATES[code])
 
 
 def report(fates: list[Fate]) -> int:
-    """Print the survivors, and the share that is killed by file and in all; return 1 where it is less than wanted."""
-    for fate in fates:
-        if fate.fate == "survived":
-            print(
-                f"{fate.file}:{fate.mutant.line}: {fate.mutant.kind} (mutant {fate.mutant.index}): {fate.mutant.words}"
-            )
+    """Print the share that is killed by file and in all; return 1 where it is less than wanted."""
     print(f"\n{'file':50}{'mutants':>8}{'killed':>8}{'timeout':>9}{'survived':>10}")
     for file in sorted({fate.file for fate in fates}):
         counts = Counter(fate.fate for fate in fates if fate.file == file)

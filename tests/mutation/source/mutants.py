@@ -74,7 +74,7 @@ def _below(node: ast.AST, path: tuple[tuple[str, int | None], ...]) -> Iterator[
             continue
         children = enumerate(value) if isinstance(value, list) else [(None, value)]
         for position, child in children:
-            if not isinstance(child, ast.AST) or isinstance(child, SILENT) or _is_docstring(child):
+            if not isinstance(child, ast.AST) or isinstance(child, SILENT) or _is_docstring(child) or _is_a_guard(child):
                 continue
             here = (*path, (field, position))
             line = getattr(child, "lineno", getattr(node, "lineno", 0))
@@ -120,6 +120,11 @@ def _other(value: object) -> bool | int | float:
 
 def _is_docstring(node: ast.AST) -> bool:
     return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+def _is_a_guard(node: ast.AST) -> bool:
+    """Whether a node only guards against our own slips: zip(…, strict=True)."""
+    return isinstance(node, ast.keyword) and node.arg == "strict"
 
 
 def _for_checkers(node: ast.AST) -> bool:

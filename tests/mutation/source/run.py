@@ -1,22 +1,26 @@
-"""One mutant against the fast selection of tests, in a process of its own: `python -m tests.mutation.source.run FILE INDEX TESTS…`.
+"""One mutant against the tests that speak of its file, in a process of its own: `python -m tests.mutation.source.run FILE INDEX SECONDS`.
 
-The file on the disk stays as it is: the importer hands out the changed tree. Exit code 0: it survived, 1: killed.
+The file on the disk stays as it is: the importer hands out the changed tree. Exit code 0: it survived, 3: killed.
 """
 
 from __future__ import annotations
 
+import importlib
 import importlib.abc
 import importlib.machinery
 import os
+import resource
 import sys
 from collections.abc import Sequence
+from contextlib import redirect_stdout
 from pathlib import Path
 from random import Random
 from types import CodeType
 
 from tests.mutation.source.mutants import mutate
+from tests.mutation.source.trusted import selection
 
-SURVIVED, KILLED = 0, 1
+SURVIVED, KILLED = 0, 3  # 1 is what Python says of a fault of this tool
 UNCHANGED = -1  # the index of the file as it is
 
 
@@ -53,15 +57,24 @@ class Finder(importlib.abc.MetaPathFinder):
 
 def main(arguments: Sequence[str]) -> int:
     """Run the selection with the mutant in place; return whether it survived."""
-    file, index, *tests = arguments
-    if int(index) != UNCHANGED:
-        source = Path(file).read_text("utf-8")
-        sys.meta_path.insert(0, Finder(Path(file), compile(mutate(source, int(index)), file, "exec")))
+    file, index, seconds = arguments
+    resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds)))
     try:
-        return KILLED if labels_differ() or tests_fail(tests) else SURVIVED
+        if int(index) != UNCHANGED:
+            put_in_place(file, int(index))
+        own, all_others = selection(file)
+        return KILLED if tests_fail(own) or labels_differ() or tests_fail(all_others) else SURVIVED
     except Exception as error:
         print(f"{type(error).__name__}: {error}", file=sys.stderr)
         return KILLED
+
+
+def put_in_place(file: str, index: int) -> None:
+    """Import the mutant of a file at once: pytest has an importer of its own, before ours."""
+    code = compile(mutate(Path(file).read_text("utf-8"), index), file, "exec")
+    sys.meta_path.insert(0, Finder(Path(file), code))
+    module = importlib.import_module(".".join(("armproof", *Path(file).with_suffix("").parts)))
+    assert isinstance(module.__loader__, Changed)
 
 
 def labels_differ() -> bool:
@@ -87,8 +100,7 @@ def tests_fail(tests: Sequence[str]) -> bool:
 
     if not tests:
         return False
-    with open(os.devnull, "w") as nowhere:
-        sys.stdout = nowhere
+    with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere):
         return pytest.main(["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", *tests]) != pytest.ExitCode.OK
 
 
