@@ -25,7 +25,13 @@ from tests.mutation.source.trusted import ROOT, trusted_files
 WANTED, SECONDS = 0.95, 90
 IDLE = 20  # so many times its processor time, a mutant waits for what never comes
 OUT_OF_TIME = -signal.SIGXCPU
-FATES = {SURVIVED: "survived", KILLED: "killed", OUT_OF_TIME: "timeout", -signal.SIGKILL: "timeout", -signal.SIGSEGV: "killed"}
+FATES = {
+    SURVIVED: "survived",
+    KILLED: "killed",
+    OUT_OF_TIME: "timeout",
+    -signal.SIGKILL: "timeout",
+    -signal.SIGSEGV: "killed",
+}
 
 
 @dataclass(frozen=True)
@@ -56,7 +62,9 @@ def main() -> int:
         return 2
     until = time.monotonic() + 60 * options.minutes
     with ThreadPoolExecutor(options.jobs) as pool:
-        fates = [tell(fate) for fate in pool.map(lambda pair: fate_of(pair, options.seconds, until), drawn) if fate.fate]
+        fates = [
+            tell(fate) for fate in pool.map(lambda pair: fate_of(pair, options.seconds, until), drawn) if fate.fate
+        ]
     return report(fates)
 
 
@@ -84,7 +92,9 @@ def fate_of(drawn: tuple[str, Mutant], seconds: int, until: float = math.inf) ->
     command = [sys.executable, "-m", "tests.mutation.source.run", file, str(mutant.index), str(seconds)]
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     try:
-        code = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, timeout=IDLE * seconds).returncode
+        code = subprocess.run(
+            command, cwd=ROOT, env=environment, capture_output=True, timeout=IDLE * seconds
+        ).returncode
     except subprocess.TimeoutExpired:
         code = OUT_OF_TIME
     return Fate(file, mutant, FATES[code])

@@ -74,7 +74,12 @@ def _below(node: ast.AST, path: tuple[tuple[str, int | None], ...]) -> Iterator[
             continue
         children = enumerate(value) if isinstance(value, list) else [(None, value)]
         for position, child in children:
-            if not isinstance(child, ast.AST) or isinstance(child, SILENT) or _is_docstring(child) or _is_a_guard(child):
+            if (
+                not isinstance(child, ast.AST)
+                or isinstance(child, SILENT)
+                or _is_docstring(child)
+                or _is_a_guard(child)
+            ):
                 continue
             here = (*path, (field, position))
             line = getattr(child, "lineno", getattr(node, "lineno", 0))
