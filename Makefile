@@ -32,7 +32,8 @@ lessons: $(READY)
 site: $(READY)
 	$(VENV)/bin/armproof lesson site --out $(BUILD)/site
 
-# One worker a core; the tests of one file share what they load.
+# One worker a core; the tests of one file share what they load, and all their processes what is compiled.
+test: export PYTHONDONTWRITEBYTECODE =
 test: $(READY)
 	$(VENV)/bin/python -m pytest -n auto --dist loadfile
 

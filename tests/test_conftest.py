@@ -11,7 +11,7 @@ WRONG_ANSWERS = "tests/course/tasks/test_tasks.py::test_every_wrong_answer_gets_
     ("nodeid", "named", "waits"),
     [
         ("tests/course/figures/test_base.py::test_links", "kr210", True),
-        ("tests/course/figures/test_base.py::test_links", "rx90", False),
+        ("tests/course/figures/test_base.py::test_links", "scara", False),
         ("tests/course/figures/test_base.py::test_sizes", "poster", False),
         ("tests/course/figures/test_base.py::test_sizes", "", False),
         ("tests/course/printing/test_handouts.py::test_text", "scara-000", False),

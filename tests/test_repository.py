@@ -23,7 +23,8 @@ PROJECT = PYPROJECT["project"]
 LAYERS = ("course", "verification", "models")  # each may import those to its right
 
 
-def imported_packages(source: str) -> set[str]:
+@cache
+def imported_packages(source: str) -> frozenset[str]:
     """Return the top-level packages that a module imports, wherever in it; of our own, the rooms."""
     found = set()
     for node in ast.walk(ast.parse(source)):
@@ -31,10 +32,10 @@ def imported_packages(source: str) -> set[str]:
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
             found |= {f"{node.module}.{alias.name}" for alias in node.names}
-    return {name.removeprefix("armproof.").partition(".")[0] for name in found}
+    return frozenset(name.removeprefix("armproof.").partition(".")[0] for name in found)
 
 
-def imports_against_the_arrows(room: str, source: str) -> set[str]:
+def imports_against_the_arrows(room: str, source: str) -> frozenset[str]:
     """Return what a module of the room imports although it may not."""
     return imported_packages(source) & {*LAYERS[: LAYERS.index(room)], "sympy", "tests"}
 

@@ -3,6 +3,7 @@
 import ast
 import copy
 from collections.abc import Iterable, Iterator, Sequence, Set
+from functools import cache
 from pathlib import Path
 from string import Formatter
 
@@ -14,15 +15,21 @@ import armproof.verification
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, Fault, ModelError
 
-TREES = [ast.parse(file.read_text()) for file in Path(armproof.models.__path__[0]).rglob("*.py")]
 ROOMS = [Path(room.__path__[0]) for room in (armproof.course, armproof.models, armproof.verification)]
 FILES = [file for room in ROOMS for file in room.rglob("*.py") if not {"lessons", "tasks"} & set(file.parts)]
-NODES = [
-    node
-    for file in FILES
-    for node in ast.walk(ast.parse(file.read_text()))
-    if isinstance(node, ast.Call | ast.ClassDef)
-]
+
+
+@cache
+def trees() -> list[ast.Module]:
+    """Return the modules of models/."""
+    return [ast.parse(file.read_text()) for file in Path(armproof.models.__path__[0]).rglob("*.py")]
+
+
+@cache
+def nodes() -> list[ast.AST]:
+    """Return the calls and the classes of all rooms."""
+    found = (node for file in FILES for node in ast.walk(ast.parse(file.read_text())))
+    return [node for node in found if isinstance(node, ast.Call | ast.ClassDef)]
 
 
 def fields(kind: Fault) -> set[str]:
@@ -76,28 +83,28 @@ def without_terms(nodes: Iterable[ast.AST], names: Set[str]) -> Iterator[str]:
 
 
 def test_every_kind_is_said_with_its_terms() -> None:
-    assert [name for tree in TREES for name in lacking(tree)] == []
-    assert set(Fault) == {kind for tree in TREES for kind in said(tree)}
+    assert [name for tree in trees() for name in lacking(tree)] == []
+    assert set(Fault) == {kind for tree in trees() for kind in said(tree)}
     assert list(lacking(ast.parse("ModelError(Fault.NO_FRAME, arm=a, frames=f)"))) == ["no_frame: frame"]
 
 
 def test_no_error_is_made_of_a_text() -> None:
     texts = (ast.JoinedStr, ast.BinOp, ast.Constant)
-    assert [text for tree in TREES for text in in_words(ast.walk(tree), {"ModelError"}, texts)] == []
+    assert [text for tree in trees() for text in in_words(ast.walk(tree), {"ModelError"}, texts)] == []
 
 
 def test_no_sentence_is_put_together_where_it_is_said() -> None:
     """An f-string cannot be translated; elsewhere than in the models a template stands where it is said."""
-    names = errors_of(NODES) | {"tell", "written"}
+    names = errors_of(nodes()) | {"tell", "written"}
     assert {"ModelError", "SourceError", "OutsideAlgebra"} <= names
-    assert list(in_words(NODES, names, (ast.JoinedStr,))) == []
+    assert list(in_words(nodes(), names, (ast.JoinedStr,))) == []
     wrong = ast.parse('raise SourceError(path, 1, f"no frame {name}")')
     assert list(in_words(ast.walk(wrong), names, (ast.JoinedStr,))) == ["SourceError(path, 1, f'no frame {name}')"]
 
 
 def test_every_template_is_given_its_terms() -> None:
-    names = errors_of(NODES) | {"tell", "written"}
-    assert list(without_terms(NODES, names)) == []
+    names = errors_of(nodes()) | {"tell", "written"}
+    assert list(without_terms(nodes(), names)) == []
     wrong = ast.parse('tell("{path}: gone {at}", path=path)')
     assert list(without_terms(ast.walk(wrong), names)) == ["at: {path}: gone {at}"]
 

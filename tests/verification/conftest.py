@@ -19,9 +19,9 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.naming.names import Names, read_names
 from armproof.verification.verdict import DocumentResult, Record
+from tests.laws import examples
 
-# The same examples at every run, none of them timed: a law holds or it does not.
-settings.register_profile("laws", derandomize=True, deadline=None, max_examples=50, database=None)
+settings.register_profile("laws", examples(50))
 settings.load_profile("laws")
 
 

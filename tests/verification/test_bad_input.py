@@ -11,13 +11,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from armproof.models.catalogue import arm_names
 from armproof.verification.cli import app
 from armproof.verification.errors import ReadError
 from armproof.verification.latex.reader import Reader
+from tests.laws import examples
 
 ROOT = Path(__file__).resolve().parents[2]
 ARMPROOF = Path(sys.executable).with_name("armproof")
@@ -435,20 +436,20 @@ def read(latex: str, bound: bool) -> None:
     assert time.process_time() - started < 2.0
 
 
-@settings(max_examples=400)
+@examples(400)
 @given(st.lists(st.sampled_from(TOKENS), max_size=40), st.sampled_from(["", " "]), st.booleans())
 def test_any_soup_of_tokens_is_read_or_refused(tokens: list[str], separator: str, bound: bool):
     read(separator.join(tokens), bound)
 
 
-@settings(max_examples=100)
+@examples(100)
 @given(st.text(max_size=60), st.booleans())
 @example("\ud800", False)
 def test_any_text_is_read_or_refused(text: str, bound: bool):
     read(text, bound)
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(st.sampled_from(TOKENS), st.sampled_from(TOKENS), st.integers(1, 1_500))
 @example(r"\cos", "a", 1_500)
 @example(r"\cos", " ", 1_500)
@@ -462,7 +463,7 @@ FORMULAS = re.findall(
 PIECES = re.compile(r"\\[A-Za-z]+|\\.|[A-Za-z]|\d+|\s+|.", re.DOTALL)
 
 
-@settings(max_examples=200)
+@examples(200)
 @given(st.sampled_from(FORMULAS), st.data())
 def test_any_slip_in_a_formula_of_the_handouts_is_read_or_refused(formula: str, data: st.DataObject):
     pieces = PIECES.findall(formula)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from armproof.verification.check import check_document, verify
 from armproof.verification.document import Document
 from armproof.verification.errors import DocumentError
 from armproof.verification.verdict import DocumentResult, Record, Verdict
+from tests.laws import SWEEP
 
 Judge = Callable[..., Record]
 Check = Callable[..., DocumentResult]
@@ -117,7 +118,7 @@ BINARY = [
     r"{} \pm {}",
     r"\begin{{bmatrix}} {} & {} \end{{bmatrix}}",
 ]
-RELATIONS = [r"\le", r"\neq", r"\approx", r"\in"]
+RELATIONS = [r"{} \le {}", r"{} \neq {}", r"{} \approx {}", r"{} \in {}", r"{} = 0 \iff {} = 0"]
 
 
 def test_one_operation_on_anything_gets_a_verdict(check: Check) -> None:
@@ -126,17 +127,20 @@ def test_one_operation_on_anything_gets_a_verdict(check: Check) -> None:
 
 
 def test_two_of_anything_get_a_verdict(check: Check) -> None:
-    displays = [
-        f"z_1 = {form.format(a, b)}" for form, (a, b) in itertools.product(BINARY, itertools.product(ATOMS, ATOMS))
-    ]
+    displays = [f"z_1 = {form.format(a, b)}" for form, a, b in of_each_pair(BINARY)]
     assert_each_has_a_record(check, displays)
 
 
 def test_any_relation_between_anything_gets_a_verdict(check: Check) -> None:
-    pairs = list(itertools.product(ATOMS, ATOMS))
-    relations = [f"{a} {relation} {b}" for relation, (a, b) in itertools.product(RELATIONS, pairs)]
-    arrows = [rf"{a} = 0 \iff {b} = 0" for a, b in pairs]
-    assert_each_has_a_record(check, [*relations, *arrows])
+    relations = [form.format(a, b) for form, a, b in of_each_pair(RELATIONS)]
+    assert_each_has_a_record(check, relations)
+
+
+def of_each_pair(forms: Sequence[str]) -> Iterator[tuple[str, str, str]]:
+    """Yield each form with each pair of atoms in a sweep; else each pair in two of the forms, and each form with each atom."""
+    for (k, form), (i, a), (j, b) in itertools.product(enumerate(forms), enumerate(ATOMS), enumerate(ATOMS)):
+        if SWEEP or (i + j + k) % len(forms) < 2:
+            yield form, a, b
 
 
 def assert_each_has_a_record(check: Check, displays: list[str]) -> None:

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from armproof.models.arm import Joint
@@ -16,6 +16,7 @@ from armproof.models.bulk.jacobian_part import maximal_minors
 from armproof.models.bulk.program import BLOCK, Program
 from armproof.models.exact.numbers import constant_value
 from armproof.models.exact.polynomial import Entry, Generator, evaluate
+from tests.laws import examples
 
 JOINTS = (
     Joint(1, "j1", "theta_1", "revolute", -np.inf, np.inf),
@@ -61,7 +62,7 @@ def sizes(entry: Entry, q: np.ndarray) -> np.ndarray:
     return 1 + sum((np.abs(direct({m: c}, q)) for m, c in entry.items()), np.zeros(len(q)))
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(st.lists(entries, min_size=1, max_size=5), st.integers(1, 40))
 def test_a_program_gives_the_value_of_each_entry(some: list[Entry], count: int) -> None:
     graph, q = new_graph(), configurations(count)
@@ -71,7 +72,7 @@ def test_a_program_gives_the_value_of_each_entry(some: list[Entry], count: int) 
         assert (np.abs(column - direct(entry, q)) <= 1e-13 * sizes(entry, q)).all()
 
 
-@settings(max_examples=100, deadline=None)
+@examples(100)
 @given(entries, entries, st.floats(-3, 3))
 def test_sums_and_products_of_terms_are_those_of_their_values(left: Entry, right: Entry, number: float) -> None:
     graph, q = new_graph(), configurations(9)

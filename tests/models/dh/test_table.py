@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from armproof.models.arm import Arm
@@ -13,6 +13,7 @@ from armproof.models.dh.entry import read_entry
 from armproof.models.errors import ModelError
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.plant import NumericKinematics
+from tests.laws import examples
 from tests.models.evaluation import evaluate_entries
 
 ROW = {"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1"}
@@ -94,7 +95,7 @@ def tables(draw: st.DrawFn) -> dict[str, Any]:
     return {"dh": draw(st.sampled_from(["classic", "modified"])), "rows": rows, "joints": joints}
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@examples(60)
 @given(tables())
 def test_the_arm_of_a_table_is_the_product_of_its_elementary_matrices(table: dict[str, Any]) -> None:
     arm = load_arm(table)

@@ -5,7 +5,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from pydrake.math import RollPitchYaw
 
@@ -31,6 +31,7 @@ from armproof.models.exact.polynomial import (
     root_value,
     scale,
 )
+from tests.laws import examples
 
 SAMPLE = {"theta_1": 0.7, "alpha_1": -1.3, "l_1": 0.45}
 
@@ -53,7 +54,7 @@ def entries(draw: st.DrawFn) -> Entry:
     return add(*(multiply(*factors) for factors in terms))
 
 
-@settings(max_examples=80, deadline=None, derandomize=True)
+@examples(80)
 @given(entries(), entries(), entries())
 def test_entries_form_a_ring(a: Entry, b: Entry, c: Entry) -> None:
     assert multiply(a, b) == multiply(b, a)
@@ -116,7 +117,7 @@ def test_coordinates_that_are_not_finite_are_refused(value: float) -> None:
         exact_number(value)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@examples(60)
 @given(
     st.lists(
         st.sampled_from([0, pi / 2, pi, -pi / 2, pi / 4, -pi / 6, pi / 12, pi / 5, 0.3, -1.1]), min_size=3, max_size=3

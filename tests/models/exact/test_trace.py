@@ -27,12 +27,13 @@ from armproof.models.exact.trace import Trace, trace_of
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
 from armproof.models.numeric.plant import NumericKinematics
+from tests.laws import SWEEP
 from tests.models.evaluation import evaluate_entries
 
 TOLERANCE = 1e-12
 
 
-def configurations(arm: Arm, count: int = 1000) -> tuple[np.ndarray, np.ndarray]:
+def configurations(arm: Arm, count: int = 1000 if SWEEP else 240) -> tuple[np.ndarray, np.ndarray]:
     """Return configurations of the six families, and a tolerance for each, scaled by the largest coordinate."""
     q, _ = sample(arm, count, np.random.default_rng(20))
     return q, TOLERANCE * np.maximum(1.0, np.abs(q).max(axis=1))[:, None, None]

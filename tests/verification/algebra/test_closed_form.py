@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from armproof.models.catalogue import arm_names, load_arm
@@ -17,6 +17,7 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.names import Names, read_names
+from tests.laws import examples
 
 NOTATIONS = {
     "C_{12}": Notation(style="index", cosine="C"),
@@ -71,7 +72,7 @@ def scalar(parts: list[tuple[Fraction, str, list[tuple[str, dict[str, int]]]]]) 
 
 @every_notation
 @given(parts=st.lists(terms, max_size=4), folded=st.booleans())
-@settings(max_examples=40, deadline=None)
+@examples(40)
 def test_what_is_written_has_the_value(notation: Notation, parts: list, folded: bool) -> None:
     value = scalar(parts)
     text = write_scalar(value, notation, folded=folded)
@@ -79,7 +80,7 @@ def test_what_is_written_has_the_value(notation: Notation, parts: list, folded: 
 
 
 @given(above=st.lists(terms, min_size=1, max_size=2), below=st.lists(terms, min_size=1, max_size=2))
-@settings(max_examples=40, deadline=None)
+@examples(40)
 def test_a_written_quotient_has_the_value_and_no_fractions_inside(above: list, below: list) -> None:
     divisor = scalar(below)
     if divisor.is_zero():

@@ -12,6 +12,7 @@ import pytest
 from armproof.models.catalogue import load_arm
 from armproof.verification.singularities.analysis import analyse_singularities
 from armproof.verification.singularities.families import SingularityAnalysis
+from tests.laws import SWEEP
 from tests.sweeps.singularities import sweep
 
 UP, DOWN = "pi/2", "-pi/2"
@@ -76,7 +77,7 @@ def test_a_search_finds_none_off_the_families(name: str) -> None:
     analysis = analysis_of(name)
     if not analysis.complete:
         pytest.skip(analysis.message)
-    found = sweep(name, analysis, 200, np.random.default_rng(21))
+    found = sweep(name, analysis, 200 if SWEEP else 60, np.random.default_rng(21))
     assert not found.stray and not found.wrong_ranks, found
 
 
