@@ -74,12 +74,7 @@ def _below(node: ast.AST, path: tuple[tuple[str, int | None], ...]) -> Iterator[
             continue
         children = enumerate(value) if isinstance(value, list) else [(None, value)]
         for position, child in children:
-            if (
-                not isinstance(child, ast.AST)
-                or isinstance(child, SILENT)
-                or _is_docstring(child)
-                or _is_a_guard(child)
-            ):
+            if not isinstance(child, ast.AST) or _decides_nothing(node, child):
                 continue
             here = (*path, (field, position))
             line = getattr(child, "lineno", getattr(node, "lineno", 0))
@@ -123,13 +118,20 @@ def _other(value: object) -> bool | int | float:
     return value + 1 if isinstance(value, int) else value * 1000 if value else 1.0
 
 
-def _is_docstring(node: ast.AST) -> bool:
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+def _decides_nothing(parent: ast.AST, node: ast.AST) -> bool:
+    """Whether a node is a message, a docstring, a guard against our own slips (zip(…, strict=True)), or a bound."""
+    is_docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    is_guard = isinstance(node, ast.keyword) and node.arg == "strict"
+    return isinstance(node, SILENT) or is_docstring or is_guard or _is_a_bound(parent, node)
 
 
-def _is_a_guard(node: ast.AST) -> bool:
-    """Whether a node only guards against our own slips: zip(…, strict=True)."""
-    return isinstance(node, ast.keyword) and node.arg == "strict"
+def _is_a_bound(parent: ast.AST, node: ast.AST) -> bool:
+    """Whether a node compares with, or is, a whole number from 10 on: a bound of size or effort, where one more is no other law."""
+    sides = [parent.left, *parent.comparators] if isinstance(parent, ast.Compare) else []
+    numbers = [side.value for side in sides if isinstance(side, ast.Constant) and isinstance(side.value, int)]
+    return any(number >= 10 for number in numbers) and isinstance(
+        node, ast.Constant | ast.Lt | ast.LtE | ast.Gt | ast.GtE
+    )
 
 
 def _for_checkers(node: ast.AST) -> bool:

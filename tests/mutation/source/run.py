@@ -62,8 +62,8 @@ def main(arguments: Sequence[str]) -> int:
     try:
         if int(index) != UNCHANGED:
             put_in_place(file, int(index))
-        own, all_others = selection(file)
-        return KILLED if tests_fail(own) or labels_differ() or tests_fail(all_others) else SURVIVED
+        own, room, course = selection(file)
+        return KILLED if tests_fail(own) or tests_fail(room) or labels_differ() or tests_fail(course) else SURVIVED
     except Exception as error:
         print(f"{type(error).__name__}: {error}", file=sys.stderr)
         return KILLED

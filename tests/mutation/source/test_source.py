@@ -69,10 +69,15 @@ def test_the_trusted_base_is_what_the_plan_names():
     }
 
 
+def test_a_bound_of_effort_is_no_law_and_a_small_number_is():
+    assert {mutant.words for mutant in mutants_of("if size > 30:\n    f()")} == {"not (size > 30)", "f() dropped"}
+    assert {"Gt → GtE", "3 → 4"} <= {mutant.words for mutant in mutants_of("if size > 3:\n    f()")}
+
+
 def test_each_trusted_file_is_there_and_has_tests():
     for file in trusted_files():
-        own, others = selection(file)
-        assert (ROOT / file).exists() and all((ROOT / test).exists() for test in (*own, *others)), file
+        own, room, course = selection(file)
+        assert (ROOT / file).exists() and all((ROOT / test).exists() for test in (*own, *room, *course)), file
     assert selection("models/exact/numbers.py")[0] == ["tests/models/exact/test_numbers.py"]
 
 

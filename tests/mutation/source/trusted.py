@@ -48,8 +48,8 @@ def _of_room(room: str, names: list[str]) -> list[str]:
     return [f"{room}/{stem}.py" for stem in names]
 
 
-def selection(file: str) -> tuple[list[str], list[str]]:
-    """Return the tests to run on a change of a file: those that are named after it, and all others that speak of it."""
+def selection(file: str) -> tuple[list[str], list[str], list[str]]:
+    """Return the tests to run on a change of a file: those that are named after it, of its room, and of the course."""
     path = Path(file)
     room = path.parent.as_posix()
     folders = [folder for folder in NEAREST.get(room, (f"tests/{room}",)) if (ROOT / folder).exists()]
@@ -58,4 +58,4 @@ def selection(file: str) -> tuple[list[str], list[str]]:
         for folder in folders
         for found in (ROOT / folder).glob(f"test_{path.stem}*.py")
     ]
-    return sorted(own), [*folders, *COURSE]
+    return sorted(own), folders, list(COURSE)
