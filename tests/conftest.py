@@ -1,5 +1,6 @@
 """What `make test` runs: laws that are swept over every document or arm are shown on a few; `make sweep` shows them on all."""
 
+import gc
 import os
 import re
 from functools import lru_cache
@@ -8,6 +9,9 @@ from pathlib import Path
 import pytest
 
 TESTS = Path(__file__).parent
+gc.set_threshold(
+    100_000, 50, 100
+)  # of thousands of tests and modules nothing is garbage: to look through them took a sixth of the time
 DOCUMENTS = ("scara-000", "dh-modified-001", "planar-2r-002", "quintic-004", "spherical-wrist-inverse")
 ARMS = ("planar_2r", "scara", "rx90")
 TABLES = ("odd table", "puma table")  # arms of tests/course/figures that are given by DH tables
