@@ -15,9 +15,8 @@ from armproof.verification.conditions.implication import (
 )
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.general_links import GeneralStatements
-from armproof.verification.equations.given_values import GivenValues
+from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
-from armproof.verification.equations.introduced import named_sign
 from armproof.verification.equations.outcome import Outcome, with_role, without_misreading
 from armproof.verification.equations.readings import counted
 from armproof.verification.errors import ReadError

@@ -19,6 +19,7 @@ from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 
@@ -35,27 +36,26 @@ class _Numbers:
     largest: float = 0.0
 
 
+@dataclass
 class StatedValues:
     """Reads an equation that does not hold everywhere as one at the values that displays stated before it.
 
     A number beside what moves is that at the configuration stated last, and at no other. Numbers where the arm has lengths
-    are the values of these, the same in the whole document.
+    are the values of these, the same in the whole document. In a task none are: what is asked there holds everywhere.
     """
 
-    def __init__(self, members: Members) -> None:
-        self.members = members
-        self.names = members.names
-        self.exact = members.exact
-        self.enabled = True  # not in a task: what is asked there holds everywhere
+    members: Members
+    enabled: bool = True
+
+    @property
+    def names(self) -> Names:
+        """The names of the document."""
+        return self.members.names
 
     def read(self, outcome: Outcome, pairs: Sequence[Pair]) -> Outcome | None:
         """Return what becomes of an equation that is one at stated values, or None where it is none."""
         arm = self.names.arm
-        if (
-            arm is None
-            or not self.enabled
-            or any(isinstance(b, n.At) for side in _sides(outcome) for b in n.walk(side.node))
-        ):
+        if arm is None or any(isinstance(b, n.At) for side in _sides(outcome) for b in n.walk(side.node)):
             return None
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
         sides = [[symbols_in(_cells(side)) for side in (pair.true, pair.printed)] for pair in pairs]

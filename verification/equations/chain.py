@@ -11,7 +11,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import Definitions
 from armproof.verification.equations.equality import Equality
-from armproof.verification.equations.introduced import adopts_letters, keys_alone, new_letters, new_name, renew_letter
+from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name, renew_letter
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.second_route import SecondRoute

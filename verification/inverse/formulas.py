@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.document import Display, Document
-from armproof.verification.equations.introduced import named_sign
+from armproof.verification.equations.given_values import named_sign
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
