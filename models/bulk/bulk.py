@@ -37,8 +37,9 @@ class BulkKinematics:
     """Poses, Jacobians, manipulability and condition numbers of an arm at N configurations, as read-only arrays.
 
     Every method takes q, an (N, n) array, list or tuple of joint values from base to tool (rad, m). N may be 0; values
-    outside the joint limits are allowed (`outside_limits` of models/numeric/joint_values.py tells of them). Programs are compiled
-    at first use and kept. Threads may share a bulk.
+    outside the joint limits are allowed (`outside_limits` of models/numeric/joint_values.py tells of them). It raises a ModelError
+    where the arm has no such frame, row or column, or where q cannot be read. A reference, or axes, that are not given are the
+    base frame's, usually "0". Programs are compiled at first use and kept. Threads may share a bulk.
     """
 
     def __init__(self, arm: Arm, values: Mapping[str, float] | None = None) -> None:
@@ -70,15 +71,8 @@ class BulkKinematics:
     def pose(self, q: Any, frame: str, reference: str | None = None) -> np.ndarray:
         """Return the pose of a frame in a reference frame, {}^{reference}T_{frame}.
 
-        Args:
-            q: (N, n) joint values (rad, m).
-            reference: the base frame, usually "0", if not given.
-
         Returns:
             (N, 4, 4) array, metres.
-
-        Raises:
-            ModelError: the arm has no such frame, or q cannot be read.
         """
         (X,) = self._run(q, "pose", *self._arm.frame_names(frame, reference))
         return X
@@ -86,17 +80,10 @@ class BulkKinematics:
     def jacobian(self, q: Any, frame: str, expressed_in: str | None = None, reference: str | None = None) -> np.ndarray:
         """Return the geometric Jacobian of the origin of a frame: [v; ω] = J(q) q̇.
 
-        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`;
-        both are the base frame, usually "0", if not given.
-
-        Args:
-            q: (N, n) joint values (rad, m).
+        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`.
 
         Returns:
             (N, 6, n) array, rows [v; ω], columns base to tool.
-
-        Raises:
-            ModelError: the arm has no such frame, or q cannot be read.
         """
         (J,) = self._run(q, "jacobian", *self._arm.frame_names(frame, expressed_in, reference))
         return J
@@ -104,14 +91,8 @@ class BulkKinematics:
     def pose_and_jacobian(self, q: Any, frame: str) -> tuple[np.ndarray, np.ndarray]:
         """Return the pose of a frame in the base frame and its Jacobian, sooner than one after the other.
 
-        Args:
-            q: (N, n) joint values (rad, m).
-
         Returns:
             (N, 4, 4) and (N, 6, n) arrays, as `pose` and `jacobian` return them.
-
-        Raises:
-            ModelError: the arm has no such frame, or q cannot be read.
         """
         X, J = self._run(q, "pose and jacobian", *self._arm.frame_names(frame, None))
         return X, J
@@ -131,16 +112,12 @@ class BulkKinematics:
         det(J Jᵀ) loses half.
 
         Args:
-            q: (N, n) joint values (rad, m).
             rows: the rows of [v; ω] meant, counted from 1; all six if not given.
             columns: the columns meant, counted from 1 at the base; all n if not given.
             expressed_in: as for `jacobian`.
 
         Returns:
             (N,) array, not negative, in the unit of the minors.
-
-        Raises:
-            ModelError: the arm has no such frame, row or column, or q cannot be read.
 
         Source: T. Yoshikawa, Manipulability of robotic mechanisms, Int. J. of Robotics Research 4 (2), 1985.
         """
@@ -165,13 +142,10 @@ class BulkKinematics:
         metres and radians the number depends on the unit of length.
 
         Args:
-            q, rows, columns, expressed_in: as for `manipulability`.
+            rows, columns, expressed_in: as for `manipulability`.
 
         Returns:
             (N,) array, from 1 to infinity.
-
-        Raises:
-            ModelError: the arm has no such frame, row or column, or q cannot be read.
 
         Source: J. K. Salisbury, J. J. Craig, Articulated hands, Int. J. of Robotics Research 1 (1), 1982.
         """

@@ -13,9 +13,9 @@ Two entries are then equal, for all values of the generators, exactly when the m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from math import prod, sqrt
+from math import sqrt
 from typing import TypeVar
 
 from flint import fmpz
@@ -150,11 +150,6 @@ def transpose(rows: Rows) -> Rows:
 def generators(entries: Iterable[Entry]) -> set[Generator]:
     """Return every generator that occurs in the entries."""
     return {gen for entry in entries for monomial in entry for gen, _ in monomial}
-
-
-def evaluate(entry: Entry, value: Callable[[Generator], T]) -> T | float:
-    """Return the number an entry has when `value` gives that of each generator (a float, or an array of samples)."""
-    return sum(float(c) * prod(value(gen) ** power for gen, power in m) for m, c in entry.items())  # type: ignore[operator]
 
 
 def root_value(name: str) -> float:

@@ -50,7 +50,11 @@ def trace_of(arm: Arm) -> Trace:
 
 
 class Trace:
-    """Exact poses and Jacobians of the frames of an arm, in normal form (see models/exact/polynomial.py), computed once each."""
+    """Exact poses and Jacobians of the frames of an arm, in normal form (see models/exact/polynomial.py), computed once each.
+
+    A reference, or axes, that are not given are the base frame's, usually "0". A frame that the arm has not is a ModelError, and
+    so are entries that have too many terms.
+    """
 
     def __init__(self, arm: Arm, kinematics: ExactKinematics) -> None:
         self._arm = arm
@@ -58,24 +62,14 @@ class Trace:
         self._entries: dict[tuple[str, ...], Rows] = {}
 
     def depth(self, frame: str) -> int:
-        """Return the number of moving joints between the base and a frame; −1 below the base.
-
-        Raises:
-            ModelError: the arm has no such frame.
-        """
+        """Return the number of moving joints between the base and a frame; −1 below the base."""
         return self._kinematics.depth(*self._arm.frame_names(frame))
 
     def pose(self, frame: str, reference: str | None = None) -> Rows:
         """Return the pose of a frame in a reference frame, the homogeneous transform {}^{reference}T_{frame}.
 
-        Args:
-            reference: the base frame, usually "0", if not given.
-
         Returns:
             4 rows of 4 entries; lengths in metres.
-
-        Raises:
-            ModelError: the arm has no such frame, or the entries have too many terms.
         """
         frame, reference = self._arm.frame_names(frame, reference)
         key = ("pose", frame, reference)
@@ -88,14 +82,10 @@ class Trace:
     def jacobian(self, frame: str, expressed_in: str | None = None, reference: str | None = None) -> Rows:
         """Return the geometric Jacobian of the origin of a frame: [v; ω] = J(q) q̇.
 
-        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`;
-        both are the base frame, usually "0", if not given.
+        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`.
 
         Returns:
             6 rows, [v; ω], of n entries, one a joint from base to tool.
-
-        Raises:
-            ModelError: the arm has no such frame, or the entries have too many terms.
         """
         frame, expressed_in, reference = self._arm.frame_names(frame, expressed_in, reference)
         key = ("jacobian", frame, expressed_in, reference)

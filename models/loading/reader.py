@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from logging.handlers import BufferingHandler
 from pathlib import Path
 from typing import Any
 from xml.parsers import expat
@@ -10,17 +11,6 @@ from xml.parsers import expat
 from armproof.models.errors import Fault, ModelError
 
 SUFFIXES = (".urdf", ".sdf", ".dmd.yaml")
-
-
-class _Collector(logging.Handler):
-    """Keep what Drake logs while a file is parsed."""
-
-    def __init__(self) -> None:
-        super().__init__(logging.WARNING)
-        self.messages: list[str] = []
-
-    def emit(self, record: logging.LogRecord) -> None:
-        self.messages.append(record.getMessage())
 
 
 def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
@@ -47,7 +37,8 @@ def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
     parser = Parser(plant)
     if path.name.endswith(".dmd.yaml"):
         parser.package_map().PopulateFromFolder(path.resolve().parent)
-    logger, collector = logging.getLogger("drake"), _Collector()
+    logger, collector = logging.getLogger("drake"), BufferingHandler(capacity=1_000_000)
+    collector.setLevel(logging.WARNING)
     propagate, logger.propagate = logger.propagate, False
     logger.addHandler(collector)
     try:
@@ -57,7 +48,7 @@ def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
     finally:
         logger.removeHandler(collector)
         logger.propagate = propagate
-    return plant, tuple(collector.messages)
+    return plant, tuple(record.getMessage() for record in collector.buffer)
 
 
 def _check_markup(path: Path) -> None:

@@ -13,7 +13,10 @@ from armproof.models.numeric.joint_values import read_joint_values
 
 
 class NumericKinematics:
-    """Poses and Jacobians at N configurations, computed once each and handed out read-only."""
+    """Poses and Jacobians at N configurations, computed once each and handed out read-only.
+
+    A reference, or axes, that are not given are the base frame's, usually "0". A frame that the arm has not is a ModelError.
+    """
 
     def __init__(self, arm: Arm, q: np.ndarray) -> None:
         """Take the configurations.
@@ -35,14 +38,8 @@ class NumericKinematics:
     def pose(self, frame: str, reference: str | None = None) -> np.ndarray:
         """Return the pose of a frame in a reference frame at each configuration, {}^{reference}T_{frame}.
 
-        Args:
-            reference: the base frame, usually "0", if not given.
-
         Returns:
             (N, 4, 4) array, metres.
-
-        Raises:
-            ModelError: the arm has no such frame.
         """
         X_WF, X_WR = self._world_poses(*self._arm.frame_names(frame, reference))
         R_RW = X_WR[:, :3, :3].transpose(0, 2, 1)
@@ -55,14 +52,10 @@ class NumericKinematics:
     def jacobian(self, frame: str, expressed_in: str | None = None, reference: str | None = None) -> np.ndarray:
         """Return the geometric Jacobian of the origin of a frame at each configuration: [v; ω] = J(q) q̇.
 
-        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`;
-        both are the base frame, usually "0", if not given.
+        v (m/s) and ω (rad/s) are those of `frame` relative to `reference`, expressed in the axes of `expressed_in`.
 
         Returns:
             (N, 6, n) array, rows [v; ω], columns base to tool.
-
-        Raises:
-            ModelError: the arm has no such frame.
         """
         key = self._arm.frame_names(frame, expressed_in, reference)
         if key not in self._jacobians:

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
+from math import prod
 from typing import Any
 
 import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import constant_value
-from armproof.models.exact.polynomial import Entry, Generator, evaluate
+from armproof.models.exact.polynomial import Entry, Generator
 from armproof.models.numeric.joint_values import read_joint_values
+
+
+def evaluate(entry: Entry, value: Callable[[Generator], Any]) -> Any:
+    """Return the number an entry has when `value` gives that of each generator (a float, or an array of samples)."""
+    return sum(float(c) * prod(value(gen) ** power for gen, power in m) for m, c in entry.items())
 
 
 def evaluate_entries(arm: Arm, entries: Sequence[Sequence[Entry]], q: Any) -> np.ndarray:

@@ -100,7 +100,7 @@ class Polynomials:
         context = polynomial.context()
         if context is self.context:
             return polynomial
-        if _retirements_before(context) == str(self._retirements):
+        if str(context.name(0)).partition("g")[0] == str(self._retirements):  # none since
             return polynomial.project_to_context(self.context)
         return self.reduce(self._moved(polynomial))
 
@@ -154,7 +154,3 @@ class Polynomials:
 
 def _context(slots: int, retirements: int) -> fmpq_mpoly_ctx:
     return fmpq_mpoly_ctx.get([f"{retirements}g{slot}" for slot in reversed(range(slots))], Ordering.lex)
-
-
-def _retirements_before(context: fmpq_mpoly_ctx) -> str:
-    return str(context.name(0)).partition("g")[0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -11,12 +11,8 @@ from armproof.verification.functions.tracing.expressions import FromDrake, FromS
 from armproof.verification.functions.tracing.number import TracedNumber, Untraceable, as_traced, symbol
 from armproof.verification.functions.tracing.rebuild import rebuild
 
-
-class Caller(Protocol):
-    """Calls a function with the arguments that it takes, each made from the name of its symbol."""
-
-    def __call__(self, function: Callable[..., Any], make: Callable[[str], Any]) -> Any:
-        """Return what the function returns."""
+# Calls a function with the arguments that it takes, each made from the name of its symbol; returns what it returns.
+Caller = Callable[[Callable[..., Any], Callable[[str], Any]], Any]
 
 
 def trace_function(function: Callable[..., Any], call: Caller) -> Any:

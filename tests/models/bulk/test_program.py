@@ -15,8 +15,9 @@ from armproof.models.bulk.inputs import JointInputs
 from armproof.models.bulk.jacobian_part import maximal_minors
 from armproof.models.bulk.program import BLOCK, Program
 from armproof.models.exact.numbers import constant_value
-from armproof.models.exact.polynomial import Entry, Generator, evaluate
+from armproof.models.exact.polynomial import Entry, Generator
 from tests.laws import examples
+from tests.models.evaluation import evaluate
 
 JOINTS = (
     Joint(1, "j1", "theta_1", "revolute", -np.inf, np.inf),

@@ -23,7 +23,6 @@ from armproof.models.exact.polynomial import (
     ZERO,
     Entry,
     add,
-    evaluate,
     generator,
     multiply,
     normal_form,
@@ -32,6 +31,7 @@ from armproof.models.exact.polynomial import (
     scale,
 )
 from tests.laws import examples
+from tests.models.evaluation import evaluate
 
 SAMPLE = {"theta_1": 0.7, "alpha_1": -1.3, "l_1": 0.45}
 
