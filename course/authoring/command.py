@@ -9,17 +9,8 @@ import typer
 from typer.core import TyperGroup
 
 from armproof.course.authoring import options as o
-from armproof.models.errors import ArmproofError, written
-from armproof.verification.cli.application import (
-    CANNOT_RUN,
-    FAILS,
-    INTERRUPTED,
-    PASSES,
-    as_command,
-    complain,
-    give_up,
-    tell,
-)
+from armproof.models.errors import written
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, as_command, complain, ending, tell
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
@@ -60,11 +51,9 @@ def list_lessons(folder: o.Folder = None) -> None:
     from armproof.course.authoring.checking.tasks import described
     from armproof.verification.report.text import write_lines
 
-    try:
+    with ending():
         place = _place(folder)
         found = [described(place, source) for source in place.named(())]
-    except ArmproofError as error:
-        give_up(error)
     write_lines(rows([("", "name", "title", "tasks", "arms"), *found]))
 
 
@@ -85,16 +74,13 @@ def build(
     from armproof.course.authoring.checking.building import orphans, refuse_worked_in, stale, write_stale
     from armproof.course.authoring.checking.report import relative
 
-    try:
+    with ending(relative):
         place = _place(folder)
         files = _files(place, names or [], instructor, nbgrader, out)
         if not (check or force):
             refuse_worked_in(files)
         old = stale(files) if check else write_stale(files)
         lost = [] if names or out else orphans(place)
-    except ArmproofError as error:
-        complain([relative(str(error))])
-        raise typer.Exit(CANNOT_RUN) from None
     for path in old:
         typer.echo(relative(written("{path}: out of date" if check else "{path}", path=path)))
     complain(relative(written("{path}: no source gives this notebook; remove it", path=path)) for path in lost)
@@ -113,15 +99,11 @@ def check_command(
     """
     from armproof.course.sources.kernel import require_jupyter
 
-    try:
+    with ending():
         require_jupyter()
         place = _place(folder)
         sources = place.named(names or [])
         code = _check(place, sources, jobs or min(cores(), MOST_WORKERS), report_format)
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
-    except ArmproofError as error:
-        give_up(error)
     raise typer.Exit(code)
 
 
@@ -136,12 +118,9 @@ def new(
     from armproof.course.authoring.beginning.new import new_lesson
     from armproof.course.authoring.checking.report import relative
 
-    try:
+    with ending(relative):
         place = _place_for_writing(folder)
         paths = new_lesson(place, name, arm, document, title)
-    except ArmproofError as error:
-        complain([relative(str(error))])
-        raise typer.Exit(CANNOT_RUN) from None
     for path in paths:
         typer.echo(relative(str(path)))
     more = f" --folder {folder}" if folder is not None else ""

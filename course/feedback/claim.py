@@ -67,22 +67,15 @@ class Claim:
         record = self.record(latex)
         if record.verdict is Verdict.PROVED:
             if record.says(Kind.TABLE_ANGLES):
-                return Feedback(
-                    Outcome.WRONG, "that is so for the angles of the table; the joint variable differs by its offset"
-                )
+                offset = "that is so for the angles of the table; the joint variable differs by its offset"
+                return Feedback(Outcome.WRONG, offset)
             return Feedback(Outcome.PROVED, "proved for all values")
         if record.verdict is Verdict.CONFIRMED:
             return Feedback(Outcome.CONFIRMED, record.message or f"equal at {record.samples:,} configurations")
         if record.verdict is Verdict.REFUTED:
             findings = told(record.findings, record.entries)
-            return Feedback(
-                Outcome.WRONG,
-                write_all(findings, Audience.STUDENT),
-                self._rows(record),
-                record.counterexample,
-                self._picture(record),
-                findings=findings,
-            )
+            words, at = write_all(findings, Audience.STUDENT), record.counterexample
+            return Feedback(Outcome.WRONG, words, self._rows(record), at, self._picture(record), findings=findings)
         if record.says(Kind.NUMBERS_FOR_LENGTHS):
             return Feedback(Outcome.WRONG, f"numbers stand for lengths that are to stay letters; {self._letters()}")
         if record.verdict is Verdict.DEFINED:
@@ -229,16 +222,11 @@ class Claim:
     def _rows(self, record: Record) -> tuple[Row, ...]:
         if record.discrepancy is None:
             return ()
-        pairs = zip(record.entries, record.discrepancy.values, strict=False)
-        return tuple(
-            Row(
-                place(entry.row, entry.column),
-                true,
-                printed,
-                self.unit((entry.row or 1) - 1, (entry.column or 1) - 1),
-            )
-            for entry, (printed, true) in pairs
-        )
+        rows = []
+        for entry, (printed, true) in zip(record.entries, record.discrepancy.values, strict=False):
+            unit = self.unit((entry.row or 1) - 1, (entry.column or 1) - 1)
+            rows.append(Row(place(entry.row, entry.column), true, printed, unit))
+        return tuple(rows)
 
     def _picture(self, record: Record) -> Figure | None:
         if record.discrepancy is None or record.discrepancy.drawn is None:

@@ -217,10 +217,8 @@ class Formula:
                 return stopped
             (obtained,) = read_returned(call.value, 1)
             if obtained.size != true.size:
-                rows, columns = true.shape
-                return Feedback(
-                    Outcome.WRONG, f"the result has {obtained.size} numbers, what is asked is {rows}×{columns}"
-                )
+                asked = "×".join(map(str, true.shape))
+                return Feedback(Outcome.WRONG, f"the result has {obtained.size} numbers, what is asked is {asked}")
             wrong = self._differ(obtained.reshape(true.shape), true)
             if wrong.any():
                 return Feedback(

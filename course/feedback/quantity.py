@@ -75,9 +75,8 @@ class Quantity:
         if not is_function(answer):
             return self.claim.values(as_latex(answer))[:FEW]
         q = self.claim.samples.q[:FEW]
-        return np.array(
-            [call_at(self.loaded, answer, dict(zip(self._symbols, row, strict=True))) for row in q.tolist()]
-        )
+        at = [dict(zip(self._symbols, row, strict=True)) for row in q.tolist()]
+        return np.array([call_at(self.loaded, answer, each) for each in at])
 
     def show(self, task: str, function: Callable[..., Any], at: Mapping[str, float]) -> Shown | Portrait:
         """Return what a function gives drawn over the arm, or a polite sentence why it is not.

@@ -56,9 +56,8 @@ class Table:
         if not rows:
             return NOTHING
         if len(rows) != len(self.loaded.joints):
-            return Feedback(
-                Outcome.WRONG, f"a table has one row a joint: {len(self.loaded.joints)} rows, not {len(rows)}"
-            )
+            wanted = len(self.loaded.joints)
+            return Feedback(Outcome.WRONG, f"a table has one row a joint: {wanted} rows, not {len(rows)}")
         if degrees := self._in_degrees(answer):
             return Feedback(Outcome.WRONG, degrees)
         record = self._record(rows)
@@ -88,9 +87,8 @@ class Table:
             for name in ("alpha", "theta"):
                 value = cells.get(name)
                 if isinstance(value, int | float) and abs(value) > _TURN:
-                    return (
-                        f"row {number + 1}: {name} = {value:g} is in degrees; angles are in radians, -pi/2 or -np.pi/2"
-                    )
+                    words = f"{name} = {value:g} is in degrees; angles are in radians, -pi/2 or -np.pi/2"
+                    return f"row {number + 1}: {words}"
         return ""
 
     def _sentence(self, record: Record) -> str:

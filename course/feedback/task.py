@@ -86,11 +86,8 @@ class Task:
         self._given += 1
         if index < 0:
             return Shown("There is no hint for this task.")
-        more = (
-            ""
-            if index + 1 < len(self.hints)
-            else f" There are no more; `lesson.{self.name}.solution()` shows the answer."
-        )
+        last = f" There are no more; `lesson.{self.name}.solution()` shows the answer."
+        more = last if index + 1 == len(self.hints) else ""
         return Shown(f"**Hint {index + 1} of {len(self.hints)}.** {self.hints[index]}{more}")
 
     def solution(self) -> Shown:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from armproof.course.errors import GradingError
-from armproof.models.errors import ArmproofError, written
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up, tell
+from armproof.models.errors import written
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending, give_up, tell
 from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
@@ -59,15 +59,12 @@ def grade(
     from armproof.verification.report.html.folder import new_report
 
     try:
-        submissions = find_submissions(folder)
-        with new_report(out, GRADES) as part, Progress(len(submissions), "submissions") as progress:
-            limits = Limits(seconds, memory * MEGABYTE)
-            grades = grade_all(submissions, limits, jobs, progress.advance, own, unprotected=unprotected)
-            write_grades(part, grades)
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
-    except ArmproofError as error:
-        give_up(error)
+        with ending():
+            submissions = find_submissions(folder)
+            with new_report(out, GRADES) as part, Progress(len(submissions), "submissions") as progress:
+                limits = Limits(seconds, memory * MEGABYTE)
+                grades = grade_all(submissions, limits, jobs, progress.advance, own, unprotected=unprotected)
+                write_grades(part, grades)
     except OSError as error:
         tell("grading cannot go on: {reason}", reason=error.strerror)
         raise typer.Exit(CANNOT_RUN) from None

@@ -9,8 +9,7 @@ from typing import Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, complain, give_up, tell
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, complain, ending, tell
 from armproof.verification.cli.documents import check_paths
 from armproof.verification.verdict import DocumentResult, Failure
 
@@ -47,13 +46,9 @@ def handout(
     from armproof.course.printing.document import Edition
     from armproof.course.printing.printing import Printer, prepare
 
-    try:
+    with ending():
         printer = Printer(sheet_format.value, out, Edition(draft, solutions, lang))
         results = check_paths(documents, prepare=lambda paths: prepare(printer, paths))
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
-    except ArmproofError as error:
-        give_up(error)
     raise typer.Exit(_say_what_was_printed(results, printer.path_of, draft))
 
 

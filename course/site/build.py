@@ -11,7 +11,7 @@ from pathlib import Path
 
 from armproof.course.errors import SiteError
 from armproof.course.site import work
-from armproof.course.site.work import Built, Order
+from armproof.course.site.order import Built, Order
 from armproof.models.errors import ArmproofError
 from armproof.verification.report.html.folder import Kind, is_page, new_report
 from armproof.verification.running.processes import MOST_WORKERS, cores, start_pool

@@ -59,10 +59,8 @@ class Cell:
 
 def cells_of(source: LessonSource) -> tuple[Cell, ...]:
     """Return the cells of a lesson, not executed."""
-    pairs = zip(source.cells, student_cells(source), strict=True)
-    return tuple(
-        Cell(cell.kind, student.source, cell.source, number, cell.line) for number, (cell, student) in enumerate(pairs)
-    )
+    triples = zip(source.cells, student_cells(source), range(len(source.cells)), strict=True)
+    return tuple(Cell(cell.kind, student.source, cell.source, k, cell.line) for cell, student, k in triples)
 
 
 def with_outputs(cells: Sequence[Cell], outputs: Mapping[int, Sequence[Output]]) -> tuple[Cell, ...]:

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError, written
-from armproof.verification.cli.application import FAILS, INTERRUPTED, complain, give_up, tell
+from armproof.models.errors import written
+from armproof.verification.cli.application import FAILS, complain, ending, tell
 from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
-    from armproof.course.site.work import Built
+    from armproof.course.site.order import Built
 
 Names = Annotated[
     list[str] | None,
@@ -40,13 +40,13 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
     """
     from armproof.course.errors import SiteError
     from armproof.course.site.build import build_site
-    from armproof.course.site.work import Order
+    from armproof.course.site.order import Order
     from armproof.course.sources.kernel import require_jupyter
     from armproof.course.sources.places import place_of
 
     started = time.perf_counter()
     target = out or Path("build/site-solutions" if solutions else "build/site")
-    try:
+    with ending():
         require_jupyter()
         place = place_of(folder)
         sources = place.named(names or ())
@@ -57,14 +57,11 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
                 complain(written("warning: {text}", text=warning) for warning in built.warnings)
                 progress.advance()
 
-            index = build_site(Order(tuple(sources), place, solutions), target, done=done)
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
-    except SiteError as error:
-        complain(str(error).splitlines())
-        raise typer.Exit(FAILS) from None
-    except ArmproofError as error:
-        give_up(error)
+            try:
+                index = build_site(Order(tuple(sources), place, solutions), target, done=done)
+            except SiteError as error:
+                complain(str(error).splitlines())
+                raise typer.Exit(FAILS) from None
     seconds, count = time.perf_counter() - started, len(sources)
     template = "1 lesson in {seconds:.0f} s" if count == 1 else "{count} lessons in {seconds:.0f} s"
     tell(template, count=count, seconds=seconds)

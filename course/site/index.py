@@ -9,10 +9,10 @@ from markupsafe import Markup
 
 from armproof.course.feedback import Lesson
 from armproof.course.site.arms import picture_of, view_name
-from armproof.course.site.page import SITE, Neighbour
+from armproof.course.site.order import Neighbour
+from armproof.course.site.page import SITE
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.naming.names import read_names
 from armproof.verification.report.html.figures import Figure
 from armproof.verification.report.html.prose import title
@@ -43,19 +43,10 @@ class ArmRow:
     view: str
 
 
-@dataclass(frozen=True)
-class Listed:
-    """What the index says of a lesson: what it declares, its files, and the name of its arm, empty without one of the catalogue."""
-
-    lesson: Lesson
-    files: Neighbour
-    arm: str
-
-
-def write_index(listed: Sequence[Listed], *, solutions: bool = False) -> str:
-    """Return the page that lists the lessons."""
-    arms = {each.arm: load_arm(each.arm) for each in listed if each.arm}
-    rows = [(each.arm, _row(each, arms.get(each.arm))) for each in listed]
+def write_index(listed: Sequence[tuple[Lesson, Neighbour]], *, solutions: bool = False) -> str:
+    """Return the page that lists the lessons, each with its files and its arm."""
+    arms = {files.arm: load_arm(files.arm) for _, files in listed if files.arm}
+    rows = [(files.arm, _row(lesson, files, arms.get(files.arm))) for lesson, files in listed]
     return SITE.render(
         "index.html",
         rows=[row for _, row in rows],
@@ -69,19 +60,8 @@ def write_index(listed: Sequence[Listed], *, solutions: bool = False) -> str:
     )
 
 
-def _row(listed: Listed, arm: Arm | None) -> Row:
-    lesson, read = listed.lesson, _reader(arm)
-    return Row(
-        lesson.number,
-        title(lesson.title, read),
-        tuple(title(line, read) for line in lesson.objectives),
-        len(lesson.tasks),
-        arm.title if arm is not None else "",
-        title(lesson.source, read),
-        listed.files.page,
-        listed.files.notebook,
-    )
-
-
-def _reader(arm: Arm | None) -> Read:
-    return read_names(arm, {}).reader.read
+def _row(lesson: Lesson, files: Neighbour, arm: Arm | None) -> Row:
+    read, name = read_names(arm, {}).reader.read, arm.title if arm is not None else ""
+    objectives = tuple(title(line, read) for line in lesson.objectives)
+    source, tasks = title(lesson.source, read), len(lesson.tasks)
+    return Row(lesson.number, title(lesson.title, read), objectives, tasks, name, source, files.page, files.notebook)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Sequence
 
 from armproof.course.errors import SiteError
 from armproof.course.feedback import Lesson
@@ -11,6 +10,7 @@ from armproof.course.sheet.proof import proof_line
 from armproof.course.site.arms import arm_panel
 from armproof.course.site.body import BodyWriter
 from armproof.course.site.cells import Cell
+from armproof.course.site.order import Neighbour
 from armproof.course.site.reading import LessonReader
 from armproof.verification.document import Document
 from armproof.verification.report.html.prose import plain_title, title
@@ -21,64 +21,23 @@ INDEX = "index.html"
 SITE = Shell("armproof.course.site", ("shell.css", "site.css"), "site.js", allowed="img-src data:; frame-src 'self'; ")
 
 
-@dataclass(frozen=True)
-class Neighbour:
-    """A lesson as others refer to it: its number, its title as plain text, the stem of its files."""
-
-    number: int
-    title: str
-    stem: str
-
-    @property
-    def page(self) -> str:
-        """The file of its page."""
-        return f"{self.stem}.html"
-
-    @property
-    def notebook(self) -> str:
-        """The file of the student's notebook."""
-        return f"{self.stem}.ipynb"
-
-
-@dataclass(frozen=True)
-class Surroundings:
-    """Where a lesson stands in the site: the lessons before and after it, and the page of every lesson by its names."""
-
-    before: Neighbour | None
-    after: Neighbour | None
-    pages: dict[str, str]
-
-
-@dataclass(frozen=True)
-class Written:
-    """A page, and what of the lesson is not on it."""
-
-    html: str
-    warnings: tuple[str, ...] = ()
-
-
-def neighbour(lesson: Lesson, path: Path) -> Neighbour:
-    """Return a lesson as others refer to it."""
-    return Neighbour(lesson.number, plain_title(lesson.title), path.stem)
-
-
 def write_page(
     lesson: Lesson,
     cells: tuple[Cell, ...],
     document: Document,
     result: DocumentResult,
-    around: Surroundings,
+    lessons: Sequence[Neighbour],
     *,
     solutions: bool = False,
-) -> Written:
-    """Return the page of a lesson that was checked and executed.
+) -> tuple[str, tuple[str, ...]]:
+    """Return the page of a lesson that was checked and executed, and what of the lesson is not on it.
 
     Args:
         lesson: what it declares.
         cells: its cells, executed.
         document: its source as it was read, for its letters and its arm.
         result: the verdicts of its displays.
-        around: its neighbours.
+        lessons: all of the site in their order, this one among them.
         solutions: whether the solved cells were executed; their solutions are folded.
 
     Raises:
@@ -86,32 +45,34 @@ def write_page(
         PrintError: a display has no verdict.
     """
     _require_passed(result)
-    reader = LessonReader(document, result, around.pages, solutions)
+    place = [each.stem for each in lessons].index(document.path.stem)
+    me, before, after = lessons[place], lessons[:place][-1:], lessons[place + 1 :][:1]
+    others = [*lessons[:place], *lessons[place + 1 :]]
+    pages = {name: each.page for each in others for name in (each.stem, each.stem.partition("_")[2], str(each.number))}
+    reader = LessonReader(document, result, pages, solutions)
     body = BodyWriter(lesson, reader, solutions=solutions)
     written = body.write(cells)
     reader.close()
-    panel = arm_panel(reader.arm, reader.read)
-    me = neighbour(lesson, document.path)
     html = SITE.render(
         "lesson.html",
         styles=body.styles,
         lesson=lesson,
         title=title(lesson.title, reader.read),
-        plain_title=me.title,
+        plain_title=plain_title(lesson.title),
         source=title(lesson.source, reader.read),
         objectives=[] if body.says_objectives else [body.inline(line) for line in lesson.objectives],
         solutions=solutions,
         contents=[entry for entry in body.contents if entry.level <= 3],
         body=written,
-        panel=panel,
+        panel=arm_panel(reader.arm, reader.read),
         notebook=me.notebook,
         index=INDEX,
-        before=around.before,
-        after=around.after,
+        before=next(iter(before), None),
+        after=next(iter(after), None),
         proof=proof_line(result.records, "en", result.arm),
         versions=versions(),
     )
-    return Written(html, tuple(reader.warnings))
+    return html, tuple(reader.warnings)
 
 
 def _require_passed(result: DocumentResult) -> None:

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from armproof.course.site.build import build_site
-from armproof.course.site.work import Order
+from armproof.course.site.order import Order
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import COURSE
 from tests.course.site.test_in_browser import HELD

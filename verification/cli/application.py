@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from importlib.metadata import EntryPoint, entry_points
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -113,6 +114,18 @@ def load(name: str) -> Arm:
         give_up(error)
     complain(written("warning: {text}", text=warning) for warning in arm.warnings)
     return arm
+
+
+@contextmanager
+def ending(shown: Callable[[str], str] = str) -> Iterator[None]:
+    """End the command where an error of ours is raised within, with its message as it is to be shown; quietly where it is interrupted."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except ArmproofError as error:
+        complain([shown(str(error))])
+        raise typer.Exit(CANNOT_RUN) from None
 
 
 def give_up(error: ArmproofError) -> NoReturn:

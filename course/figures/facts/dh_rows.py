@@ -11,6 +11,7 @@ from typing import Literal
 
 import numpy as np
 
+from armproof.course.links import classic_link, modified_link
 from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import BulkKinematics, bulk_of
 from armproof.models.dh.entry import LinearForm
@@ -52,11 +53,8 @@ class LinkRows:
 def chain_frames(arm: Arm) -> tuple[str, ...]:
     """Return the frame of the base and the first frame that each joint carries, n + 1 names."""
     depths = {frame: max(trace_of(arm).depth(frame), 0) for frame in arm.frames}
-    return tuple(
-        next(frame for frame, depth in depths.items() if depth == k)
-        for k in range(len(arm.joints) + 1)
-        if k in depths.values()
-    )
+    firsts = {depth: frame for frame, depth in reversed(depths.items())}
+    return tuple(firsts[k] for k in range(len(arm.joints) + 1) if k in firsts)
 
 
 @lru_cache(maxsize=64)
@@ -67,12 +65,8 @@ def link_rows(arm: Arm) -> LinkRows | None:
         return None
     if arm.dh is not None:
         rows = zip(frames, frames[1:], arm.dh.rows, strict=False)
-        return LinkRows(
-            arm.dh.convention,
-            tuple(
-                LinkRow(frame, previous, row.joint, row.a, row.alpha, row.d, row.theta) for previous, frame, row in rows
-            ),
-        )
+        own = (LinkRow(frame, before, row.joint, row.a, row.alpha, row.d, row.theta) for before, frame, row in rows)
+        return LinkRows(arm.dh.convention, tuple(own))
     for convention in ("classic", "modified"):
         if all(_fits(arm, frame, previous, convention) for previous, frame in pairwise(frames)):
             found = (_row(arm, k, frames[k], frames[k - 1], convention) for k in range(1, len(frames)))
@@ -97,14 +91,8 @@ def _parameters(X: np.ndarray, convention: str) -> np.ndarray:
 
 def link_matrices(parameters: np.ndarray, convention: str) -> np.ndarray:
     """Return the link matrices of parameters (N, 4) of a, α, d, θ: Rz Tz Tx Rx, or modified Rx Tx Rz Tz; (N, 4, 4)."""
-    a, alpha, d, theta = parameters.T
-    zero, one = np.zeros_like(a), np.ones_like(a)
-    ca, sa, ct, st = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    if convention == "classic":
-        rows = [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [zero, sa, ca, d]]
-    else:
-        rows = [[ct, -st, zero, a], [st * ca, ct * ca, -sa, -d * sa], [st * sa, ct * sa, ca, d * ca]]
-    return np.array([*rows, [zero, zero, zero, one]]).transpose(2, 0, 1)
+    link = classic_link if convention == "classic" else modified_link
+    return np.array([link(*row) for row in parameters])
 
 
 def _fits(arm: Arm, frame: str, previous: str, convention: str) -> bool:

@@ -112,12 +112,12 @@ def _axis(arm: Arm, k: int, count: int) -> np.ndarray:
 
 def shown_families(found: JointMap) -> list[Family]:
     """Return the families with one condition, in which no other joint than those of the map occurs."""
-    families = [family for family in families_of(found.task.arm) if family.codimension == 1]
-    return [
-        family
-        for family in families
-        if set(family.sampler.derivatives(family.factors[0].polynomial)) <= set(found.joints)
-    ]
+
+    def is_shown(family: Family) -> bool:
+        occurring = family.sampler.derivatives(family.factors[0].polynomial)
+        return family.codimension == 1 and set(occurring) <= set(found.joints)
+
+    return list(filter(is_shown, families_of(found.task.arm)))
 
 
 def family_lines(found: JointMap, family: Family) -> list[np.ndarray]:

@@ -128,41 +128,26 @@ def _draw_frames(axes: Axes, arm: Arm, q: np.ndarray, camera: Camera) -> list[La
     for place, (name, points) in enumerate(frame_axes(arm, q).items()):
         origin, *tips = camera.pixels(points)
         for letter, tip in zip("xyz", tips, strict=True):
-            _arrow(axes, origin, tip, AXIS_COLOURS[letter], f"frame {name} {letter}")
+            colour, way = AXIS_COLOURS[letter], (tip - origin) * np.array([1.0, -1.0])
+            _arrow(axes, origin, tip, colour, f"frame {name} {letter}")
             if place == 0:
-                way = (tip - origin) * np.array([1.0, -1.0])
-                labels.append(
-                    Label(axes, f"${letter}_{{{name}}}$", tuple(tip), tuple(way), colour=AXIS_COLOURS[letter])
-                )
+                labels.append(Label(axes, f"${letter}_{{{name}}}$", tuple(tip), tuple(way), colour=colour))
         near = next((names for at, names in origins if np.linalg.norm(at - origin) < _SAME), None)
         if near is None:
-            origins.append((origin, [name]))
-        else:
-            near.append(name)
-    labels += [
-        Label(axes, ", ".join(f"$O_{{{name}}}$" for name in names), (at[0], at[1]), (-1.0, 0.3), gap=4.0)
-        for at, names in origins
-    ]
-    return labels
+            origins.append((origin, near := []))
+        near.append(f"$O_{{{name}}}$")
+    return labels + [Label(axes, ", ".join(names), (at[0], at[1]), (-1.0, 0.3), gap=4.0) for at, names in origins]
 
 
 def _arrow(axes: Axes, start: np.ndarray, tip: np.ndarray, colour: str, gid: str) -> None:
-    line = axes.plot([start[0], tip[0]], [start[1], tip[1]], color=PAPER, linewidth=2.2, alpha=0.8, zorder=3)[0]
-    line.set_clip_on(False)
-    axes.plot([start[0], tip[0]], [start[1], tip[1]], color=colour, linewidth=1.1, zorder=4, clip_on=False)[0].set_gid(
-        gid
-    )
+    ends = np.array([start, tip]).T
+    axes.plot(*ends, color=PAPER, linewidth=2.2, alpha=0.8, zorder=3, clip_on=False)
+    axes.plot(*ends, color=colour, linewidth=1.1, zorder=4, clip_on=False, gid=gid)
     size = float(np.linalg.norm(tip - start))
     if size > 2:
         head = {"facecolor": colour, "edgecolor": "none", "width": 0.0, "headwidth": 3.4, "headlength": 4.2}
-        axes.annotate(
-            "",
-            tuple(tip + (tip - start) / size * 3),
-            tuple(tip - (tip - start) / size * 3),
-            arrowprops=head,
-            zorder=5,
-            annotation_clip=False,
-        )
+        back, beyond = (tuple(tip + sign * (tip - start) / size * 3) for sign in (-1, 1))
+        axes.annotate("", beyond, back, arrowprops=head, zorder=5, annotation_clip=False)
 
 
 def caption(arm: Arm, lang: str = "en") -> str:

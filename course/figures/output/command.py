@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending
+from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -51,14 +51,10 @@ def figures(
     """
     from armproof.course.figures.output.production import produce
 
-    try:
+    with ending():
         wanted = _formats(formats)
         orders = _orders(tuple(names or ()), arms, lang)
         done = _report(produce(orders, wanted, lang, out), len(orders))
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
-    except ArmproofError as error:
-        give_up(error)
     if problems := [problem for delivery in done for problem in delivery.problems]:
         complain(problems)
     if any(delivery.fatal for delivery in done):
@@ -113,12 +109,11 @@ def _own_arm(arm: str, names: tuple[str, ...]) -> Order:
 def _report(deliveries: Iterator[Delivery], count: int) -> list[Delivery]:
     """Print the files as they come, and on a terminal how far the work is."""
     done: list[Delivery] = []
-    shows = sys.stderr.isatty()
-    for delivery in deliveries:
-        done.append(delivery)
-        sys.stdout.write("".join(f"{file}\n" for file in delivery.files))
-        sys.stdout.flush()
-        if shows:
-            sys.stderr.write(f"\r{len(done)} of {count} arms" + ("\n" if len(done) == count else ""))
-            sys.stderr.flush()
+    with Progress(count, "arms") as progress:
+        for delivery in deliveries:
+            done.append(delivery)
+            progress.clear()
+            sys.stdout.write("".join(f"{file}\n" for file in delivery.files))
+            sys.stdout.flush()
+            progress.advance()
     return done

@@ -24,30 +24,22 @@ _OF_STUDENTS = ("sympy",)  # where it is installed
 Result = dict[str, Any]
 
 
-class Recorder:
-    """Keeps what the checks of the tasks given return."""
+def recording(
+    check: Callable[..., Any], tasks: dict[int, tuple[str, Any]]
+) -> tuple[Callable[..., Any], dict[tuple[str, str], Result]]:
+    """Return `Task.check` as it is, but for the record that it keeps of the last check of each of the tasks given; and that record."""
+    found: dict[tuple[str, str], Result] = {}
 
-    def __init__(self, tasks: dict[int, tuple[str, Any]]) -> None:
-        self._tasks = tasks
-        self._found: dict[tuple[str, str], Result] = {}
+    @functools.wraps(check)
+    def recorded(task: Any, *arguments: Any, **named: Any) -> Any:
+        feedback = check(task, *arguments, **named)
+        lesson, asks = tasks.get(id(task), ("", None))
+        if lesson and task.asks is asks and not {"check", "_judge"} & set(vars(task)):
+            words = {"outcome": str(feedback.outcome), "message": str(feedback.message)}
+            found[lesson, task.name] = {"lesson": lesson, "task": task.name, **words}
+        return feedback
 
-    def results(self) -> list[Result]:
-        """Return the last check of each task."""
-        return list(self._found.values())
-
-    def wrap(self, check: Callable[..., Any]) -> Callable[..., Any]:
-        """Return `Task.check` as it is, but for the record that is kept."""
-
-        @functools.wraps(check)
-        def recorded(task: Any, *arguments: Any, **named: Any) -> Any:
-            feedback = check(task, *arguments, **named)
-            lesson, asks = self._tasks.get(id(task), ("", None))
-            if lesson and task.asks is asks and not {"check", "_judge"} & set(vars(task)):
-                words = {"outcome": str(feedback.outcome), "message": str(feedback.message)}
-                self._found[lesson, task.name] = {"lesson": lesson, "task": task.name, **words}
-            return feedback
-
-        return recorded
+    return recorded, found
 
 
 def preload() -> None:
@@ -79,9 +71,9 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
         for task in lesson.tasks if lesson.name in used else ():
             with contextlib.suppress(Exception):
                 task.asks.judge(task.right[0])
-    recorder = Recorder({id(task): (lesson.name, task.asks) for lesson in course for task in lesson.tasks})
-    Task.check = recorder.wrap(Task.check)  # type: ignore[method-assign]
-    return [_described(lesson) for lesson in course], recorder.results
+    tasks = {id(task): (lesson.name, task.asks) for lesson in course for task in lesson.tasks}
+    Task.check, found = recording(Task.check, tasks)  # type: ignore[method-assign]
+    return [_described(lesson) for lesson in course], lambda: list(found.values())
 
 
 def _described(lesson: Any) -> dict[str, Any]:

@@ -10,7 +10,8 @@ import pytest
 
 from armproof.course.feedback import open_lesson
 from armproof.course.site.cells import cells_of, with_outputs
-from armproof.course.site.page import Neighbour, Surroundings, Written, write_page
+from armproof.course.site.order import Neighbour
+from armproof.course.site.page import write_page
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import Place
 from armproof.verification.check import check_document
@@ -140,18 +141,17 @@ def lesson(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., tuple[Less
 
 
 @pytest.fixture(scope="session")
-def page(lesson: Callable[..., tuple[LessonSource, Place]]) -> Callable[..., Written]:
+def page(lesson: Callable[..., tuple[LessonSource, Place]]) -> Callable[..., str]:
     """Return the page of the tiny lesson; its cells gave the outputs given, by their places."""
 
     def make(
         outputs: Mapping[int, Sequence[Mapping[str, Any]]] | None = None, *, solutions: bool = False, **changes: str
-    ) -> Written:
+    ) -> str:
         source, place = lesson(**changes)
         cells = with_outputs(cells_of(source), outputs or {})
         document = read_document(source.path)
-        other = Neighbour(4, "Another <lesson>", "04_other")
-        around = Surroundings(None, other, {"04_other": other.page, "4": other.page})
-        opened = open_lesson(source.name, place.root)
-        return write_page(opened, cells, document, check_document(document, confirm=False), around, solutions=solutions)
+        me, other = Neighbour(3, "The planar arm", source.path.stem), Neighbour(4, "Another <lesson>", "04_other")
+        result, opened = check_document(document, confirm=False), open_lesson(source.name, place.root)
+        return write_page(opened, cells, document, result, (me, other), solutions=solutions)[0]
 
     return make

@@ -15,7 +15,7 @@ from armproof.course.errors import SiteError
 from armproof.course.site import build, cells, command
 from armproof.course.site.build import build_site
 from armproof.course.site.cells import cells_of
-from armproof.course.site.work import Built, Order
+from armproof.course.site.order import Built, Order
 from armproof.course.sources.lesson_source import read_lesson_source
 from armproof.verification.report.html.folder import ReportFolderError, new_report
 from tests.course.site.conftest import SECRET

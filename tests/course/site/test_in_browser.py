@@ -10,8 +10,8 @@ import pytest
 
 from armproof.course.feedback import open_lesson
 from armproof.course.site.arms import write_views
-from armproof.course.site.index import Listed, write_index
-from armproof.course.site.page import neighbour
+from armproof.course.site.index import write_index
+from armproof.course.site.order import Neighbour
 from tests.course.site.conftest import NOT_ATTEMPTED, RIGHT, STREAM
 from tests.course.site.test_page import ATTACK
 from tests.verification.report.browser import Browser
@@ -35,14 +35,14 @@ def site(page, lesson, tmp_path_factory) -> Path:
     out = tmp_path_factory.mktemp("site")
     outputs = {4: [STREAM, NOT_ATTEMPTED, PICTURE, HTML, TEXT], 5: [NOT_ATTEMPTED]}
     pages = {
-        "student": page(outputs).html,
-        "solutions": page({4: [RIGHT, PICTURE], 5: [RIGHT]}, solutions=True).html,
-        "hostile": page({4: [HTML]}, title=f"{ATTACK} <b>", objective=ATTACK, words=ATTACK).html,
-        "wide": page(words=f"Given ${LONG}$.").html,
+        "student": page(outputs),
+        "solutions": page({4: [RIGHT, PICTURE], 5: [RIGHT]}, solutions=True),
+        "hostile": page({4: [HTML]}, title=f"{ATTACK} <b>", objective=ATTACK, words=ATTACK),
+        "wide": page(words=f"Given ${LONG}$."),
     }
     source, place = lesson()
     opened = open_lesson(source.name, place.root)
-    pages["index"] = write_index([Listed(opened, neighbour(opened, source.path), "planar_2r")])
+    pages["index"] = write_index([(opened, Neighbour(3, "The planar arm", source.path.stem, "planar_2r"))])
     for name, html in pages.items():
         (out / f"{name}.html").write_text(html, encoding="utf-8")
     write_views(["planar_2r"], out)

@@ -36,7 +36,7 @@ def check_valid(html: str) -> Outline:
 
 @pytest.mark.parametrize("solutions", [False, True])
 def test_a_page_is_valid_and_shows_mathematics_not_latex(page, solutions):
-    html = page(OUTPUTS, solutions=solutions).html
+    html = page(OUTPUTS, solutions=solutions)
     check_valid(html)
     assert not re.search(r"[$\\]", visible(html))
     assert html.count("<mtable") >= 1 and "the source is wrong here" in html
@@ -48,7 +48,7 @@ def test_a_heading_left_out_is_noticed_by_these_checks():
 
 
 def test_the_page_of_a_student_holds_no_solution(page):
-    student, teacher = page(OUTPUTS).html, page({4: [RIGHT], 5: [RIGHT]}, solutions=True).html
+    student, teacher = page(OUTPUTS), page({4: [RIGHT], 5: [RIGHT]}, solutions=True)
     assert "found = " not in visible(student) and SECRET not in student and "answer = 0.45" not in visible(student)
     assert "your code here" in visible(student) and "SOLUTION" not in student
     assert visible(teacher).count(SECRET) == 2 and "answer = 0.45" in visible(teacher) and "SOLUTION" not in teacher
@@ -56,30 +56,30 @@ def test_the_page_of_a_student_holds_no_solution(page):
 
 
 def test_solutions_are_folded_behind_the_hints(page):
-    html = page({4: [RIGHT]}, solutions=True).html
+    html = page({4: [RIGHT]}, solutions=True)
     section = html[html.index('id="task-1"') : html.index('id="task-2"')]
     assert section.index("Hint 1 of 2") < section.index("Hint 2 of 2") < section.index('<details class="solution">')
     assert section.index('<details class="solution">') < section.index(SECRET) < section.index("correct (proved)")
 
 
 def test_a_task_not_attempted_shows_its_question_and_not_that_it_was_not_attempted(page):
-    html = page(OUTPUTS).html
+    html = page(OUTPUTS)
     assert "Task 1 of 2" in html and "What is the rank of" in html and "not attempted" not in html
     assert "rank: None" in html
     failing = {**NOT_ATTEMPTED, "data": {"text/plain": "! rank: error"}}
-    assert "! rank: error" in page({4: [failing]}).html
+    assert "! rank: error" in page({4: [failing]})
 
 
 def test_what_a_lesson_says_when_it_is_opened_stands_at_the_head_of_the_page_instead(page):
     opening = {"output_type": "execute_result", "data": {"text/plain": "0 of 2 tasks solved"}}
-    html = page({2: [opening]}).html
+    html = page({2: [opening]})
     assert "0 of 2 tasks" not in html and "2 tasks" in html and "Find " in html
-    listed = page(words="In this lesson you\n#\n# 1. do this,\n# 2. do that.").html
+    listed = page(words="In this lesson you\n#\n# 1. do this,\n# 2. do that.")
     assert "What you will be able to do" in html and "What you will be able to do" not in listed
 
 
 def test_links_lead_to_lessons_of_this_site_and_to_pages_of_the_network_only_when_followed(page):
-    html = page().html
+    html = page()
     assert '<a href="04_other.html" rel="noreferrer">the next one</a>' in html
     assert 'rel="next" href="04_other.html"' in html and "Another &lt;lesson&gt;" in html
     assert '<a href="https://example.org/x" rel="noreferrer">a page</a>' in html
@@ -88,14 +88,14 @@ def test_links_lead_to_lessons_of_this_site_and_to_pages_of_the_network_only_whe
 
 def test_markdown_that_a_cell_gives_adds_no_heading_and_keeps_the_numbers_of_its_displays(page):
     output = {"output_type": "display_data", "data": {"text/markdown": "# A sheet\n\n$$ a = b \\tag{7} $$\n\n$$ c $$"}}
-    html = page({4: [output]}).html
+    html = page({4: [output]})
     check_valid(html)
     assert "<strong>A sheet</strong>" in html and html.count('<span class="tag">') == 1
     assert '<span class="tag">(7)</span>' in html and not re.search(r"[$\\]", visible(html))
 
 
 def test_a_lesson_named_by_its_number_is_linked_but_not_within_a_link_or_a_heading(page):
-    html = page(words="Lesson 4, lesson 44 and [lesson 4 there](https://example.org).\n#\n# ## As in lesson 4").html
+    html = page(words="Lesson 4, lesson 44 and [lesson 4 there](https://example.org).\n#\n# ## As in lesson 4")
     check_valid(html)
     assert html.count('<a href="04_other.html" rel="noreferrer">Lesson 4</a>') == 1
     assert '<a href="https://example.org" rel="noreferrer">lesson 4 there</a>' in html
@@ -104,14 +104,14 @@ def test_a_lesson_named_by_its_number_is_linked_but_not_within_a_link_or_a_headi
 
 def test_hostile_titles_words_and_outputs_are_shown_as_text_or_dropped(page):
     output = {"output_type": "display_data", "data": {"text/html": f"<p onclick='x()'>shown</p>{ATTACK}"}}
-    html = page({4: [output]}, title=f'{ATTACK} "t"', objective=ATTACK, words=ATTACK.replace("\n", " ")).html
+    html = page({4: [output]}, title=f'{ATTACK} "t"', objective=ATTACK, words=ATTACK.replace("\n", " "))
     check_valid(html)
     assert html.count("<script>") == 1 and "onerror=" not in re.sub(r"&lt;img[^<]*", "", html)
     assert "shown" in html and "&lt;script&gt;window.attacked=1" in html
 
 
 def test_styles_of_outputs_stand_once_at_the_head_and_under_the_policy(page):
-    html = page({4: [RIGHT], 5: [RIGHT]}, solutions=True).html
+    html = page({4: [RIGHT], 5: [RIGHT]}, solutions=True)
     assert html.count("<style>.armproof { color: inherit; }</style>") == 1
     assert html.index("color: inherit") < html.index("<body>")
     policy = re.search(r'Content-Security-Policy" content="([^"]*)"', html)
@@ -121,7 +121,7 @@ def test_styles_of_outputs_stand_once_at_the_head_and_under_the_policy(page):
 
 
 def test_headings_that_are_called_alike_or_as_a_part_of_the_page_have_anchors_of_their_own(page):
-    html = page(words="\n#\n# ## Reference\n#\n# ## Objectives\n#\n# ## Task 1\n#\n# ## Task 1").html
+    html = page(words="\n#\n# ## Reference\n#\n# ## Objectives\n#\n# ## Task 1\n#\n# ## Task 1")
     outline = check_valid(html)
     assert {"reference", "reference-2", "task-1", "task-1-2", "task-1-3", "where-the-tool-is"} <= set(outline.ids)
 
