@@ -1,28 +1,11 @@
-"""The trusted base, as ARCHITECTURE.md has it, and the tests that speak of each of its files."""
+"""The trusted base, as the table of ARCHITECTURE.md has it, and the tests that speak of each of its files."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-TRUSTED = {  # a room → the names of its files that are trusted; "-" before names: all but these
-    "models/loading": "",
-    "models/dh": "",
-    "models/exact": "trace symbolic chain polynomial numbers offset",
-    "verification/document": "",
-    "verification/latex": "- writer",
-    "verification/naming": "",
-    "verification/equations": "definitions new_letters given_values general_links readings roles"
-    " chain equality alignment sides second_route inequalities",
-    "verification/evaluation": "- sampled",
-    "verification/algebra": "ring polynomials roots angles calculus matrix protocol",
-    "verification/conditions": "",
-    "verification/singularities": "half_angles decomposition elimination factors minors variety probe",
-    "verification/tables": "- mend plant",
-    "verification/functions/tracing": "",
-    "verification/functions": "proof traced_function",
-    "verification": "display check verdict",
-}
 COURSE = ("tests/verification/test_soundness.py", "course/handouts")  # false twins are refuted, what is right is proved
 NEAREST = {  # the tests of a room that has no folder of its own name, or that are spread over others
     "models/exact": ("tests/models/exact", "tests/models/dh", "tests/models/loading"),
@@ -38,14 +21,38 @@ NEAREST = {  # the tests of a room that has no folder of its own name, or that a
 
 def trusted_files() -> list[str]:
     """Return the files of the trusted base, from the project's folder."""
-    return [file for room, names in TRUSTED.items() for file in _of_room(room, names.split())]
+    plan = (ROOT / "ARCHITECTURE.md").read_text("utf-8").split("## The trusted base")[1]
+    rows = [line.split("|")[2] for line in plan.splitlines() if line.startswith("|") and "`" in line]
+    return sorted({file for row in rows for file in _of_row(row)})
 
 
-def _of_room(room: str, names: list[str]) -> list[str]:
-    present = sorted(path.stem for path in (ROOT / room).glob("*.py") if path.stem != "__init__")
-    if not names or names[0] == "-":
-        return [f"{room}/{stem}.py" for stem in present if stem not in names]
-    return [f"{room}/{stem}.py" for stem in names]
+def _of_row(row: str) -> list[str]:
+    """Return the files of a row: `room/` alone is all of it, but for what stands behind "but"; files follow their room."""
+    named, _, excepted = row.partition(" but ")
+    rooms: dict[str, list[str]] = {}
+    room = ""
+    for place in re.findall(r"`([\w/]+(?:\.py)?)`|`([\w/]+/)`", named):
+        folder, _, name = "".join(place).rpartition("/")
+        room = folder or room
+        rooms.setdefault(room, []).extend([name] if name else [])
+    return [
+        file for room, names in rooms.items() for file in (_places(room, names) if names else _all_of(room, excepted))
+    ]
+
+
+def _folder(room: str) -> str:
+    return room if room.startswith("models") else f"verification/{room}".rstrip("/")
+
+
+def _places(room: str, names: list[str]) -> list[str]:
+    """Return where files stand: in their room, or loose beside the rooms."""
+    inside = [f"{_folder(room)}/{name}" for name in names]
+    return [file if (ROOT / file).exists() else f"verification/{Path(file).name}" for file in inside]
+
+
+def _all_of(room: str, excepted: str) -> list[str]:
+    files = (path for path in (ROOT / _folder(room)).glob("*.py") if path.stem != "__init__")
+    return [path.relative_to(ROOT).as_posix() for path in files if f"`{path.name}`" not in excepted]
 
 
 def selection(file: str) -> tuple[list[str], list[str], list[str]]:
@@ -53,9 +60,5 @@ def selection(file: str) -> tuple[list[str], list[str], list[str]]:
     path = Path(file)
     room = path.parent.as_posix()
     folders = [folder for folder in NEAREST.get(room, (f"tests/{room}",)) if (ROOT / folder).exists()]
-    own = [
-        found.relative_to(ROOT).as_posix()
-        for folder in folders
-        for found in (ROOT / folder).glob(f"test_{path.stem}*.py")
-    ]
-    return sorted(own), folders, list(COURSE)
+    own = [found for folder in folders for found in (ROOT / folder).glob(f"test_{path.stem}*.py")]
+    return sorted(found.relative_to(ROOT).as_posix() for found in own), folders, list(COURSE)

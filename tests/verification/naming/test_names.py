@@ -150,3 +150,11 @@ def test_a_cosine_may_be_written_in_every_usual_way(judge: Judge, cosine: str) -
 def test_a_front_matter_that_means_nothing_is_refused(front: dict[str, Any], message: str) -> None:
     with pytest.raises(DocumentError, match=message):
         read_names(load_arm("scara"), front)
+
+
+def test_a_sign_is_a_name_that_nothing_else_gives_a_meaning() -> None:
+    names = read_names(load_arm("planar_2r"), {"quantities": {"p": {"origin": 2}}})
+    assert names.defines_sign("sigma") and names.defines_sign("u")
+    assert not any(names.defines_sign(key) for key in ("p", "l_1", "theta_1"))
+    names.define("u", lambda algebra: algebra.symbol("l_1"))
+    assert not names.defines_sign("u")

@@ -17,6 +17,7 @@ from armproof.models.numeric.drake_arm import plant_of
 from armproof.verification.check import DocumentChecker, check_document, verify
 from armproof.verification.document import Document, Table
 from armproof.verification.tables import check_table
+from armproof.verification.tables.origins import _is_axis
 from armproof.verification.verdict import Record, Verdict
 
 HEADER = ("Joint Name", "Parent Link", "Child Link", "x(m)", "y(m)", "z(m)", "roll", "pitch", "yaw")
@@ -289,3 +290,7 @@ def test_a_markdown_table_of_a_file_is_read_and_an_erratum_must_be_refuted(tmp_p
     assert [record.verdict for record in found.tables] == [Verdict.PROVED, Verdict.REFUTED]
     assert entries(found.tables[1]) == [(4, 6, "-0.54", "-0.054")]
     assert found.passed
+
+
+def test_an_axis_is_printed_to_nine_digits() -> None:
+    assert _is_axis((0.6, 0.0, 0.8), (0.6, 0.0, 0.8 + 1e-10)) and not _is_axis((0.6, 0.0, 0.8), (0.6, 0.0, 0.8 + 1e-8))

@@ -10,8 +10,9 @@ from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
+from armproof.verification.equations.readings import _jacobian_rows as jacobian_rows
+from armproof.verification.equations.readings import _part_of_jacobian as part_of_jacobian
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.jacobian_parts import jacobian_rows, part_of_jacobian
 from armproof.verification.naming.names import Names, read_names
 
 RING = Ring()
