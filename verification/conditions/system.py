@@ -20,7 +20,7 @@ from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
 from armproof.verification.singularities.elimination import BeyondReach
-from armproof.verification.singularities.minors import maximal_minors
+from armproof.verification.singularities.linear import maximal_minors
 
 
 class Undecided(EvaluationError):

@@ -21,8 +21,7 @@ from armproof.verification.singularities.families import Family, SingularityAnal
 from armproof.verification.singularities.half_angles import HalfAngles
 from armproof.verification.singularities.intersections import Descent
 from armproof.verification.singularities.jacobians import ChosenJacobian, choose_jacobian
-from armproof.verification.singularities.linear import Rows, eliminate, polynomial_rows
-from armproof.verification.singularities.minors import maximal_minors
+from armproof.verification.singularities.linear import Rows, eliminate, maximal_minors, polynomial_rows
 from armproof.verification.singularities.points import Sampler, joint_unknowns
 from armproof.verification.singularities.position import Placement
 from armproof.verification.singularities.variety import Variety

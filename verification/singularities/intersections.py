@@ -9,8 +9,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.singularities.decomposition import Decomposer
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.half_angles import Polynomial
-from armproof.verification.singularities.linear import Rows, eliminate
-from armproof.verification.singularities.minors import maximal_minors
+from armproof.verification.singularities.linear import Rows, eliminate, maximal_minors
 from armproof.verification.singularities.points import Sampler
 from armproof.verification.singularities.variety import Variety
 

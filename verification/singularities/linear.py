@@ -1,11 +1,12 @@
-"""Rank and null vectors of a matrix on a set of configurations, by exact elimination."""
+"""The rank of a matrix: its drop, by minors; on a set of configurations it and the null vectors, by exact elimination."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
-from math import gcd, lcm
+from itertools import combinations
+from math import comb, gcd, lcm
 
 from flint import fmpq
 
@@ -16,8 +17,25 @@ from armproof.verification.singularities.half_angles import HalfAngles, Polynomi
 from armproof.verification.singularities.variety import Variety
 
 MOST_TERMS = 4_000
+MOST_MINORS = 400
 
 Rows = tuple[tuple[Polynomial, ...], ...]
+
+
+def maximal_minors(matrix: Matrix, size: int) -> list[Scalar]:
+    """Return the minors of a size that are not zero everywhere: their common zeros are where the rank is below it.
+
+    Raises:
+        BeyondReach: there are too many.
+    """
+    rows, columns = matrix.shape
+    if comb(rows, size) * comb(columns, size) > MOST_MINORS:
+        raise BeyondReach("{count} minors", count=comb(rows, size) * comb(columns, size))
+    found = []
+    for chosen in combinations(range(rows), size):
+        matrix.rows[0][0].ring.budget.check()
+        found += [minor for minor in matrix.minors(size, chosen).values() if not minor.is_zero()]
+    return found
 
 
 def polynomial_rows(half: HalfAngles, matrix: Matrix) -> Rows:

@@ -11,7 +11,13 @@ import numpy as np
 from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.axes import axis_candidates, constructions
 from armproof.verification.diagnosis.causes.case import Candidate, Case, Explanation
-from armproof.verification.diagnosis.causes.frames import constant_offset, other_poses, pose_slips
+from armproof.verification.diagnosis.causes.frames import (
+    constant_offset,
+    other_poses,
+    permutation_cause,
+    pose_slips,
+    shape_candidates,
+)
 from armproof.verification.diagnosis.causes.jacobian import jacobian_slips, other_jacobians, point_candidates
 from armproof.verification.diagnosis.causes.joint_variables import joint_candidates, offset_candidates
 from armproof.verification.diagnosis.causes.lengths import length_cause, lengths_cause
@@ -25,7 +31,6 @@ from armproof.verification.diagnosis.causes.links import (
     product_candidates,
     wrong_link,
 )
-from armproof.verification.diagnosis.causes.shapes import permutation_cause, shape_candidates
 from armproof.verification.findings import Kind, say
 
 Search = Callable[[Case], Explanation]
