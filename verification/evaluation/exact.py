@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import Any
 
 from armproof.models.arm import Arm
-from armproof.models.exact.polynomial import Rows
+from armproof.models.exact.polynomial import Entry, Rows
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.budget import Budget
@@ -40,6 +42,25 @@ class ArmAlgebra(OfArm):
         return kind_of(quantity).whole(quantity, self)
 
 
+class TracedAlgebra(ArmAlgebra):
+    """An algebra that takes the poses and Jacobians of an arm from its exact trace, entry by entry."""
+
+    @abstractmethod
+    def from_entry(self, entry: Entry) -> Any:
+        """Return an exact entry as a scalar."""
+
+    def pose(self, frame: str, reference: str) -> Matrix:
+        assert self.arm is not None
+        return self._from_entries(trace_of(self.arm).pose(frame, reference))
+
+    def jacobian(self, frame: str, expressed_in: str) -> Matrix:
+        assert self.arm is not None
+        return self._from_entries(trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0]))
+
+    def _from_entries(self, rows: Rows) -> Matrix:
+        return Matrix(tuple(tuple(self.from_entry(entry) for entry in row) for row in rows))
+
+
 def _select(quantity: Quantity, whole: Matrix) -> Value:
     size, width = whole.shape
     rows = quantity.rows or tuple(range(1, size + 1))
@@ -50,7 +71,7 @@ def _select(quantity: Quantity, whole: Matrix) -> Value:
     return chosen.rows[0][0] if quantity.scalar else chosen
 
 
-class ExactAlgebra(ArmAlgebra):
+class ExactAlgebra(TracedAlgebra):
     """Scalars of a ring; the arm's quantities as its symbolic trace gives them."""
 
     def __init__(self, ring: Ring, arm: Arm | None) -> None:
@@ -114,13 +135,5 @@ class ExactAlgebra(ArmAlgebra):
             return value.map(lambda cell: substitute(cell, values))
         return substitute(value, values)
 
-    def pose(self, frame: str, reference: str) -> Matrix:
-        assert self.arm is not None
-        return self._from_entries(trace_of(self.arm).pose(frame, reference))
-
-    def jacobian(self, frame: str, expressed_in: str) -> Matrix:
-        assert self.arm is not None
-        return self._from_entries(trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0]))
-
-    def _from_entries(self, rows: Rows) -> Matrix:
-        return Matrix(tuple(tuple(self.ring.from_entry(entry) for entry in row) for row in rows))
+    def from_entry(self, entry: Entry) -> Scalar:
+        return self.ring.from_entry(entry)

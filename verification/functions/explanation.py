@@ -7,8 +7,8 @@ from functools import reduce
 
 import numpy as np
 
+from armproof.verification.diagnosis.causes import find_cause
 from armproof.verification.diagnosis.causes.case import Case, Explanation
-from armproof.verification.diagnosis.causes.find import find_cause
 from armproof.verification.diagnosis.causes.probes import partners, probes
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.arguments import constants_of

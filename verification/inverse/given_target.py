@@ -12,12 +12,12 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
-from armproof.verification.evaluation.exact import ArmAlgebra
+from armproof.verification.evaluation.exact import TracedAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.inverse.target import Target
 
 
-class GivenTarget(ArmAlgebra):
+class GivenTarget(TracedAlgebra):
     """An algebra over an arm in which the poses of the target are what is given, and every other is that of the joints."""
 
     arm: Arm
@@ -40,10 +40,6 @@ class GivenTarget(ArmAlgebra):
         """Return what stands for the value of a name from here on: the value itself."""
         return value
 
-    @abstractmethod
-    def free_pose(self, frame: str, reference: str) -> Matrix:
-        """Return ^{reference}T_{frame}, 4×4, of the joints that are solved."""
-
     def quantity(self, quantity: Quantity) -> Value:
         """Return a quantity: of the target if it is made of what is given, else of the joints solved so far."""
         if (quantity.frame, quantity.reference) not in self.target.pairs or quantity.kind == "jacobian":
@@ -62,7 +58,7 @@ class GivenTarget(ArmAlgebra):
         """Return the pose, with None for the cells that the target leaves open."""
         if (frame, reference) not in self.target.pairs:
             if (frame, reference) not in self._poses:
-                self._poses[frame, reference] = self.free_pose(frame, reference)
+                self._poses[frame, reference] = super().pose(frame, reference)
             return self._poses[frame, reference]
         cells = self.target.cells((frame, reference))
         last = tuple(self.rational(Fraction(number)) for number in (0, 0, 0, 1))

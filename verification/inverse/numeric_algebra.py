@@ -10,8 +10,7 @@ from typing import Any
 from armproof.models.arm import Arm
 from armproof.models.bulk.graph import ONE, ZERO, Term
 from armproof.models.exact.numbers import angle_value
-from armproof.models.exact.polynomial import Entry, Rows, root_value
-from armproof.models.exact.trace import trace_of
+from armproof.models.exact.polynomial import Entry, root_value
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
@@ -140,19 +139,10 @@ class NumericAlgebra(GivenTarget):
     def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:
         raise OutsideAlgebra("a value at a configuration")
 
-    def free_pose(self, frame: str, reference: str) -> Matrix:
-        return self._from_entries(trace_of(self.arm).pose(frame, reference))
-
-    def jacobian(self, frame: str, expressed_in: str) -> Matrix:
-        return self._from_entries(trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0]))
-
     def _number(self, value: float) -> NumericScalar:
         return NumericScalar(self.graph, self.graph.number(value))
 
-    def _from_entries(self, rows: Rows) -> Matrix:
-        return Matrix(tuple(tuple(self._from_entry(entry) for entry in row) for row in rows))
-
-    def _from_entry(self, entry: Entry) -> NumericScalar:
+    def from_entry(self, entry: Entry) -> NumericScalar:
         terms = (
             prod(
                 (self._generator(*generator) ** power for generator, power in monomial),

@@ -47,7 +47,7 @@ def _any_rotation(roots: SubstitutionRoots, derivation: Derivation, pair: Pair, 
     R = R @ elementary(algebra, "Rot", "y", angles[1]) @ elementary(algebra, "Rot", "z", angles[2])
     R = R.block(range(3), range(3))
     if turned_by is not None:
-        R = algebra.free_pose(turned_by, pair[1]).block(range(3), range(3)) @ R
+        R = algebra.pose(turned_by, pair[1]).block(range(3), range(3)) @ R
     return R
 
 

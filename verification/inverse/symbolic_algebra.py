@@ -84,11 +84,8 @@ class SymbolicAlgebra(GivenTarget, ExactAlgebra):
         """Return the angle of the point (x, y), by the rule for this proof."""
         return super().atan2(y, x) if self.roots is None else self.roots.atan2(y, x)
 
-    def free_pose(self, frame: str, reference: str) -> Matrix:
-        """Return a pose of the arm's trace; raises UnsolvedJoint where it depends on a joint without a value."""
-        return ExactAlgebra.pose(self, frame, reference)
-
     def _from_entries(self, rows: Rows) -> Matrix:
+        """Return a matrix of the arm's trace; raises UnsolvedJoint where it depends on a joint without a value."""
         for row in rows:
             for entry in row:
                 for monomial in entry:
