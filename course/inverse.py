@@ -46,6 +46,4 @@ def _handouts() -> dict[str, Path]:
     return found
 
 
-@lru_cache(maxsize=32)
-def _read(path: Path) -> InverseKinematics:
-    return read_inverse(path)
+_read = lru_cache(maxsize=32)(read_inverse)

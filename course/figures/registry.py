@@ -14,18 +14,8 @@ from armproof.course.figures.drawing.labels import arm_title, say
 from armproof.course.figures.drawing.style import GREY, TEXT, new_figure, styled
 from armproof.models.arm import Arm
 
-KINDS = (  # in the order in which a course meets them, each the KIND of the module of its name in course/figures/kinds/
-    "sketch",
-    "singular",
-    "postures",
-    "workspace",
-    "manipulability",
-    "quintic",
-    "path",
-    "crossing",
-    "tracking",
-    "rendering",
-)
+# In the order in which a course meets them, each the KIND of the module of its name in course/figures/kinds/.
+KINDS = tuple("sketch singular postures workspace manipulability quintic path crossing tracking rendering".split())
 
 _LINE = 62  # characters on a line of a column
 

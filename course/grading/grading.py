@@ -13,8 +13,8 @@ from armproof.course.grading.judging import judge
 from armproof.course.grading.notebook import Notebook, UnreadableError, read_notebook
 from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.running.client import Client
+from armproof.course.grading.sandbox.bubblewrap import lies_in_readable
 from armproof.course.grading.sandbox.limits import Limits
-from armproof.course.grading.sandbox.places import lies_in_readable
 from armproof.course.grading.submissions import Submission
 from armproof.course.grading.text import clean
 from armproof.verification.running.processes import cores

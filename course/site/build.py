@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, as_completed
+from concurrent.futures import as_completed
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 
@@ -69,7 +69,7 @@ def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
     """Yield what became of each lesson; the processes begin before Drake is imported."""
     with start_pool(workers) as pool:
         try:
-            described = _result(pool, work.describe, order)
+            described = pool.submit(work.describe, order).result()
             futures = {pool.submit(work.build_lesson, order, described, k, part): k for k in range(len(order.sources))}
             rest = pool.submit(work.build_rest, order, described, part)
             for future in as_completed(futures):
@@ -85,10 +85,6 @@ def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
             raise SiteError("the site cannot be built: {patience}", patience=_PATIENCE) from None
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
-
-
-def _result(pool: Executor, work: Callable[..., list], *arguments: object) -> list:
-    return pool.submit(work, *arguments).result()
 
 
 def _write_digests(part: Path) -> None:

@@ -37,19 +37,19 @@ _URL = re.compile(r"url\(\s*['\"]?(#?)([^'\")]*)['\"]?\s*\)", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
-class Cleaned:
-    """A piece of HTML that may stand on a page, and the styles that stood in it."""
+class Shown:
+    """A piece of HTML that may stand on a page, and the styles that it brings along."""
 
     html: Markup
     styles: tuple[str, ...] = ()
 
 
-def clean(html: str, prefix: str) -> Cleaned:
+def clean(html: str, prefix: str) -> Shown:
     """Return HTML with nothing in it but text, tables, pictures and formulas; each id begins with the prefix."""
     cleaner = _Cleaner(prefix)
     cleaner.feed(html)
     cleaner.close()
-    return Cleaned(Markup("".join([*cleaner.parts, *(f"</{tag}>" for tag in reversed(cleaner.open))])), cleaner.found)
+    return Shown(Markup("".join([*cleaner.parts, *(f"</{tag}>" for tag in reversed(cleaner.open))])), cleaner.found)
 
 
 class _Cleaner(HTMLParser):

@@ -5,25 +5,16 @@ from __future__ import annotations
 import base64
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from markupsafe import Markup
 
 from armproof.course.site.cells import Output
-from armproof.course.site.cleaning import clean
+from armproof.course.site.cleaning import Shown, clean
 
 _ANSI = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 _ADDRESS = re.compile(r"^<[\w.]+(?: object)? at 0x[0-9a-f]+>$|^<[\w.]+ object.*0x[0-9a-f]+.*>$")
 _LONGEST = 20_000  # characters of a text
-
-
-@dataclass(frozen=True)
-class Shown:
-    """Outputs as HTML, and the styles that they need."""
-
-    html: Markup
-    styles: tuple[str, ...] = ()
 
 
 def show_outputs(

@@ -52,9 +52,10 @@ def check_lesson(place: Place, source: Path) -> Report:
 
 
 def _check(place: Place, source: Path) -> Report:
+    from armproof.verification.check import verify
+
     lesson = read_lesson_source(source)
-    tasks = load_tasks(place, lesson)
-    result = _verify(source)
+    tasks, result = load_tasks(place, lesson), verify(source)
     solved = run_cells(lesson.name, list(solved_cells(lesson)), place)
     blank = run_cells(lesson.name, list(student_cells(lesson)), place)
     names = [task.name for task in tasks.tasks]
@@ -75,12 +76,6 @@ def _check(place: Place, source: Path) -> Report:
         student_seconds=blank.seconds,
         check_seconds=tuple(_seconds(solved.results))[1:],
     )
-
-
-def _verify(source: Path) -> DocumentResult:
-    from armproof.verification.check import verify
-
-    return verify(source)
 
 
 def _seconds(results: Mapping[str, Mapping[str, Any]]) -> Iterator[float]:

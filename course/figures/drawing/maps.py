@@ -84,9 +84,9 @@ def smooth(values: np.ndarray) -> np.ndarray:
     return np.where(np.isnan(values), np.nan, np.nansum(around, axis=(2, 3)) / count)
 
 
-def halo(width: float = 2.4) -> list[Any]:
+def halo() -> list[Any]:
     """Return the effects that set a line off from the map below it: paper around it."""
-    return [Outline(linewidth=width, foreground=PAPER, alpha=0.9), Normal()]
+    return [Outline(linewidth=2.4, foreground=PAPER, alpha=0.9), Normal()]
 
 
 def plain_condition(latex: str) -> str:

@@ -38,7 +38,6 @@ class Label:
         axes, at: the point, in data coordinates of the axes.
         toward: the side of the point on which the label is best, as a vector on the paper; (0, 0) for any.
         gap: pt, kept between the point and the label.
-        leader: whether a line may join a label that had to go away.
         also: more points that the label may stand at, as along an arc.
     """
 
@@ -49,7 +48,6 @@ class Label:
     size: float = TEXT
     colour: str = INK
     gap: float = 2.0
-    leader: bool = True
     also: tuple[tuple[float, float], ...] = ()
 
 
@@ -82,7 +80,7 @@ def _put(label: Label, text: Text, spot: _Spot) -> None:
     text.set_position(tuple(to_data.transform(spot.centre)))
     if spot.ink > 0:
         text.set_bbox({"facecolor": PAPER, "edgecolor": "none", "pad": 0.4, "alpha": 0.8})
-    if label.leader and spot.distance > _LEADER:
+    if spot.distance > _LEADER:
         ends = to_data.transform(spot.leader())
         line = Line2D(ends[:, 0], ends[:, 1], color=GREY, linewidth=0.4, zorder=ZORDER - 1, gid=LEADER, clip_on=False)
         label.axes.add_line(line)

@@ -138,7 +138,6 @@ class Scene:
         size: float = TEXT,
         colour: str = INK,
         gap: float = 0.6,
-        leader: bool = True,
         also: Sequence[np.ndarray] = (),
     ) -> None:
         """Keep a label for a point, (3,) in frame 0 or (2,) on the paper, to be placed at the end.
@@ -150,7 +149,7 @@ class Scene:
         """
         at, toward = (self.paper(v) if len(v) == 3 else np.asarray(v, dtype=float) for v in (at, toward))
         points, way = [(float(x), float(y)) for x, y in (at, *also)], (float(toward[0]), float(toward[1]))
-        label = Label(self.axes, text, points[0], way, size, colour, gap / POINT, leader, tuple(points[1:]))
+        label = Label(self.axes, text, points[0], way, size, colour, gap / POINT, tuple(points[1:]))
         self.labels.append(label)
 
 

@@ -1,7 +1,7 @@
 """The one style of all figures: sizes on paper, fonts, colours and strokes.
 
 A figure is drawn at the size at which it is printed, so that a letter of 8 pt is one of 8 pt on the sheet. Colours are
-those of Okabe and Ito, which the colour-blind tell apart; each comes with a line style, a marker and a hatch of its own,
+those of Okabe and Ito, which the colour-blind tell apart; each comes with a line style and a marker of its own,
 so that it is told apart in grey as well.
 """
 
@@ -43,7 +43,6 @@ class Stroke:
     colour: str
     linestyle: Any
     marker: str
-    hatch: str
 
     @property
     def line(self) -> dict[str, Any]:
@@ -52,14 +51,14 @@ class Stroke:
 
 
 STROKES = (
-    Stroke("#0072b2", "-", "o", ""),  # blue
-    Stroke("#d55e00", (0, (5, 1.6)), "s", "////"),  # vermilion
-    Stroke("#009e73", (0, (5, 1.4, 1, 1.4)), "^", "\\\\\\\\"),  # green
-    Stroke("#cc79a7", (0, (1.2, 1.2)), "D", "...."),  # purple
-    Stroke("#e69f00", (0, (8, 1.6)), "v", "xxxx"),  # orange
-    Stroke("#56b4e9", (0, (3, 1, 1, 1, 1, 1)), "P", "++++"),  # sky
-    Stroke("#5d5d5d", (0, (2.5, 2.5)), "X", "----"),  # grey
-    Stroke("#000000", (0, (7, 2, 1, 2)), "*", "||||"),  # black
+    Stroke("#0072b2", "-", "o"),  # blue
+    Stroke("#d55e00", (0, (5, 1.6)), "s"),  # vermilion
+    Stroke("#009e73", (0, (5, 1.4, 1, 1.4)), "^"),  # green
+    Stroke("#cc79a7", (0, (1.2, 1.2)), "D"),  # purple
+    Stroke("#e69f00", (0, (8, 1.6)), "v"),  # orange
+    Stroke("#56b4e9", (0, (3, 1, 1, 1, 1, 1)), "P"),  # sky
+    Stroke("#5d5d5d", (0, (2.5, 2.5)), "X"),  # grey
+    Stroke("#000000", (0, (7, 2, 1, 2)), "*"),  # black
 )
 
 
@@ -86,13 +85,12 @@ def styled() -> Iterator[None]:
         yield
 
 
-def new_figure(size: Size = "column", height: float = 60.0, layout: Literal["constrained"] | None = None) -> Figure:
+def new_figure(size: Size = "column", height: float = 60.0) -> Figure:
     """Return an empty figure, without pyplot.
 
     Args:
         size: column (84 mm wide) or page (174 mm).
         height: mm, up to 235.
-        layout: "constrained" where matplotlib is to arrange axes and their labels; None where `mm_axes` does.
 
     Raises:
         FigureError: another size, or a height that no page has.
@@ -101,15 +99,15 @@ def new_figure(size: Size = "column", height: float = 60.0, layout: Literal["con
         raise FigureError("a figure has the size {widths}, not {size}", widths=" or ".join(WIDTHS), size=repr(size))
     if not 10 <= height <= HIGHEST:
         raise FigureError("a figure is from 10 to {highest:g} mm high, not {height:g}", highest=HIGHEST, height=height)
-    figure = Figure(figsize=(WIDTHS[size] * MM, height * MM), layout=layout)
+    figure = Figure(figsize=(WIDTHS[size] * MM, height * MM))
     FigureCanvasAgg(figure)
     return figure
 
 
-def mm_axes(figure: Figure, left: float, bottom: float, width: float, height: float, **options: Any) -> Axes:
+def mm_axes(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
     """Return axes whose box is given in millimetres from the lower left corner of the paper."""
     wide, high = figure.get_size_inches() / MM
-    return figure.add_axes((left / wide, bottom / high, width / wide, height / high), **options)
+    return figure.add_axes((left / wide, bottom / high, width / wide, height / high))
 
 
 def text_width(figure: Figure, text: str, size: float = TEXT) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,6 +16,7 @@ from armproof.models.arm import Arm
 
 _RADIUS, _LENGTH = 2.2, 6.5  # mm, of a revolute joint
 _BOX, _BOX_LENGTH = 2.0, 7.5  # mm: half width and length of a prismatic joint
+_AXIS = 9.0  # mm, of an axis of a frame
 _ALONG_VIEW = 0.97
 AXIS_COLOURS = {"x": "#b03a00", "y": "#00704f", "z": "#00558a"}  # dark enough to read; z, x are also told by letter
 
@@ -178,3 +180,33 @@ def _swept(rim: np.ndarray, half: np.ndarray) -> np.ndarray:
     turn = len(rim) // 2  # where it is widest on the other side
     end = half * np.sign(rim[turn // 2] @ half)
     return np.vstack([rim[: turn + 1] + end, rim[turn:] - end, rim[:1] - end])
+
+
+def draw_frames(scene: Scene, frames: Mapping[str, np.ndarray]) -> None:
+    """Draw frames, each a pose (4, 4), with the names of their axes.
+
+    An arrow has the gid "frame 0 x", or "frame 0 x; frame 1 x" where two axes are one.
+    """
+    axes: dict[tuple[float, ...], list[tuple[str, str]]] = {}  # letter and frame, by the origin and the direction
+    for letter in "xyz":
+        for name, X_0F in frames.items():
+            place = np.round([*X_0F[:3, 3], *X_0F[:3, "xyz".index(letter)]], 7) + 0.0
+            axes.setdefault(tuple(place), []).append((letter, name))
+    for names in axes.values():
+        _draw_axis(scene, frames, names)
+
+
+def _draw_axis(scene: Scene, frames: Mapping[str, np.ndarray], names: list[tuple[str, str]]) -> None:
+    """Draw the axes of one origin and one direction."""
+    letters = {letter for letter, _ in names}
+    colour = AXIS_COLOURS[min(letters)] if len(letters) == 1 else INK
+    thin = letters == {"y"}
+    gid = "; ".join(f"frame {name} {letter}" for letter, name in names)
+    letter, name = names[0]
+    X_0F = frames[name]
+    origin, way = X_0F[:3, 3], X_0F[:3, "xyz".index(letter)]
+    tip = scene.arrow(
+        origin, scene.metres(0.85 * _AXIS if thin else _AXIS) * way, colour=colour, gid=gid, width=0.6 if thin else 0.9
+    )
+    text = ", ".join(axis_name(letter, name) for letter, name in sorted(names))
+    scene.label(text, tip, scene.paper(way), colour=colour, gap=0.4)

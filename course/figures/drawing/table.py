@@ -13,15 +13,13 @@ _GAP = 3.0  # mm between columns
 LINE = 4.6  # mm a row
 
 
-def draw_table(
-    figure: Figure, rows: Sequence[Sequence[str]], *, left: float, top: float, width: float, size: float = TEXT
-) -> float:
+def draw_table(figure: Figure, rows: Sequence[Sequence[str]], *, left: float, top: float, width: float) -> float:
     """Draw a table, its first row the head; returns its width in mm.
 
     Args:
         left, top: mm from the left and the lower edge of the page; the table is put in the middle of `width`.
     """
-    widths = [max(text_width(figure, text, size) for text in column) for column in zip(*rows, strict=True)]
+    widths = [max(text_width(figure, text) for text in column) for column in zip(*rows, strict=True)]
     total = sum(widths) + _GAP * (len(widths) - 1)
     start = left + (width - total) / 2
     wide, high = figure.get_size_inches() / MM
@@ -29,7 +27,7 @@ def draw_table(
         x = start
         for text, column in zip(row, widths, strict=True):
             y = top - (r + 0.5) * LINE - (0.8 if r else 0.0)
-            figure.text((x + column / 2) / wide, y / high, text, ha="center", va="center", fontsize=size)
+            figure.text((x + column / 2) / wide, y / high, text, ha="center", va="center", fontsize=TEXT)
             x += column + _GAP
     for y, thick in ((top, 0.8), (top - LINE - 0.4, 0.5), (top - len(rows) * LINE - 1.0, 0.8)):
         ends = [(start - 1.0) / wide, (start + total + 1.0) / wide]

@@ -7,12 +7,11 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.dimensions import draw_angle, draw_lengths, draw_turn
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.frames import draw_frames
 from armproof.course.figures.drawing.labels import check_language, form_tex, length, math, say, values_text
 from armproof.course.figures.drawing.layout import Layout
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import WIDTHS, new_figure, styled
-from armproof.course.figures.drawing.symbols import draw_arm
+from armproof.course.figures.drawing.symbols import draw_arm, draw_frames
 from armproof.course.figures.drawing.table import draw_table, table_height
 from armproof.course.figures.facts.dh_rows import LinkRows, chain_frames, link_rows
 from armproof.course.figures.facts.lengths import frame_lengths

@@ -13,7 +13,6 @@ import tempfile
 import threading
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -95,7 +94,7 @@ class Client:
     def _ask(self, slot: socket.socket, line: bytes, seconds: float) -> Ended:
         slot.settimeout(seconds + _GRACE)
         slot.sendall(line)
-        return _read_ended(_read_line(slot))
+        return Ended(**json.loads(_read_line(slot)))
 
     def _restart(self, generation: int) -> None:
         with self._lock:
@@ -161,11 +160,6 @@ def _read_line(slot: socket.socket) -> bytes:
             raise ConnectionError("the server has ended")
         parts.append(part)
     return b"".join(parts)
-
-
-def _read_ended(line: bytes) -> Ended:
-    answer = json.loads(line)
-    return Ended(**{each.name: answer[each.name] for each in fields(Ended) if each.name in answer})
 
 
 def _environment() -> dict[str, str]:

@@ -53,6 +53,6 @@ def test_the_results_are_in_the_order_of_the_students(graded):
 
 def test_a_class_where_every_submission_may_read_is_refused(write, tmp_path, monkeypatch):
     write("anna.ipynb", "x = 1")
-    monkeypatch.setattr("armproof.course.grading.sandbox.places.readable_places", lambda: (tmp_path,))
+    monkeypatch.setattr("armproof.course.grading.sandbox.bubblewrap.readable_places", lambda: (tmp_path,))
     with pytest.raises(GradingError, match=r"every submission may read .*; put the class's folder somewhere else"):
         grade(find_submissions(tmp_path / "class"), Limits())

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armproof.course.grading.running.magics import without_magics
+from armproof.course.grading.running.runner import without_magics
 
 
 @pytest.mark.parametrize(

@@ -16,9 +16,8 @@ from armproof.course.grading.running.keeper import keep
 from armproof.course.grading.running.own_folder import remove, size_of
 from armproof.course.grading.running.protections import ATTEMPTS, describe, try_out
 from armproof.course.grading.sandbox import bubblewrap
-from armproof.course.grading.sandbox.bubblewrap import choose_user, find_bubblewrap
+from armproof.course.grading.sandbox.bubblewrap import choose_user, find_bubblewrap, lies_in_readable, readable_places
 from armproof.course.grading.sandbox.limits import Limits
-from armproof.course.grading.sandbox.places import lies_in_readable, readable_places
 
 ALL = dict.fromkeys(ATTEMPTS, True)
 linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="of Linux")
