@@ -76,7 +76,7 @@ def read_layout(arm: Arm, function: Callable[..., Any]) -> Layout:
     defaults: dict[str, Any] = {}
     others = []
     for parameter in parameters:
-        symbol = _find(parameter.name, constants_of(arm))
+        symbol = next((name for name in constants_of(arm) if _bare(name) == _bare(parameter.name)), None)
         if symbol is not None and parameter.kind in (parameter.POSITIONAL_OR_KEYWORD, parameter.KEYWORD_ONLY):
             lengths[symbol] = parameter.name
             if parameter.default is not parameter.empty:
@@ -112,10 +112,6 @@ def _joint_parameters(
     lengths = f" (and, by their names, lengths: {known})" if known else ""
     raise ArgumentError("{function} takes {names}; it is to take one vector q, or the {n} joint values {joints}{lengths}",
         function=getattr(function, "__name__", "the function"), names=names, n=n, joints=[joint.symbol for joint in arm.joints], lengths=lengths)  # fmt: skip
-
-
-def _find(name: str, symbols: Iterable[str]) -> str | None:
-    return next((symbol for symbol in symbols if _bare(symbol) == _bare(name)), None)
 
 
 def _bare(name: str) -> str:

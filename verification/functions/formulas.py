@@ -61,7 +61,8 @@ class Formulas:
             if id(node) in known:
                 pending.pop()
                 continue
-            below = self._operands(node)
+            is_leaf = node.operation in ("cos", "sin", "tan", "constant", "symbol")
+            below = [] if is_leaf else [below for below in node.arguments if isinstance(below, TracedNumber)]
             missing = [operand for operand in below if id(operand) not in known]
             if missing:
                 pending.extend(missing)
@@ -69,11 +70,6 @@ class Formulas:
             known[id(node)] = self._value(node, [known[id(operand)] for operand in below], lift)
             pending.pop()
         return known[id(root)]
-
-    def _operands(self, node: TracedNumber) -> list[TracedNumber]:
-        if node.operation in ("cos", "sin", "tan", "constant", "symbol"):
-            return []
-        return [argument for argument in node.arguments if isinstance(argument, TracedNumber)]
 
     def _value(self, node: TracedNumber, values: list[Scalar], lift: bool) -> Scalar:
         operation = node.operation

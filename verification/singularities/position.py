@@ -76,16 +76,10 @@ class Placement:
     def _length_factors(self, variety: Variety, size: int) -> list[Factor]:
         """Return the relations between lengths that divide every minor of the family's image."""
         half = variety.half
-        moved = tuple(
-            tuple(variety.substituted(e) for e in row) for row in image_rows(variety, self.rows, self.sampler)
-        )
-        if size == 0 or sum(len(entry) for row in moved for entry in row) > MOST_TERMS:
+        moved = Matrix(image_rows(variety, self.rows, self.sampler)).map(variety.substituted)
+        if size == 0 or moved.shape[0] != size or sum(len(entry) for row in moved.rows for entry in row) > MOST_TERMS:
             return []
-        minors = []
-        matrix = Matrix(moved)
-        if len(moved) != size:
-            return []
-        minors = [m for m in matrix.minors(size, tuple(range(size))).values() if not m.is_zero()]
+        minors = [m for m in moved.minors(size, tuple(range(size))).values() if not m.is_zero()]
         common = reduce(lambda a, b: a.gcd(b), minors)
         factors = [Factor(half, f, self.positive) for f, _ in half.factors(common)]
         return [factor for factor in factors if factor.kind is Kind.LENGTHS]

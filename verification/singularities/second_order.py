@@ -9,9 +9,11 @@ family, and then the image of the family has two dimensions fewer than the task.
 
 from __future__ import annotations
 
+from operator import mul
+
 import numpy as np
 
-from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
+from armproof.verification.singularities.half_angles import Polynomial
 from armproof.verification.singularities.linear import Rows, eliminate
 from armproof.verification.singularities.points import Sampler
 from armproof.verification.singularities.variety import Variety
@@ -21,10 +23,8 @@ CLEAR = 1e-6  # an eigenvalue counts as not zero above this share of the largest
 
 def image_rows(variety: Variety, rows: Rows, sampler: Sampler) -> Rows:
     """Return J t, one row a motion t of a basis of those that keep to the family."""
-    half = variety.half
-    return tuple(
-        tuple(_dot(half, row, tangent) for row in rows) for tangent in tangent_vectors(variety, sampler, len(rows[0]))
-    )
+    tangents = tangent_vectors(variety, sampler, len(rows[0]))
+    return tuple(tuple(sum(map(mul, row, tangent), variety.half.zero) for row in rows) for tangent in tangents)
 
 
 def image_dimension(variety: Variety, rows: Rows, sampler: Sampler) -> int:
@@ -44,10 +44,6 @@ def tangent_vectors(variety: Variety, sampler: Sampler, width: int) -> tuple[tup
     if unbound:
         return tuple(tuple(half.one if k == j else half.zero for k in range(width)) for j in range(width))
     return eliminate(variety, tuple(gradients)).null_vectors
-
-
-def _dot(half: HalfAngles, a: tuple[Polynomial, ...], b: tuple[Polynomial, ...]) -> Polynomial:
-    return sum((x * y for x, y in zip(a, b, strict=True)), half.zero)
 
 
 def jacobian_derivatives(J: np.ndarray) -> np.ndarray:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import prod
 
 from armproof.models.exact.polynomial import Generator
 from armproof.verification.algebra.angles import cos_sin
@@ -117,28 +118,16 @@ def _of_angle(half: HalfAngles, signs: tuple[tuple[str, int], ...], powers: dict
 def write_product(value: Scalar, factors: Sequence[tuple[Scalar, int]]) -> str | None:
     """Write a scalar as a number times powers of factors; None where it is no such product (checked by normal form)."""
     ring = value.ring
-    if any(power == 0 for _, power in factors):
+    if value.is_zero() or any(power == 0 for _, power in factors):
         return None
-    product = ring.one
-    for factor, power in factors:
-        product = product * factor**power
-    ratio = _ratio(value, product)
-    if ratio is None or not (value - product * ring.rational(ratio)).is_zero():
+    product = prod((factor**power for factor, power in factors), start=ring.one)
+    quotient = value.numerator.leading_coefficient() / product.numerator.leading_coefficient()
+    ratio = Fraction(int(quotient.p), int(quotient.q))
+    if not (value - product * ring.rational(ratio)).is_zero():
         return None
     sign = "-" if ratio < 0 else ""
     head = "" if abs(ratio) == 1 else f"{abs(ratio)} "
     return sign + head + " ".join(_write_power(factor, power) for factor, power in sorted(factors, key=_order))
-
-
-def _ratio(value: Scalar, product: Scalar) -> Fraction | None:
-    above = dict(_keyed(value))
-    for key, coefficient in _keyed(product):
-        return above[key] / coefficient if key in above else None
-    return None
-
-
-def _keyed(value: Scalar) -> list[tuple[tuple[tuple[tuple[str, str], int], ...], Fraction]]:
-    return [(tuple(sorted(powers.items())), k) for powers, k in value.ring.terms(value.numerator)]
 
 
 def _order(item: tuple[Scalar, int]) -> tuple[int, int, str]:
