@@ -10,7 +10,16 @@ from dataclasses import replace
 import pytest
 
 from armproof.verification.findings import Kind, say
-from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry, summary, worst
+from armproof.verification.verdict import (
+    DocumentResult,
+    EquationResult,
+    Record,
+    Role,
+    Verdict,
+    WrongEntry,
+    summary,
+    worst,
+)
 
 ALL = list(Verdict)
 
@@ -56,6 +65,17 @@ def test_the_summary_counts_every_display_once() -> None:
     assert list(counts) == ["proved", "confirmed", "defined", "refuted", "unchecked", "unreadable", "beyond"]
     assert sum(counts.values()) == 7 and counts["proved"] == 2 and counts["refuted"] == 1
     assert summary([]) == dict.fromkeys(counts, 0)
+
+
+def test_a_remark_is_unchecked_is_counted_apart_and_never_fails_strictness() -> None:
+    remark, claim = (EquationResult(1, role, Verdict.UNCHECKED) for role in (Role.REMARK, Role.CLAIM))
+    assert remark.is_remark and not claim.is_remark and not replace(remark, verdict=Verdict.PROVED).is_remark
+    about_other_things = record(Verdict.UNCHECKED, outcomes=(remark, remark))
+    mixed, none = record(Verdict.UNCHECKED, outcomes=(remark, claim)), record(Verdict.UNCHECKED)
+    assert [each.is_remark for each in (about_other_things, mixed, none)] == [True, False, False]
+    result = DocumentResult("a.md", "", (record(Verdict.PROVED), about_other_things))
+    assert summary([result, result])["beyond"] == 2 and summary([result])["unchecked"] == 1
+    assert result.passed_strictly() and not replace(result, equations=(record(Verdict.PROVED), mixed)).passed_strictly()
 
 
 def test_a_record_is_written_as_the_design_says(judge: Callable[..., Record]) -> None:

@@ -201,7 +201,7 @@ def test_a_pose_times_a_plain_vector_says_what_is_missing() -> None:
 def test_what_is_too_large_to_expand_is_refused() -> None:
     with pytest.raises(EvaluationError, match="the determinant of a 9×9 matrix is more than is computed"):
         eye(9).determinant()
-    assert eye(7).cofactors() == eye(7)
+    assert vanishes(eye(7).cofactors() + -eye(7))
     with pytest.raises(EvaluationError, match="the cofactors of a 8×8 matrix are more than is computed"):
         eye(8).adjugate()
 
