@@ -212,7 +212,7 @@ class DocumentChecker:
         )
         if not display.closed:
             return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
-        self.names.state.section = display.section
+        self.names.state.enter(display.section)
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):

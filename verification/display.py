@@ -82,7 +82,9 @@ class Statements:
                 index += 1
                 continue
             given = dict(self.names.state.configuration)
+            self.checker.redefinitions.enabled = False
             steps = [self._chain(chain, equation, line, define) for chain in implication.premises]
+            self.checker.redefinitions.enabled = True
             self._begin()
             judged = self._implication(implication, [o for found in steps for o in found], equation, links)
             if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
@@ -178,9 +180,14 @@ class Statements:
         outcomes = self._read_chain(chain, equation, line, define)
         if not chain.relations and not outcomes:
             return [] if _is_label(chain) else [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]
+        foreign = self.names.state.foreign()
+        for outcome in outcomes if foreign else ():
+            if outcome.verdict is Verdict.REFUTED:
+                other = say(Kind.OTHER_EXERCISE, name=foreign[0][0], line=foreign[0][1])
+                outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
         defined = {(key, line) for outcome in outcomes for key in outcome.defines}
         for outcome in outcomes:  # c_3 = … := D names what is decided beside it
-            met = {key for key in self._consulted() if key[0] not in outcome.defines}
+            met = {key for key in self._consulted() if key[0] not in outcome.defines and key != outcome.repeats}
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
         return outcomes
 

@@ -150,7 +150,7 @@ class Claim:
 
     def _document(self, latex: str) -> Document:
         truth = [f"{ASKED} = {_as_formula(self.truth)}"] if self.truth else []
-        lines = [*self.given, *truth, f"{ASKED} = {_as_formula(latex)}"]
+        lines = [*self.given, *truth, f"{_as_formula(latex)} = {ASKED}"]  # an answer defines nothing
         return Document(
             _FILE, dict(self.front), tuple(Display(k + 1, line, section="") for k, line in enumerate(lines)), ()
         )

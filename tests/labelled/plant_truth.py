@@ -58,7 +58,7 @@ class PlantTruth:
     def quantity(self, spec: Mapping[str, Any], q: np.ndarray, rates: np.ndarray) -> np.ndarray:
         """Return the value of what a table's `truth` names."""
         (kind, what), *_ = spec.items()
-        last = self.jacobian(q, str(len(self.symbols)))
+        last = self.jacobian(q, spec.get("of", str(len(self.symbols))))
         if kind == "angle":
             return np.asarray(q[: int(what)].sum())  # planar arms
         if kind == "determinant":

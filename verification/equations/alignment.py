@@ -195,3 +195,41 @@ def angle_places(pair: Pair) -> set[tuple[int, int]]:
 def _all(equal: Any) -> bool:
     """Whether a comparison holds, of numbers or of arrays of samples."""
     return equal if isinstance(equal, bool) else bool(equal.all())
+
+
+def is_near(pair: Pair) -> bool:
+    """Whether a value is a slip away from another: half of the entries that are no constants agree, or half of the terms."""
+    cells = [
+        (a, b)
+        for row, other in zip(pair.true.rows, pair.printed.rows, strict=True)
+        for a, b in zip(row, other, strict=True)
+        if isinstance(a, Scalar) and isinstance(b, Scalar) and not (_is_number(a) and _is_number(b))
+    ]
+    if len(cells) == 1:
+        return _shares_terms(*cells[0])
+    agreeing = sum(exactly_equal(a, b) for a, b in cells)
+    return agreeing > 0 and 2 * agreeing >= len(cells)
+
+
+def _shares_terms(true: Scalar, printed: Scalar) -> bool:
+    """Whether two sums have as many terms and a third of them in common, or two thirds of the longer one's.
+
+    Two single terms are near that differ in their number alone.
+    """
+    a, b = true.normal(), printed.normal()
+    if not (a.denominator.is_one() and b.denominator.is_one()):
+        return False
+    terms, others = ([(tuple(sorted(p.items())), k) for p, k in a.ring.terms(x.numerator)] for x in (a, b))
+    if len(terms) == len(others) == 1:
+        return terms[0][0] == others[0][0]
+    common, longer = sum(term in others for term in terms), max(len(terms), len(others))
+    return longer > 1 and 3 * common >= (1 if len(terms) == len(others) else 2) * longer
+
+
+def _is_number(value: Scalar) -> bool:
+    return value.as_fraction() is not None
+
+
+def is_constant(value: Matrix) -> bool:
+    """Whether a value holds nothing but numbers."""
+    return all(isinstance(cell, Scalar) and _is_number(cell) for row in value.rows for cell in row)

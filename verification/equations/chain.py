@@ -11,9 +11,10 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import Definitions
 from armproof.verification.equations.equality import Equality
-from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name, renew_letter
+from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.readings import Readings
+from armproof.verification.equations.readings import Check, Readings
+from armproof.verification.equations.redefinitions import Redefinitions
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import UnboundName
@@ -21,6 +22,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.names import Names
+from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -39,6 +41,7 @@ class ChainChecker:
         self.equality = Equality(self.members, self.route)
         self.readings = Readings(self.equality)
         self.conventions = Conventions(self.members, self.route)
+        self.redefinitions = Redefinitions(names)
 
     @property
     def confirm(self) -> bool:
@@ -64,9 +67,9 @@ class ChainChecker:
     def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
         """Return one outcome an equation, numbered from `first_equation`."""
         self.names.state.signs.read.clear()
+        before = self.names.state.definitions.copy()
         chain = self.conventions.read(chain)
-        if define:
-            renew_letter(self.equality, chain)
+        defined = self.redefinitions.before(chain) if define else None
         self.readings.choose_square_rows(chain)
         new = new_name(self.names, chain)
         fresh = new_letters(self.names, chain)
@@ -105,12 +108,12 @@ class ChainChecker:
                 outcomes.append(self.equality.compare(true, member, equation, branches))
             else:
                 outcomes.append(definitions.define(true, member, equation))
-        if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
-            mismatch = any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes)
-            check = partial(self.check, first_equation=first_equation, line=line, define=define)
-            outcomes = self.readings.with_fewer_rows(chain, check, mismatch) or outcomes
-            outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
+        outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
+        outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
+        if defined is not None:
+            check = partial(self.check, first_equation=first_equation, line=line)
+            outcomes = self.redefinitions.judge(chain, outcomes, defined, check)
         for outcome in outcomes:
             outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
         doubt = self.readings.other_direction(
@@ -122,3 +125,21 @@ class ChainChecker:
                 if isinstance(brace, n.Labelled):
                     outcomes.extend(definitions.label(brace, first_equation + max(0, index - 1)))
         return outcomes
+
+    def _read_otherwise(self, chain: n.Chain, first: list[Outcome], check: Check) -> list[Outcome]:
+        """Return the outcomes under another reading of the Jacobian where the first one refutes the chain."""
+        made = self.names.state.definitions
+        outcomes = first
+        if any(outcome.verdict is Verdict.REFUTED for outcome in first):
+            outcomes = self.readings.with_fewer_rows(chain, first, check)
+        outcomes = self.readings.of_the_tool(chain, outcomes, check)
+        if outcomes is first:
+            self.names.state.definitions = made
+        return outcomes
+
+    def _again(
+        self, before: dict[str, Definition], first_equation: int, line: int, define: bool, chain: n.Chain
+    ) -> list[Outcome]:
+        """Check another reading of a chain, without what its first reading defined."""
+        self.names.state.definitions = before.copy()
+        return self.check(chain, first_equation, line, define)

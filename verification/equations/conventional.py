@@ -13,8 +13,15 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_front_matter, kind_of
-from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.alignment import Pair, align, different_entries, exactly_equal, square_rows
+from armproof.verification.equations.alignment import (
+    Pair,
+    align,
+    different_entries,
+    exactly_equal,
+    is_constant,
+    is_near,
+    square_rows,
+)
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
@@ -76,7 +83,9 @@ class Conventions:
         if not (self._is_point(first) and self._is_point(second)):
             return None
         start, end = (first.sub or (first.base if first.base != "O" else self._base)), second.sub or second.base
-        return n.Name("O", f"{start}to{end}", span=node.span)
+        between = n.Name("O", f"{start}to{end}", span=node.span)
+        assert self.names.arm is not None
+        return between if conventional(between, self.names.arm, self.names.transforms) else None
 
     def _is_point(self, name: n.Name) -> bool:
         """Whether a letter may be a point of a figure: it is no matrix A_1, and the document gives it no value."""
@@ -88,6 +97,14 @@ class Conventions:
 
     def _as_name(self, node: n.Node) -> n.Node:
         inner = bare(node)
+        if (
+            isinstance(inner, n.Name)
+            and len(inner.key) == 2
+            and set(inner.key) <= POINTS
+            and self._is_open(inner, inner)
+        ):
+            points = tuple(n.Name(letter, span=node.span) for letter in inner.base)
+            return self._between(n.Product(points, ("",), span=node.span)) or node
         if isinstance(inner, n.Power) and isinstance(inner.base, n.Name) and isinstance(inner.exponent, n.Number):
             name, index = inner.base, str(inner.exponent.value)
             assert self.names.arm is not None
@@ -120,9 +137,27 @@ class Conventions:
             return members
         members = [self._bound_inside(member) for member in members]
         known = [member for member in members if member.known]
+        if len(known) > 1:
+            members = [self._height(member, [m for m in known if m is not member]) for member in members]
         if not known:
             known = [member for member in members if isinstance(member.problem, OutsideAlgebra)]
         return [self._bound(member, known) for member in members]
+
+    def _height(self, member: Member, others: list[Member]) -> Member:
+        """z_4 beside a scalar is no axis where it is the coordinate of the frame's origin."""
+        name = member.node
+        if not isinstance(name, n.Name) or name.base not in "zZ" or name.dots or not isinstance(member.value, Matrix):
+            return member
+        axis = self.names.quantity(name)
+        if axis is None or name.key in (*self.names.quantities, *self.names.state.definitions):
+            return member
+        tried = self._tried(name, name, replace(axis, kind="origin", rows=(3,), scalar=True))
+        pairs = [self._closest(tried, other) for other in others]
+        if any(pair is not None and not is_constant(pair.printed) and self._agree(tried, other, pair)
+               for pair, other in zip(pairs, others, strict=True)):  # fmt: skip
+            return tried
+        self._forget({name.key})
+        return member
 
     def _bound_inside(self, member: Member) -> Member:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
@@ -161,7 +196,7 @@ class Conventions:
                     continue
                 if self._agree(tried, other, pair):
                     return tried
-                if pair is not None and is_usual(name) and not _is_constant(pair.printed):
+                if pair is not None and is_usual(name) and not is_constant(pair.printed):
                     self.open.setdefault(name.key, quantity)
                     near = near or (quantity if quantity.kind != "angle" and is_near(pair) else None)
         self._forget({name.key})
@@ -298,38 +333,6 @@ class Conventions:
         spec = ", ".join(f"{option}: {value}" for option, value in as_front_matter(quantity).items())
         line = f'quantities: {{"{key}": {{{spec}}}}}'
         return say(Kind.NOT_AS_USUAL_BOUND, name=key, reading=kind_of(quantity).tell(quantity), line=line)
-
-
-def is_near(pair: Pair) -> bool:
-    """Whether a value is a slip away from another: half of the entries that are no constants agree, or half of the terms."""
-    cells = [
-        (a, b)
-        for row, other in zip(pair.true.rows, pair.printed.rows, strict=True)
-        for a, b in zip(row, other, strict=True)
-        if isinstance(a, Scalar) and isinstance(b, Scalar) and not (_is_number(a) and _is_number(b))
-    ]
-    if len(cells) == 1:
-        return _shares_terms(*cells[0])
-    agreeing = sum(exactly_equal(a, b) for a, b in cells)
-    return agreeing > 0 and 2 * agreeing >= len(cells)
-
-
-def _shares_terms(true: Scalar, printed: Scalar) -> bool:
-    """Whether two sums have as many terms, and a third of them in common."""
-    a, b = true.normal(), printed.normal()
-    if not (a.denominator.is_one() and b.denominator.is_one()):
-        return False
-    terms, others = ([(tuple(sorted(p.items())), k) for p, k in a.ring.terms(x.numerator)] for x in (a, b))
-    common = sum(term in others for term in terms)
-    return len(terms) == len(others) > 1 and 3 * common >= len(terms)
-
-
-def _is_number(value: Scalar) -> bool:
-    return value.as_fraction() is not None
-
-
-def _is_constant(value: Matrix) -> bool:
-    return all(isinstance(cell, Scalar) and _is_number(cell) for row in value.rows for cell in row)
 
 
 def _plain(node: n.Node) -> n.Name | None:

@@ -62,7 +62,7 @@ class Definitions:
             key = bare_key(member.node)
             if key is not None:
                 if self.defines:
-                    self.names.define(key, self.members.meaning(true.node), self.line)
+                    self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
                     if (decimals := self.members.decimals(true.node)) is not None:
                         self.names.state.rounded[key] = decimals
                     if isinstance(member.node, n.Name):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from math import pi
@@ -14,12 +13,11 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import UnboundName
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, bare_key, has_branches
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 
-AUXILIARY = r"[A-HK-NQ-SU-Wa-hkmnr-w]|alpha|beta|gamma|delta|lambda|mu|rho"  # letters of a figure, not of the arm
 Pair = tuple[n.Node, n.Node]
 Values = dict[str, n.Node]
 
@@ -173,25 +171,6 @@ def new_letters(names: Names, chain: n.Chain) -> frozenset[str]:
         ):
             return keys_alone(member)
     return frozenset()
-
-
-def renew_letter(equality: Equality, chain: n.Chain) -> None:
-    """A scalar letter that an earlier section defined may be defined anew: K, A, β mean something else there."""
-    names = equality.names
-    key = bare_key(chain.members[0])
-    definition = names.state.definitions.get(key) if key is not None and names.arm is not None else None
-    name = chain.members[0]
-    if not isinstance(name, n.Name) or not re.fullmatch(AUXILIARY, name.base):
-        return
-    if definition is None or len(chain.members) < 2 or definition.by_place or definition.section == names.state.section:
-        return
-    if any(isinstance(below, n.Name) and below.key == key for below in n.walk(chain.members[1])):
-        return
-    before, now = equality.members.evaluate(chain.members[0]), equality.members.evaluate(chain.members[1])
-    if not (before.known and now.known and isinstance(before.value, Scalar) and isinstance(now.value, Scalar)):
-        return
-    if equality.compare(before, now, 0, has_branches(chain)).verdict is Verdict.REFUTED:
-        del names.state.definitions[str(key)]
 
 
 def adopts_letters(sides: Members, members: list[Member]) -> bool:

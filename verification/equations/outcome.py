@@ -41,6 +41,7 @@ class Outcome:
     defines: tuple[str, ...] = ()
     gives: Mapping[str, n.Node] = field(default_factory=dict)  # lengths that its numbers state
     there: Mapping[str, float] = field(default_factory=dict)  # the stated values at which its numbers are wrong
+    repeats: tuple[str, int] | None = None  # a definition, by its name and the line of its display
     role: Role = Role.CLAIM
     read_as: str = ""
     uses: frozenset[tuple[str, int]] = frozenset()
@@ -63,7 +64,7 @@ class Outcome:
             tuple(finding.at(self.equation) for finding in self.findings),
             self.samples,
             self.max_error,
-            frozenset((key, line) for key in self.defines),
+            frozenset([*((key, line) for key in self.defines), *([self.repeats] if self.repeats else [])]),
             self.uses,
         )
 

@@ -107,20 +107,22 @@ class Readings:
             return outcome
         return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VECTOR_HERE, name=rate.key),))
 
-    def with_fewer_rows(self, chain: n.Chain, check: Check, mismatch: bool) -> list[Outcome] | None:
+    def with_fewer_rows(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
         """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
         whole = [(below, name) for below in n.walk(chain) if (name := self.members.jacobian_name(below, True)) is below]
         fixed = any(name.sub.startswith("rows") for name, _ in whole)  # these are read so already
         if not whole or fixed or any(member is name for member in chain.members for name, _ in whole):
-            return None
+            return outcomes
+        mismatch = any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes)
         fitting: list[Outcome] | None = None
         printed = self.names.state.shown.get(whole[0][1].key) or self.names.state.shown.get("J")
         value = self.members.evaluate(whole[0][0]).value
-        possible = (
-            _jacobian_rows(value, printed)
-            if mismatch and isinstance(value, Matrix) and len(value.rows) == 6
-            else [printed]
-        )
+        if mismatch and isinstance(value, Matrix) and len(value.rows) == 6:
+            possible = _jacobian_rows(value, printed)
+        elif printed is None and isinstance(value, Matrix) and any(map(_is_gram, n.walk(chain))):
+            possible = iter([tuple(row + 1 for row in square_rows(value) or ())])
+        else:
+            possible = iter([printed or ()])
         for rows in filter(None, possible):
             read = chain
             for below, name in whole:
@@ -129,14 +131,44 @@ class Readings:
                 part = replace(name, sub=f"rows {rows}")
                 self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
                 read = n.substitute(read, below, part)  # type: ignore[assignment]
-            outcomes = check(read)
-            if not any(outcome.is_mismatch for outcome in outcomes):
-                for outcome in outcomes:
+            tried = check(read)
+            if not any(outcome.is_mismatch for outcome in tried):
+                for outcome in tried:
                     outcome.findings = outcome.findings or (say(Kind.READ_AS_ROWS, rows=list(rows)),)
-                if all(outcome.verdict is not Verdict.REFUTED for outcome in outcomes):
-                    return outcomes
-                fitting = fitting or outcomes
-        return fitting
+                if all(outcome.verdict is not Verdict.REFUTED for outcome in tried):
+                    return tried
+                fitting = fitting or tried
+        return fitting or outcomes
+
+    def of_the_tool(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
+        """A Jacobian that names no frame is that of the last one, or of the tool behind it: as the first equation says."""
+        arm, state = self.names.arm, self.names.state
+        if arm is None or arm.frames[-1] == (last := numbered_frames(arm)[-1]):
+            return outcomes
+        left_open = {
+            name.key: quantity
+            for below in n.walk(chain)
+            if (name := self.members.jacobian_name(below, True)) is not None
+            and name.key not in state.inferred
+            and (quantity := self.names.quantity(replace(name, dots=0))) is not None
+            and quantity.frame == last
+            and name.sub != "n"
+        }
+        if not left_open or all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes):
+            return outcomes
+        if not any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+            state.inferred.update(left_open)
+            return outcomes
+        before = state.shown
+        state.shown = {key: rows for key, rows in before.items() if key not in left_open}
+        state.inferred.update({key: replace(quantity, frame=arm.frames[-1]) for key, quantity in left_open.items()})
+        tried = check(chain)
+        if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
+            return tried
+        state.shown = before
+        for key in left_open:
+            state.inferred.pop(key, None)
+        return outcomes
 
     def other_direction(self, chain: n.Chain, now: list[Outcome], check: Check) -> Finding | None:
         """Say which index must name the reference for an equation to hold, where nothing tells and only one of them may."""
@@ -246,3 +278,11 @@ def _whole_jacobian(names: Names, reference: str) -> Quantity | None:
         return None
     frames = numbered_frames(names.arm)
     return Quantity("jacobian", frames[-1], reference or frames[0])
+
+
+def _is_gram(node: n.Node) -> bool:
+    """Whether a tree is J J^T, which has no inverse for a Jacobian of six rows with fewer columns."""
+    if not isinstance(node, n.Product) or len(node.factors) != 2:
+        return False
+    first, second = (n.ungrouped(factor) for factor in node.factors)
+    return isinstance(second, n.Postfix) and second.operator == "T" and n.ungrouped(second.base) == first

@@ -60,6 +60,8 @@ class Kind(MessageKind):
     NOT_AS_USUAL_BOUND = "not_as_usual_bound", "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}"
     NUMBERS_FOR_LENGTHS = "numbers_for_lengths", "numbers stand where the arm has lengths, and the document gives the lengths no values: state them"
     WHICH_INDEX = "which_index", "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter"
+    SECOND_MEANING = "second_meaning", "`{name}` means something else since line {line}: give it another name, or a section of its own"
+    OTHER_EXERCISE = "other_exercise", "that is not so for the `{name}` of line {line}, which another exercise defines: say here what it means"
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
     LEFT_OUT = "left_out", "'{text}' stands beside the equation and in none: what it says is not decided"
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"

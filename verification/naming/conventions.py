@@ -84,10 +84,9 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
         yield from _velocities(base, frame, given, component)
     if base == "J":
         yield from _blocks(index, reference, arm)
-    if base in MANIPULABILITIES and not index and not placed:
-        yield Quantity("manipulability", _last(arm), reference, scalar=True)
-    if base == "Delta" and not index and not placed:
-        yield Quantity("determinant", _last(arm), reference, scalar=True)
+    kind = "manipulability" if base in MANIPULABILITIES else "determinant" if base == "Delta" else ""
+    if kind and not index and not placed:
+        yield from (Quantity(kind, frame, reference, scalar=True) for frame in dict.fromkeys((_last(arm), _tool(arm))))
 
 
 def _of_frame(base: str, index: str, origin: Quantity, arm: Arm, placed: bool) -> Iterator[Quantity]:
@@ -127,14 +126,10 @@ def _blocks(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
     """J_{v2}, J_{ω_2}, J_{P_2}: the rows of one velocity in the Jacobian of a frame."""
     if index in WHOLE_JACOBIAN:
         yield Quantity("jacobian", _last(arm), reference)
-    found = re.fullmatch(r"([A-Za-z]+?)_?,?(\d|[eEnN]|tool|EE|ee)?", index)
-    if found is None:
-        return
-    letters, number = found.groups()
-    frame = _frame(number, arm) if number else _last(arm)
-    rows = (1, 2, 3) if letters in LINEAR else (4, 5, 6) if letters in ANGULAR else None
-    if frame is not None and rows is not None:
-        yield Quantity("jacobian", frame, reference, rows=rows)
+    for letters, rows in (*((each, (1, 2, 3)) for each in LINEAR), *((each, (4, 5, 6)) for each in ANGULAR)):
+        behind = index.removeprefix(letters).lstrip("_,")
+        if index.startswith(letters) and (frame := _frame(behind, arm) if behind else _last(arm)) is not None:
+            yield Quantity("jacobian", frame, reference, rows=rows)
 
 
 def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | None, str]]:

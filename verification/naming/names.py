@@ -171,9 +171,19 @@ class Names:
         self.state.consulted.add((key, definition.line))
         return definition.evaluate(algebra)
 
-    def define(self, key: str, evaluate: Callable[[Algebra], Value], line: int = 0, *, by_place: bool = False) -> None:
+    def define(
+        self,
+        key: str,
+        evaluate: Callable[[Algebra], Value],
+        line: int = 0,
+        *,
+        by_place: bool = False,
+        node: n.Node | None = None,
+    ) -> None:
         """Give a name its meaning, unless it has one."""
-        self.state.definitions.setdefault(key, Definition(evaluate, line, self.state.section, by_place))
+        self.state.definitions.setdefault(
+            key, Definition(evaluate, line, self.state.section, by_place, node, self.state.exercise)
+        )
 
 
 def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import product
@@ -15,6 +16,8 @@ from armproof.verification.latex.writer import Notation
 from armproof.verification.verdict import EquationResult, Record, Role, Verdict, worst
 
 Key = tuple[str, int]  # a name and the line of the display that defines it
+_KINDS = r"exerci[sc]e|problem|problème|question|aufgabe|task|tâche|part|partie"
+EXERCISE = re.compile(rf"(?:{_KINDS})\s*(?:n[°o]\.?\s*)?(?:\d+|[ivx]+|[a-z])\b", re.I)
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,9 @@ class Definition:
     line: int = 0
     section: str = ""
     by_place: bool = False  # the entry or block of a matrix, not an equation of its own
+    node: n.Node | None = None  # what an equation of its own says that it is
+    exercise: str = ""  # empty in the document's head, which holds for all of them
+    has_two_meanings: bool = False  # a second equation of its section says that it is something else
 
 
 @dataclass(frozen=True)
@@ -89,6 +95,7 @@ class DocumentState:
     Attributes:
         transforms: which index of T^i_j names the reference, where a link matrix of the document shows it.
         section: the heading under which the display stands that is being checked.
+        exercise: that of the exercise to which it belongs.
         subject: the first member of the last display: one that begins with a relation goes on about it.
         definitions: what names mean.
         inferred: names whose meaning the other side of an equation told.
@@ -108,6 +115,7 @@ class DocumentState:
 
     transforms: str = ""
     section: str = ""
+    exercise: str = ""
     subject: n.Node | None = None
     definitions: dict[str, Definition] = field(default_factory=dict)
     inferred: dict[str, Quantity] = field(default_factory=dict)
@@ -129,6 +137,16 @@ class DocumentState:
     def stated(self) -> dict[str, float]:
         """The values that displays gave joint variables, rates and lengths."""
         return {name: stated.value for name, stated in self.configuration.items()}
+
+    def enter(self, section: str) -> None:
+        """Go on under a heading, in a new exercise where it says so."""
+        self.section = section
+        self.exercise = section if EXERCISE.match(section) else self.exercise
+
+    def foreign(self) -> list[Key]:
+        """Return the names consulted whose definitions stand in another exercise, each with its line."""
+        met = {key: self.definitions[key] for key, _ in self.consulted if key in self.definitions}
+        return sorted((key, each.line) for key, each in met.items() if each.exercise not in ("", self.exercise))
 
     def copy(self) -> DocumentState:
         """Return the state as it is now."""

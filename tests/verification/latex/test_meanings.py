@@ -224,13 +224,56 @@ def write_sections(*displays: str) -> Document:
     return Document(Path("page.md"), {"arm": ARM}, tuple(found), ())
 
 
+def test_any_name_may_mean_something_else_in_another_section() -> None:
+    matrices = (
+        r"Q_3 = \begin{bmatrix} a_2 & 0 \\ 0 & a_3 \end{bmatrix}",
+        r"Q_3 = \begin{bmatrix} a_3 & 0 \\ 0 & a_2 \end{bmatrix}",
+    )
+    anew = check_document(
+        write_sections(*matrices, r"Q_3 \begin{bmatrix} 1 \\ 0 \end{bmatrix} = \begin{bmatrix} a_3 \\ 0 \end{bmatrix}")
+    )
+    assert [record.verdict for record in anew.equations] == [Verdict.UNCHECKED, Verdict.DEFINED, Verdict.PROVED]
+
+
 def test_a_letter_may_mean_something_else_in_another_section() -> None:
     anew = check_document(write_sections(r"K = a_2c_2", r"K = a_3c_3", r"2K = 2a_3c_3"))
     assert [record.verdict for record in anew.equations] == [Verdict.UNCHECKED, Verdict.DEFINED, Verdict.PROVED]
 
 
-def test_a_letter_keeps_its_meaning_within_a_section(judge: Judge) -> None:
-    assert judge(r"K = a_2c_2", r"K = a_3c_3", arm=ARM).verdict is Verdict.REFUTED
+def test_a_second_meaning_within_a_section_is_not_decided(judge: Judge) -> None:
+    second = judge(r"K = a_2c_2", r"2K = 2a_2c_2", r"K = a_3c_3", arm=ARM)
+    assert second.verdict is Verdict.UNCHECKED and "something else since line 1" in second.message
+    for claim in (r"2K = 2a_2c_2", r"2K = 2a_3c_3", r"K = a_1c_1"):  # which of them is meant is not known
+        assert judge(r"K = a_2c_2", r"K = a_3c_3", claim, arm=ARM).verdict is Verdict.UNCHECKED
+    assert judge(r"K = a_2c_2", r"K = \begin{bmatrix} a_2 \\ a_3 \end{bmatrix}", arm=ARM).verdict is Verdict.UNCHECKED
+
+
+def test_a_slip_of_a_letters_meaning_is_refuted(judge: Judge) -> None:
+    assert judge(r"K = a_2c_2 + a_3c_3", r"K = a_2c_2 + a_3s_3", arm=ARM).verdict is Verdict.REFUTED
+    assert judge(r"K = 2a_2c_2", r"K = a_2c_2", arm=ARM).verdict is Verdict.REFUTED
+    assert judge(r"K = a_2c_2", r"K = a_3c_3 = a_3s_3", arm=ARM).verdict is Verdict.REFUTED
+
+
+def test_a_definition_that_is_said_again_is_no_claim() -> None:
+    first, again = check_document(write_sections(r"K = a_2c_2", r"K = a_2c_2")).equations
+    assert first.verdict is again.verdict is Verdict.UNCHECKED
+    used = check_document(write_sections(r"K = a_2c_2", r"K = a_2c_2", r"K^2 = a_2^2c_2^2")).equations
+    assert [record.verdict for record in used] == [Verdict.DEFINED, Verdict.DEFINED, Verdict.PROVED]
+
+
+def write_exercises(*parts: tuple[str, str]) -> Document:
+    """Return a document of (heading, display)."""
+    found = [Display(line, latex, section=heading) for line, (heading, latex) in enumerate(parts, 1)]
+    return Document(Path("page.md"), {"arm": ARM}, tuple(found), ())
+
+
+def test_what_another_exercise_defines_refutes_nothing() -> None:
+    claim = r"3K = 2a_3c_3"
+    other = check_document(write_exercises(("Exercise 1", "K = a_2c_2"), ("Exercise 2", claim))).equations[-1]
+    assert other.verdict is Verdict.UNCHECKED and "another exercise" in other.message
+    for first, second in (("Notation", "Exercise 2"), ("Exercise 1", "Exercise 1"), ("Exercise 1", "The elbow")):
+        same = check_document(write_exercises((first, "K = a_2c_2"), (second, claim))).equations[-1]
+        assert same.verdict is Verdict.REFUTED
 
 
 def test_an_entry_of_a_pose_keeps_its_meaning_in_every_section() -> None:
@@ -243,9 +286,11 @@ def test_an_entry_of_a_pose_keeps_its_meaning_in_every_section() -> None:
 # -- letters that look like the arm's ----------------------------------------------------------------------------------
 
 
-def test_a_height_named_like_an_axis_is_the_documents_own(judge: Judge) -> None:
-    assert not judge(r"z_2 = d_1 + a_2\sin\theta_2", arm=ARM).is_decided
+def test_a_height_named_like_an_axis_is_the_frames_or_the_documents_own(judge: Judge) -> None:
+    assert judge(r"z_2 = d_1 + a_2\sin\theta_2", arm=ARM).verdict is Verdict.PROVED
     assert judge(r"z_2 = d_1 + a_2\sin\theta_2", r"2z_2 = 2d_1 + 2a_2s_2", arm=ARM).verdict is Verdict.PROVED
+    assert not judge(r"z_2 = d_1 + a_3\sin\theta_2", arm=ARM).is_decided
+    assert judge(r"z_2 = d_1 + a_3\sin\theta_2", r"2z_2 = 2d_1 + 2a_3s_2", arm=ARM).verdict is Verdict.PROVED
     assert judge(r"z_2 = d_1 + a_2\sin\theta_2", arm=ARM, quantities={"z_2": {"axis": 2}}).verdict is Verdict.REFUTED
 
 

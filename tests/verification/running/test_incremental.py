@@ -36,6 +36,7 @@ PARTS = [
 CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "transforms": lambda state: setattr(state, "transforms", "lower"),
     "section": lambda state: setattr(state, "section", "A title"),
+    "exercise": lambda state: setattr(state, "exercise", "Exercise 1"),
     "subject": lambda state: setattr(state, "subject", Name("a")),
     "definitions": lambda state: state.definitions.update(a=Definition(float)),
     "inferred": lambda state: state.inferred.update(J=Quantity("jacobian", "2")),
