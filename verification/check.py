@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import time
 from dataclasses import replace
 from functools import cached_property, partial
@@ -14,7 +13,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.display import Statements
-from armproof.verification.document import Display, Document, Table, parse_document, read_document
+from armproof.verification.document import Display, Document, Table, parse_document, read_document, write_front_matter
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.outcome import Outcome, new_one
@@ -22,12 +21,13 @@ from armproof.verification.errors import DocumentError, NotSampled, ReadError, T
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.greek import VARIANTS
-from armproof.verification.latex.tokens import Spelling, normalise_unicode, original_offset
+from armproof.verification.latex.tokens import normalise_unicode, original_offset
 from armproof.verification.naming.names import read_names
+from armproof.verification.naming.spelling import spelling_of
 from armproof.verification.naming.state import settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
-from armproof.verification.verdict import DocumentResult, EquationResult, Record, Verdict, worst
+from armproof.verification.tables.arms import Inference, infer_arm, links_of, settle_data
+from armproof.verification.verdict import DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
 
 if TYPE_CHECKING:
     from armproof.verification.correction.corrector import Corrector
@@ -76,8 +76,9 @@ def check_document(
         samples: whether samples may be taken. Without them neither NumPy nor Drake is needed, and what they alone
             decide is unchecked.
     """
-    arm = arm if arm is not None else load_arm_of(document)
-    return DocumentChecker(document, arm, confirm and samples, correct and samples, samples).run()
+    found = infer_arm(document) if arm is None and samples else Inference(document)
+    arm = arm if arm is not None else load_arm_of(found.document)
+    return DocumentChecker(found.document, arm, confirm and samples, correct and samples, samples, found).run()
 
 
 def load_arm_of(document: Document) -> Arm | None:
@@ -101,9 +102,11 @@ class DocumentChecker:
         confirm: bool = True,
         correct: bool = False,
         samples: bool = True,
+        inferred: Inference | None = None,
     ) -> None:
         self.document = document
         self.arm = arm
+        self.inferred = inferred or Inference(document)
         try:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
@@ -171,15 +174,29 @@ class DocumentChecker:
 
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
-        tables = tuple(self._table(table) for table in self.document.tables)
+        tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
+        equations, tables = settle_data(self.inferred, settle_definitions(equations), tables)
+        index = None if self.arm is None else 0
         return DocumentResult(
             str(self.document.path),
             self.arm.name if self.arm is not None else "",
-            settle_definitions(equations),
-            tuple(table for table in tables if table is not None),
+            tuple(replace(record, arm_index=index) for record in equations),
+            tuple(replace(record, arm_index=index) for record in tables),
             self.arm.warnings if self.arm is not None else (),
             title=str(self.document.front.get("title", "")),
             inverse=self._inverse(),
+            arms=self._arms(),
+            front=self.document.front,
+        )
+
+    def _arms(self) -> tuple[TakenArm, ...]:
+        if self.inferred.arm is not None or self.arm is None:
+            return (self.inferred.arm,) if self.inferred.arm is not None else ()
+        spec = {key: self.document.front[key] for key in ("arm", "transforms") if key in self.document.front}
+        convention = self.arm.dh.convention if self.arm.dh is not None else ""
+        line = self.document.lines.get("arm", 1)
+        return (
+            TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, write_front_matter(spec)),
         )
 
     def _inverse(self) -> Record | None:
@@ -258,7 +275,14 @@ class DocumentChecker:
                 record = replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
             if self.correct:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
-        return replace(record, outcomes=tuple(_result(outcome, record) for outcome in outcomes))
+        return replace(record, outcomes=tuple(self._result(outcome, record) for outcome in outcomes))
+
+    def _result(self, outcome: Outcome, record: Record) -> EquationResult:
+        """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
+        result = replace(outcome.result(record.line), links=links_of(outcome, self.checker.members))
+        if outcome.verdict is not Verdict.REFUTED:
+            return result
+        return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
         if record.verdict is not Verdict.REFUTED or not self.correct:
@@ -289,24 +313,6 @@ class DocumentChecker:
                 for old in outcomes
             ]
         return outcomes, extra
-
-
-def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
-    """Return how a document spells: φ and ϕ are two letters where it uses both, a decimal comma is French or used before."""
-    text = "\n".join(display.latex for display in document.displays)
-    found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", text))
-    bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
-    apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
-    comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
-    return Spelling(words, frozenset(apart), comma)
-
-
-def _result(outcome: Outcome, record: Record) -> EquationResult:
-    """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
-    result = outcome.result(record.line)
-    if outcome.verdict is not Verdict.REFUTED:
-        return result
-    return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
 
 def _unreadable(display: Display, error: ReadError) -> Finding:

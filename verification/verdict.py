@@ -66,6 +66,7 @@ class EquationResult:
         samples, max_error: of its evaluation on the double plant.
         defines, uses: the names that it defines, and those of other equations that its sides rest on, each with the line of
             the display that defines it.
+        links: the links of the arm that it tells of.
     """
 
     index: int
@@ -77,6 +78,7 @@ class EquationResult:
     max_error: float | None = None
     defines: frozenset[tuple[str, int]] = frozenset()
     uses: frozenset[tuple[str, int]] = frozenset()
+    links: frozenset[int] = frozenset()
 
     @property
     def is_remark(self) -> bool:
@@ -183,6 +185,7 @@ class Record:
     section: str = ""
     discrepancy: Discrepancy | None = None  # the sides at the counterexample, for a drawing
     corrections: tuple[Correction, ...] | None = None
+    arm_index: int | None = None  # of the document's arms, that which it was compared with
 
     @property
     def is_decided(self) -> bool:
@@ -226,6 +229,46 @@ class Record:
             "counterexample": dict(self.counterexample),
             "samples": self.samples,
             "max_error": self.max_error,
+            "arm_index": self.arm_index,
+        }
+
+
+@dataclass(frozen=True)
+class TakenArm:
+    """An arm of a document, and what it was taken from.
+
+    Attributes:
+        source: "front matter", "table" or "matrices".
+        line, cell: where that stands: the key of the front matter, the table, the first link matrix.
+        convention: classic, modified, or empty where the arm is none of a DH table.
+        transforms: which index of a transform's name is the reference, upper or lower.
+        front_matter: the YAML that names this arm.
+        lines: the places (cell, line) of all that it was taken from: data, not claims.
+    """
+
+    name: str
+    line: int
+    source: str
+    convention: str
+    transforms: str
+    front_matter: str
+    cell: int | None = None
+    lines: frozenset[tuple[int | None, int]] = frozenset()
+
+    def __str__(self) -> str:
+        """Return "arm of the table at line 12, classic DH"."""
+        return str(say(Kind.ARM_OF, source=self.source, line=self.line, convention=self.convention))
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the arm as the report's JSON writes it."""
+        return {
+            "name": self.name,
+            "line": self.line,
+            **({} if self.cell is None else {"cell": self.cell}),
+            "from": self.source,
+            "convention": self.convention,
+            "transforms": self.transforms,
+            "front_matter": self.front_matter,
         }
 
 
@@ -241,11 +284,19 @@ class DocumentResult:
     seconds: float = 0.0
     title: str = ""
     inverse: Record | None = None  # the closed-form inverse that the front matter announces, as a whole
+    arms: tuple[TakenArm, ...] = ()
+    front: Mapping[str, Any] = field(default_factory=dict)  # the front matter, and what was inferred beside it
 
     @property
     def passed(self) -> bool:
         """All equations proved, confirmed, defined or (without strict) unchecked, and all errata refuted."""
         return all(record.passes for record in self.records)
+
+    @property
+    def told_arm(self) -> str:
+        """The arm that it was checked against, in words: its name, or what it was taken from."""
+        inferred = [str(arm) for arm in self.arms if arm.source != "front matter"]
+        return "; ".join(inferred) or self.arm
 
     @property
     def claims(self) -> bool:
@@ -268,6 +319,7 @@ class DocumentResult:
         return {
             "path": self.path,
             "arm": self.arm,
+            "arms": [arm.as_json() for arm in self.arms],
             "passed": self.passed,
             "equations": [record.as_json() for record in self.equations],
             **tables,

@@ -92,6 +92,7 @@ def test_a_record_is_written_as_the_design_says(judge: Callable[..., Record]) ->
         "counterexample",
         "samples",
         "max_error",
+        "arm_index",
     ]
     assert (written["line"], written["verdict"], written["erratum"]) == (1, "refuted", False)
     (entry,) = written["entries"]
@@ -132,7 +133,7 @@ def test_a_wrong_entry_leaves_out_what_it_does_not_have() -> None:
 def test_a_document_is_written_as_the_design_says(check: Callable[..., DocumentResult]) -> None:
     result = check("c_1 = c_1", errata=("c_1 = s_1",))
     written = result.as_json()
-    assert list(written) == ["path", "arm", "passed", "equations"]
+    assert list(written) == ["path", "arm", "arms", "passed", "equations"]
     assert (written["path"], written["arm"], written["passed"]) == ("page.md", "scara", True)
     assert [equation["erratum"] for equation in written["equations"]] == [False, True]
     assert check("c_1 = s_1").as_json()["passed"] is False

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,7 @@ from armproof.verification.findings import Kind, say
 MAX_BYTES = 20_000_000
 ATTEMPTS = 5  # at a file that changes while it is read
 PAUSE = 0.02
-FRONT_MATTER_KEYS = ("title", "source", "arm", "symbols", "transforms", "quantities", "inverse")
+FRONT_MATTER_KEYS = ("title", "source", "arm", "convention", "symbols", "transforms", "quantities", "inverse")
 # keys that notebook and site tools put into the same block, and `figures`, which the course's printing reads
 FOREIGN_KEYS = frozenset(["author", "authors", "date", "lang", "language", "subtitle", "license", "jupyter", "jupytext",
                           "kernelspec", "format", "abstract", "keywords", "slug", "description", "execute", "engine", "bibliography",
@@ -84,6 +85,11 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
     lines = _lines_of_keys(path, block, first_line)
     _validate(path, front, lines, first_line)
     return front, lines
+
+
+def write_front_matter(front: Mapping[str, Any]) -> str:
+    """Return front matter as YAML, an arm's rows on a line each."""
+    return yaml.dump(dict(front), default_flow_style=None, sort_keys=False, allow_unicode=True, width=1000)
 
 
 def _load(path: Path, block: str, first_line: int) -> dict[str, Any]:

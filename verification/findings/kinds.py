@@ -14,7 +14,7 @@ from armproof.models.errors import MessageKind
 
 # Terms that are words of the language, not names: they are translated as the templates are.
 WORDS = frozenset(
-    "classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres".split()
+    "table matrices classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres".split()
 )
 
 
@@ -474,6 +474,16 @@ class Kind(MessageKind):
     AT_NO_LAST_FRAME = "at_no_last_frame", "and the last row's frame lies at none of the arm's last frames"
     GENERAL_LINK = "general_link", "names the parameters of a general link"
     NO_ARM_FOR_TABLE = "no_arm_for_table", "the front matter names no arm to check the table against"
+    GIVES_ARM = "gives_arm", "taken for the document's arm, {convention} DH: data, not checked by itself"
+    ARM_OF = "arm_of", "arm of the {source} at line {line}, {convention} DH"
+    FOR_ARM_OF = "for_arm_of", "for the arm of the {source} at line {line}"
+    NO_ARM_IN_TABLE = "no_arm_in_table", "no arm can be built of the table: {reason}"
+    CONVENTION_OPEN = "convention_open", "the table gives the arm, but nothing that is decided tells its convention: write `convention: classic` or `convention: modified` in the front matter"
+    ARM_DOES_NOT_FIT = "arm_does_not_fit", "taken for the document's arm, the table fits {held} equations and contradicts {failed}: name the arm in the front matter"
+    OTHER_THAN_SOURCE = "other_than_source", "differs from the {source} at line {line}, and nothing else that is decided tells which is right"
+    SECOND_TABLE = "second_table", "not the table that the document's arm was taken from (line {line})"
+    NO_DH_ENTRY = "no_dh_entry", "{value} is no sum of lengths or angles"
+    ROW_WITHOUT_JOINT = "row_without_joint", "row {number} has no joint variable"
     DH_CONVENTION = "dh_convention", "{convention} DH"
     HEADERS_OPEN = "headers_open", "the headers leave the convention open"
     HEADERS_CONTRADICT = "headers_contradict", "the headers contradict each other"

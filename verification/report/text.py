@@ -116,7 +116,7 @@ def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
     """Yield the lines on a document: whether it passes, what its displays came to, then what does not pass in it."""
     passed = passes(result, strict)
     tables = f"; {Tally('table', result.tables)}" if result.tables else ""
-    arm = f" ({result.arm})" if result.arm else ""
+    arm = f" ({result.told_arm})" if result.told_arm else ""
     yield (
         ("passes " if passed else "FAILS  ", GOOD if passed else BAD),
         (result.path, STRONG),

@@ -10,9 +10,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.verification.check import DocumentChecker, load_arm_of, spelling_of
+from armproof.verification.check import DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
+from armproof.verification.naming.spelling import spelling_of
 from armproof.verification.naming.state import DocumentState
+from armproof.verification.tables.arms import Inference, infer_arm
 from armproof.verification.verdict import DocumentResult, Record
 
 
@@ -41,7 +43,8 @@ class IncrementalChecker:
 
         Raises DocumentError where the document as a whole cannot be checked; the next update then begins anew.
         """
-        checker = self._checker
+        found = infer_arm(document)
+        document, checker = found.document, self._checker
         # a fraction of an angle changes in which generators values are written: what follows may be written otherwise
         fresh = checker is None or bool(checker.ring.parts) or (document.front, document.lines) != self._front
         if checker is not None and spelling_of(document, checker.names.reader.words) != checker.names.reader.spelling:
@@ -51,7 +54,7 @@ class IncrementalChecker:
         self.result = None
         if fresh:
             self._begin(document)
-        yield from self._continue(document)
+        yield from self._continue(found)
 
     def _begin(self, document: Document) -> None:
         self._checker, self._checked = None, []
@@ -59,16 +62,16 @@ class IncrementalChecker:
         self._checker, self._front = checker, (document.front, document.lines)
         self._before = checker.names.state.copy()
 
-    def _continue(self, document: Document) -> Iterator[Record]:
+    def _continue(self, found: Inference) -> Iterator[Record]:
         assert self._checker is not None and self._before is not None
-        checker, old = self._checker, self._checked
+        document, checker, old = found.document, self._checker, self._checked
         kept = next(
             (k for k, (a, b) in enumerate(zip(document.displays, old, strict=False)) if not _alike(a, b.display)),
             min(len(document.displays), len(old)),
         )
         self._checked = checked = old[:kept]
         checker.names.state.become(checked[-1].after if checked else self._before)
-        checker.document = document
+        checker.document, checker.inferred = document, found
         known = {_key(each.display) for each in old}
         for index in range(kept, len(document.displays)):
             if index > kept and _goes_on_as_before(document.displays, index, old, checked[-1]):

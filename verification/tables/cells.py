@@ -24,7 +24,9 @@ _KINDS = {
     "prismatic": r"1|p|t|pris\w*|trans\w*|gliss\w*|slid\w*|schub\w*",
     "fixed": r"f|fix\w*|weld",
 }
-_GLUED = re.compile(r"(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"}))
+_GLUED = re.compile(  # q1, but not in a script
+    r"[_^]\s*\{[^{}]*\}|(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"})
+)
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
 
@@ -68,9 +70,10 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
         return Cell(text.strip(), kind="blank")
     if _VARIABLE.fullmatch(spelt):
         return Cell(text.strip(), kind="variable")
+    spelt = re.sub(r"\s*[(\[]\s*var(?:iable)?\.?\s*[)\]]$", "", spelt)
     spelt = re.sub(r"(?<=[\w}])\s*\^?\s*\{?\*+\}?(?=\s*(?:$|[-+=)]))", "", spelt)  # θ_1*: the star of a variable
     spelt = SPELT.sub(r"\\\1", spelt)
-    spelt = _GLUED.sub(r"\1_{\2}", spelt)
+    spelt = _GLUED.sub(lambda found: f"{found[1]}_{{{found[2]}}}" if found[1] else found[0], spelt)
     spelt = re.sub(r"(?<=\d)\s*deg(?:rees)?\b", r"^\\circ", spelt)
     try:
         return Cell(text.strip(), tuple(names.reader.read_expression(part) for part in spelt.split("=")))

@@ -107,8 +107,8 @@ def check_table(checker: ChainChecker, table: Table) -> Record | None:
     """Return the record of a table of DH parameters or joint origins, or None where it is neither: it claims nothing."""
     if (found := _check_upright(checker, table)) is not None:
         return found
-    turned = _turned(table)
-    if turned is None or (found := _check_upright(checker, turned)) is None:
+    other = turned(table)
+    if other is None or (found := _check_upright(checker, other)) is None:
         return None
     entries = tuple(
         replace(e, row=e.column - 1, column=e.row + 1) if e.row is not None and e.column is not None else e
@@ -140,8 +140,8 @@ def _check_upright(checker: ChainChecker, table: Table) -> Record | None:
         return replace(record, findings=(finding_of(problem),))
 
 
-def _turned(table: Table) -> Table | None:
-    """A table that has a column a joint, turned."""
+def turned(table: Table) -> Table | None:
+    """Return a table that has a column a joint, turned."""
     grid = (table.header, *table.rows)
     if len({len(row) for row in grid}) != 1 or len(table.header) < 2:
         return None

@@ -159,7 +159,7 @@ def test_the_keys_of_other_tools_are_left_alone(read):
     [
         (
             "arm: scara\nrobot: 1",
-            r":3: unknown front-matter key 'robot'; the keys are title, source, arm, symbols, transforms",
+            r":3: unknown front-matter key 'robot'; the keys are title, source, arm, convention, symbols, transforms",
         ),
         ("arm: scara\ntitle: x\narm: rx90", r":4: the front-matter key 'arm' stands twice, first in line 2"),
         ("arm:", r":2: 'arm' is empty; name an arm, a model file or a DH table, or leave the key out"),

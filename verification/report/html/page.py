@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import groupby
+from typing import Any
 
 from markupsafe import Markup
 
@@ -41,8 +42,9 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         index: the file name of the page that lists all documents.
         strict: whether an unchecked equation fails the document.
     """
-    arm = _arm(document)
-    read = read_names(arm, document.front).reader.read
+    front = result.front or document.front  # with the arm that was inferred
+    arm = _arm(document, front)
+    read = read_names(arm, front).reader.read
     painter = painter_of(arm)
     writer = ItemWriter(read, painter)
     pairs = list(writer.items(result))
@@ -77,9 +79,9 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
     )
 
 
-def _arm(document: Document) -> Arm | None:
+def _arm(document: Document, front: Mapping[str, Any]) -> Arm | None:
     """Return the document's arm, which checking it has loaded already."""
-    spec = document.front.get("arm")
+    spec = front.get("arm")
     return load_arm(spec, document.path.parent) if spec is not None else None
 
 

@@ -1,0 +1,158 @@
+"""The arm of a document that names none: read from its DH table, in the reading under which most of its equations hold."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof import verify_text
+from armproof.verification.verdict import DocumentResult, Role
+
+ROWS = "| 1 | $l_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | $l_2$ | 0 | 0 | $\\theta_2$ |\n"
+PLAIN = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n" + ROWS
+MODIFIED_HEADERS = PLAIN.replace("| a | alpha", "| $a_{i-1}$ | $\\alpha_{i-1}$")
+FIRST, SECOND, WHOLE = "{}^0T_1", "{}^1T_2", "{}^0T_2"
+LAST_ROWS = r"\\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$" + "\n\n"
+
+
+def pose(name: str, cosine: str, sine: str, x: str, y: str) -> str:
+    return f"$$ {name} = \\begin{{bmatrix}} {cosine} & -{sine} & 0 & {x} \\\\ {sine} & {cosine} & 0 & {y} {LAST_ROWS}"
+
+
+def link(i: int, name: str, y: str = "") -> str:
+    return pose(name, f"c_{i}", f"s_{i}", f"l_{i} c_{i}", y or f"l_{i} s_{i}")
+
+
+def whole(name: str = WHOLE, y: str = "l_1 s_1 + l_2 s_{12}") -> str:
+    return pose(name, "c_{12}", "s_{12}", "l_1 c_1 + l_2 c_{12}", y)
+
+
+def craig(i: int, name: str) -> str:
+    return pose(name, f"c_{i}", f"s_{i}", f"l_{i}", "0")
+
+
+CLASSIC = link(1, FIRST) + link(2, SECOND) + whole()
+CRAIG = craig(1, FIRST) + craig(2, SECOND)
+
+
+def verdicts(result: DocumentResult) -> list[str]:
+    return [record.verdict.value for record in result.equations]
+
+
+def test_the_arm_of_a_table_is_data_and_proves_what_holds_on_it() -> None:
+    result = verify_text(PLAIN + "\n" + CLASSIC)
+    (arm,), (table,) = result.arms, result.tables
+    assert (arm.source, arm.line, arm.convention, arm.transforms) == ("table", 1, "classic", "upper")
+    assert table.verdict == "defined" and [each.role for each in table.outcomes] == [Role.DATA]
+    assert verdicts(result) == ["proved"] * 3
+    assert all("for the arm of the table at line 1" in record.message for record in result.equations)
+    assert [record.arm_index for record in result.records] == [0] * 4
+    assert (
+        result.as_json()["arms"][0]["from"] == "table" and "dh: classic" in result.as_json()["arms"][0]["front_matter"]
+    )
+
+
+def test_what_a_wrong_entry_should_be_is_told_where_the_product_confirms_the_table() -> None:
+    result = verify_text(PLAIN + "\n" + link(1, FIRST) + link(2, SECOND, "-l_2 s_2") + whole())
+    assert verdicts(result) == ["proved", "refuted", "proved"]
+    (entry,) = result.equations[1].entries
+    assert (entry.row, entry.column, entry.correct) == (2, 4, "l_2 s_2")
+
+
+def test_where_nothing_tells_table_and_matrix_apart_neither_is_refuted() -> None:
+    result = verify_text(PLAIN + "\n" + link(1, FIRST) + link(2, SECOND, "-l_2 s_2"))
+    assert verdicts(result) == ["proved", "unchecked"]
+    assert "differs from the table at line 1" in result.equations[1].message
+    assert [(entry.row, entry.column) for entry in result.equations[1].entries] == [(2, 4)]
+
+
+def test_a_wrong_row_of_the_table_refutes_no_right_matrix() -> None:
+    result = verify_text(PLAIN.replace("| 2 | $l_2$", "| 2 | $l_1$") + "\n" + CLASSIC)
+    assert result.arms == () and "refuted" not in verdicts(result)
+    assert "fits 1 equations and contradicts 2" in result.tables[0].message
+
+
+@pytest.mark.parametrize("table", [PLAIN, MODIFIED_HEADERS], ids=["open headers", "modified headers"])
+@pytest.mark.parametrize(("displays", "convention"), [(CLASSIC, "classic"), (CRAIG, "modified")])
+def test_the_matrices_tell_the_convention_and_not_the_headers(table: str, displays: str, convention: str) -> None:
+    rows = table.replace("| 1 | $l_1$", "| 1 | $l_1$")
+    result = verify_text(rows + "\n" + displays)
+    assert result.arms[0].convention == convention and set(verdicts(result)) == {"proved"}
+
+
+def test_without_a_witness_no_convention_is_guessed() -> None:
+    result = verify_text(PLAIN + "\n$$ l_1 > l_2 $$\n")
+    assert result.arm == "" and result.arms == ()
+    assert result.tables[0].verdict == "unchecked" and "write `convention: classic`" not in result.tables[0].latex
+    assert "convention: modified" in result.tables[0].message
+
+
+def test_the_author_breaks_a_tie() -> None:
+    wrong = whole(y="l_1 s_1 - l_2 s_{12}")
+    for convention in ("classic", "modified"):
+        result = verify_text(f"---\nconvention: {convention}\n---\n{PLAIN}\n" + wrong)
+        assert result.arms[0].convention == convention and result.equations[0].verdict == "unchecked"
+
+
+def test_the_direction_of_the_indices_is_told_by_what_holds() -> None:
+    displays = link(1, "T_0^1") + link(2, "T_1^2") + whole("T_0^2")
+    result = verify_text(PLAIN + "\n" + displays)
+    assert result.arms[0].transforms == "lower" and verdicts(result) == ["proved"] * 3
+    turned = verify_text(PLAIN + "\n" + displays.replace("T_0^2", "T^0_2"))
+    assert turned.equations[2].verdict != "proved"
+
+
+def test_a_table_that_contradicts_most_of_the_document_is_no_arm_of_it() -> None:
+    other = craig(2, FIRST) + craig(1, SECOND) + whole(y="0")
+    result = verify_text(PLAIN + "\n" + other)
+    assert result.arm == "" and "refuted" not in verdicts(result)
+
+
+def test_an_arm_in_the_front_matter_is_the_authors() -> None:
+    result = verify_text("---\narm: planar_2r\n---\n" + PLAIN + "\n" + CLASSIC)
+    assert [arm.source for arm in result.arms] == ["front matter"] and result.arm == "planar_2r"
+    assert result.tables[0].verdict == "proved"
+
+
+def test_a_general_row_gives_no_arm() -> None:
+    result = verify_text(
+        "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| i | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n"
+    )
+    assert result.arm == "" and result.tables[0].verdict == "defined"
+
+
+@pytest.mark.parametrize(
+    "table",
+    [
+        "| Articulation | σ | Longueur | Angle de torsion | Décalage | Angle θ |\n|---|---|---|---|---|---|\n"
+        "| 0→1 | 0 | $l_1$ | 0 | 0 | $\\theta_1$ |\n| 1→2 | 0 | $l_2$ | 0 | 0 | $\\theta_2$ |\n",
+        "| θ (deg) | d (mm) | Link length | Twist |\n|---|---|---|---|\n| $\\theta_1^*$ | 0 | $l_1$ | 0 |\n| $\\theta_2^*$ | 0 | $l_2$ | 0 |\n",
+        "| i | 1 | 2 |\n|---|---|---|\n| $\\alpha_i$ | 0 | 0 |\n| $a_i$ | $l_1$ | $l_2$ |\n| $\\theta_i$ | θ1 (variable) | var |\n| $d_i$ | 0 | 0 |\n",
+        "$$\n\\begin{array}{c|cccc} i & a_i & \\alpha_i & d_i & \\theta_i \\\\ \\hline 1 & l_1 & 0 & 0 & \\theta_1 \\\\ 2 & l_2 & 0 & 0 & \\theta_2 \\end{array}\n$$\n",
+    ],
+    ids=["French", "units and stars", "turned", "array"],
+)
+def test_tables_are_read_as_they_are_written(table: str) -> None:
+    result = verify_text(table + "\n" + CLASSIC)
+    assert result.arms[0].source == "table" and verdicts(result)[-3:] == ["proved"] * 3
+    assert verify_text(table + "\n" + CLASSIC.replace("l_2 s_2", "l_2 c_2")).equations[-2].verdict == "refuted"
+
+
+def test_a_slide_is_told_by_its_letter_and_a_tool_is_none() -> None:
+    table = "| a | alpha | d | theta |\n|---|---|---|---|\n| 0 | $90°$ | $d_1$ | $\\theta_1$ |\n| 0 | 0 | $d_2$ | 0 |\n"
+    displays = "$$ {}^0T_2 = \\begin{bmatrix} c_1 & 0 & s_1 & d_2 s_1 \\\\ s_1 & 0 & -c_1 & -d_2 c_1 \\\\ 0 & 1 & 0 & d_1 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$\n"
+    result = verify_text(table + "\n" + displays)
+    assert "joints: [theta_1, d_2]" in result.arms[0].front_matter and verdicts(result) == ["proved"]
+    assert verify_text(table.replace("$d_2$", "$h$") + "\n" + displays).arms == ()
+
+
+def test_a_letter_with_a_digit_and_a_letter_in_its_index_is_one_letter() -> None:
+    table = PLAIN.replace("l_1", "a_{4e2}").replace("l_2", "L_{1,2}")
+    displays = CLASSIC.replace("l_1", "a_{4e2}").replace("l_2", "L_{1,2}")
+    assert verdicts(verify_text(table + "\n" + displays)) == ["proved"] * 3
+
+
+def test_latex_tables_give_an_arm_too() -> None:
+    rows = "1 & $l_1$ & 0 & 0 & $\\theta_1$ \\\\ 2 & $l_2$ & 0 & 0 & $\\theta_2$ \\\\"
+    tabular = f"\\begin{{tabular}}{{ccccc}} $i$ & $a_i$ & $\\alpha_i$ & $d_i$ & $\\theta_i$ \\\\ \\hline {rows} \\end{{tabular}}\n"
+    result = verify_text(tabular + CLASSIC, "tex")
+    assert result.arms[0].source == "table" and verdicts(result) == ["proved"] * 3

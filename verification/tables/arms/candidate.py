@@ -1,0 +1,90 @@
+"""An arm as a document gives it, its convention still open: rows of DH parameters as front matter writes them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+
+_SYMBOL = re.compile(r"[A-Za-z]\w*'*")
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One reading of what a document shows of its arm.
+
+    Attributes:
+        source, line, cell: what it was read from ("table" or "matrices"), and where that stands in the file.
+        rows: one a joint: a, alpha, d, theta as text.
+        joints: the joint variable of each row.
+        symbols: letters of the document that an arm's symbol cannot be → the symbol that stands for them.
+        conventions: those that it can be read in.
+    """
+
+    source: str
+    line: int
+    cell: int | None
+    rows: tuple[Mapping[str, str], ...]
+    joints: tuple[str, ...]
+    symbols: Mapping[str, str] = field(default_factory=dict)
+    conventions: tuple[str, ...] = ("classic", "modified")
+    more_lines: tuple[tuple[int | None, int], ...] = ()
+
+    @property
+    def lines(self) -> frozenset[tuple[int | None, int]]:
+        """The places (cell, line) of all that it was read from."""
+        return frozenset(((self.cell, self.line), *self.more_lines))
+
+    def front(self, convention: str) -> dict[str, Any]:
+        """Return the keys of front matter that name this arm in a convention."""
+        arm = {"dh": convention, "rows": [dict(row) for row in self.rows], "joints": list(self.joints)}
+        return {"arm": arm, **({"symbols": dict(self.symbols)} if self.symbols else {})}
+
+
+def symbol_of(key: str) -> str:
+    """Return a symbol that an arm may have for a letter of a document."""
+    return key if _SYMBOL.fullmatch(key) else re.sub(r"\W", "_", key)
+
+
+def entry_text(value: Scalar) -> str:
+    """Return a sum of symbols, a multiple of π and a number as an entry of a DH table; raises EvaluationError."""
+    value = value.normal()
+    if not value.denominator.is_one():
+        raise EvaluationError(say(Kind.NO_DH_ENTRY, value=str(value)))
+    terms = [_term(powers, factor) for powers, factor in value.ring.terms(value.numerator)]
+    if None in terms:
+        raise EvaluationError(say(Kind.NO_DH_ENTRY, value=str(value)))
+    return " + ".join(sorted((str(term) for term in terms), key=_rank)).replace("+ -", "- ") or "0"
+
+
+def _term(powers: Mapping[tuple[str, str], int], factor: Fraction) -> str | None:
+    if any(power != 1 or kind not in ("symbol", "pi") for (kind, _), power in powers.items()) or len(powers) > 1:
+        return None
+    name = next(("pi" if kind == "pi" else symbol_of(name) for kind, name in powers), "")
+    if not name:
+        return _number(factor)
+    above = {1: name, -1: f"-{name}"}.get(factor.numerator, f"{factor.numerator}*{name}")
+    return above if factor.denominator == 1 else f"{above}/{factor.denominator}"
+
+
+def _number(value: Fraction) -> str:
+    decimal = value.denominator > 1 and 10**9 % value.denominator == 0
+    return f"{float(value):.9f}".rstrip("0") if decimal else str(value)
+
+
+def _rank(term: str) -> int:
+    """Symbols stand before π, and π before a number."""
+    bare = term.lstrip("-")
+    return 2 if bare[0].isdigit() and not re.search(r"[A-Za-z]", bare) else 1 if re.search(r"\bpi\b", bare) else 0
+
+
+def renamed(names: Iterable[n.Name]) -> dict[str, str]:
+    """Return the letters whose symbol is spelt otherwise, each with that symbol."""
+    return {name.text: symbol_of(name.key) for name in names if symbol_of(name.key) != name.key}

@@ -1,0 +1,140 @@
+"""The rows of a DH table as those of an arm: which entry of each is the joint's variable, and what the others are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.document import Table
+from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.tables.angles import letter_of, symbols_of, to_radians
+from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
+from armproof.verification.tables.cells import Cell, read_cell, read_kind
+from armproof.verification.tables.columns import Columns, Reading
+from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
+
+_MARK = re.compile(r"\*|\\ast|\\star|\bvar", re.IGNORECASE)  # of a variable
+_GENERAL = frozenset("ijkn")
+_SLIDES = frozenset("dqrs")  # letters of a joint that slides; l, h and their like are lengths
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A row: its place from 1, its cells by column, what its cells of words say."""
+
+    number: int
+    cells: Mapping[int, Cell]
+    kind: str
+    variable: str
+
+
+def candidates(table: Table, columns: Columns, names: Names) -> Iterator[Candidate]:
+    """Yield the arms that a table can mean, one a choice of its columns; raises ReadError, EvaluationError."""
+    rows = [_read_row(names, table, columns, number) for number in range(1, len(table.rows) + 1)]
+    letters = [node for row in rows for cell in row.cells.values() for node in _names_in(cell) if node.key != "pi"]
+    keys = {node.key for node in letters}
+    if _is_general(keys):
+        raise EvaluationError(say(Kind.GENERAL_LINK))
+    bound = replace(names, symbols={**names.symbols, **{key: key for key in keys}})
+    for reading in columns.readings(("",)):
+        made = [_entries(bound, columns, reading, row) for row in rows]
+        joints = tuple(symbol_of(joint) for _, joint in made)
+        yield Candidate(
+            "table", table.line, table.cell, tuple(entries for entries, _ in made), joints, renamed(letters)
+        )
+
+
+def _read_row(names: Names, table: Table, columns: Columns, number: int) -> _Row:
+    texts = table.rows[number - 1]
+    if len(texts) != len(table.header):
+        raise ReadError(say(Kind.ROW_LENGTH, number=number, count=len(texts), width=len(table.header)))
+    used = sorted({columns.alpha, columns.theta, *(k for pair in columns.lengths for k in pair)})
+    kind, variable = columns.first("sigma"), columns.first("q")
+    named = read_cell(names, texts[variable], number, variable).name if variable is not None else None
+    return _Row(
+        number,
+        {column: read_cell(names, texts[column], number, column) for column in used},
+        read_kind(texts[kind]) if kind is not None else "",
+        named.key if named is not None else "",
+    )
+
+
+def _names_in(cell: Cell) -> Iterator[n.Name]:
+    return (node for tree in cell.trees for node in n.walk(tree) if isinstance(node, n.Name))
+
+
+def _is_general(keys: set[str]) -> bool:
+    """Whether the letters are those of any link: a_i, α_i, d_i, θ_i."""
+    indices = {key.partition("_")[2].partition("-")[0] for key in keys}
+    return bool(indices) and indices <= _GENERAL
+
+
+def _entries(names: Names, columns: Columns, reading: Reading, row: _Row) -> tuple[dict[str, str], str]:
+    """Return the entries of a row as text, and its joint variable; raises EvaluationError where it has none."""
+    algebra = ExactAlgebra(Ring(), None)
+    values = {
+        parameter: _value(names, algebra, columns, reading.columns[parameter], parameter, row)
+        for parameter in PARAMETERS
+    }
+    place = _place_of_joint(reading, row, values)
+    joint = _joint(row, place, values[place])
+    if joint not in symbols_of(values[place]):
+        values[place] = values[place] + algebra.symbol(joint)
+    return {parameter: entry_text(value) for parameter, value in values.items()}, joint
+
+
+def _value(names: Names, algebra: ExactAlgebra, columns: Columns, column: int, parameter: str, row: _Row) -> Scalar:
+    cell = row.cells[column]
+    if not cell.trees:
+        return algebra.ring.zero
+    unit = columns.headers[column].unit
+    value = cell.values(names, algebra)[0]
+    if parameter in ANGLES:
+        return to_radians(value, unit)[0]
+    return value * SCALES.get(unit, 1) if value.as_fraction() is not None else value
+
+
+def _place_of_joint(reading: Reading, row: _Row, values: Mapping[str, Scalar]) -> str:
+    """Return theta or d, whichever holds the joint's variable; raises EvaluationError."""
+    if row.kind in ("revolute", "prismatic"):
+        return "theta" if row.kind == "revolute" else "d"
+    places = ("theta", "d") if row.kind != "fixed" else ()
+    for tells in (_is_named, _is_marked):
+        if (
+            len(told := [place for place in places if tells(row, row.cells[reading.columns[place]], values[place])])
+            == 1
+        ):
+            return told[0]
+    if places and _angle_of(values["theta"]):
+        return "theta"
+    if places and (symbol := _angle_of(values["d"])) and letter_of(symbol) in _SLIDES and symbol[-1].isdigit():
+        return "d"
+    raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=row.number))
+
+
+def _is_named(row: _Row, cell: Cell, value: Scalar) -> bool:
+    return bool(row.variable) and row.variable in symbols_of(value)
+
+
+def _is_marked(row: _Row, cell: Cell, value: Scalar) -> bool:
+    return cell.kind == "variable" or (cell.kind == "value" and _MARK.search(cell.text) is not None)
+
+
+def _angle_of(value: Scalar) -> str:
+    """Return the one symbol of a sum that can be a joint's variable, or an empty text."""
+    terms = [(powers, factor) for powers, factor in value.ring.terms(value.numerator) if ("pi", "") not in powers]
+    found = [name for powers, factor in terms if abs(factor) == 1 for kind, name in powers if kind == "symbol"]
+    return found[0] if len(found) == 1 else ""
+
+
+def _joint(row: _Row, place: str, value: Scalar) -> str:
+    """Return the variable of a row: the one that a column names, the one in its entry, else one by its number."""
+    if row.variable:
+        return row.variable
+    return _angle_of(value) or f"{'theta' if place == 'theta' else 'd'}_{row.number}"

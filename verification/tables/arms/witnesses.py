@@ -1,0 +1,116 @@
+"""How much of what a document says of its arm holds under each reading of what the arm was taken from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any, NoReturn
+
+from armproof.models.arm import Arm
+from armproof.models.catalogue import load_arm
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.ring import Ring
+from armproof.verification.document import Document
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.errors import NotSampled
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import read_names
+from armproof.verification.naming.spelling import spelling_of
+from armproof.verification.tables.arms.support import links_of
+from armproof.verification.verdict import Verdict
+
+SECONDS = 0.3  # for one display under one reading
+LEAD = 4  # so many more hold under one reading than under all others: the rest need not be tried
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A way to read a document: the front matter that it amounts to, and how many of its equations then hold or fail."""
+
+    front: Mapping[str, Any]
+    name: str
+    held: int = 0
+    failed: int = 0
+
+    @property
+    def counts(self) -> tuple[int, int]:
+        """How many hold and fail, the best first in order."""
+        return -self.held, self.failed
+
+    @property
+    def convention(self) -> str:
+        """The convention of its DH table."""
+        return str(self.front["arm"]["dh"])
+
+    @property
+    def transforms(self) -> str:
+        """Which index of a transform names the reference."""
+        return str(self.front.get("transforms", "upper"))
+
+
+class _Trial:
+    """A document read in one way, its displays taken one by one."""
+
+    def __init__(self, document: Document, front: Mapping[str, Any], arm: Arm) -> None:
+        self.front, self.name = front, arm.name
+        names = read_names(arm, front)
+        names.reader.spelling = spelling_of(document, names.reader.words)
+        self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), _no_samples)
+        self.checker.confirm = False
+        self.held = self.failed = 0
+
+    def take(self, latex: str, line: int) -> None:
+        """Count which equations of a display that rest on the arm hold."""
+        budget = self.checker.exact.budget
+        with suppress(ArmproofError, RecursionError), budget.of(SECONDS):
+            for chain in self.checker.names.reader.read(latex):
+                if isinstance(chain, n.Chain) and chain.relations and set(chain.relations) == {"="}:
+                    self._take_chain(chain, line)
+
+    def _take_chain(self, chain: n.Chain, line: int) -> None:
+        for outcome in self.checker.check(chain, 1, line):
+            tells = bool(links_of(outcome, self.checker.members))
+            self.held += tells and outcome.verdict is Verdict.PROVED
+            self.failed += tells and outcome.verdict is Verdict.REFUTED
+
+    @property
+    def reading(self) -> Reading:
+        return Reading(self.front, self.name, self.held, self.failed)
+
+
+def weigh(document: Document, fronts: Sequence[Mapping[str, Any]]) -> list[Reading]:
+    """Return the readings that an arm can be built of, the one under which most holds first; raises where there is none.
+
+    What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
+    """
+    trials = list(_trials(document, fronts))
+    for display in document.displays:
+        if display.closed and not display.erratum and "=" in display.latex:
+            for trial in trials:
+                trial.take(display.latex, display.line)
+            best, *others = sorted((trial.held for trial in trials), reverse=True)
+            if best - max(others, default=0) >= LEAD:
+                break
+    return sorted((trial.reading for trial in trials), key=lambda one: one.counts)
+
+
+def _trials(document: Document, fronts: Sequence[Mapping[str, Any]]) -> Iterator[_Trial]:
+    problem: ArmproofError | None = None
+    found = False
+    for front in fronts:
+        try:
+            trial = _Trial(document, front, load_arm(front["arm"], document.path.parent))
+        except ArmproofError as error:
+            problem = problem or error
+            continue
+        found = True
+        yield trial
+    if not found and problem is not None:
+        raise problem
+
+
+def _no_samples() -> NoReturn:
+    raise NotSampled(say(Kind.NOT_SAMPLED))
