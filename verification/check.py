@@ -13,7 +13,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.display import Statements
-from armproof.verification.document import Display, Document, Table, parse_document, read_document, write_front_matter
+from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.outcome import Outcome, new_one
@@ -22,8 +22,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import normalise_unicode, original_offset
-from armproof.verification.naming.names import read_names
-from armproof.verification.naming.spelling import spelling_of
+from armproof.verification.naming.names import read_names, spelling_of
 from armproof.verification.naming.state import settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import Inference, infer_arm, links_of, settle_data
@@ -76,7 +75,8 @@ def check_document(
         samples: whether samples may be taken. Without them neither NumPy nor Drake is needed, and what they alone
             decide is unchecked.
     """
-    found = infer_arm(document) if arm is None and samples else Inference(document)
+    seeks = arm is None and samples and "arm" not in document.front
+    found = infer_arm(document) if seeks else Inference(document)
     arm = arm if arm is not None else load_arm_of(found.document)
     return DocumentChecker(found.document, arm, confirm and samples, correct and samples, samples, found).run()
 
@@ -175,7 +175,9 @@ class DocumentChecker:
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
-        equations, tables = settle_data(self.inferred, settle_definitions(equations), tables)
+        equations = settle_definitions(equations)
+        if self.inferred.arm is not None or self.inferred.problem is not None:
+            equations, tables = settle_data(self.inferred, equations, tables)
         index = None if self.arm is None else 0
         return DocumentResult(
             str(self.document.path),
@@ -195,9 +197,7 @@ class DocumentChecker:
         spec = {key: self.document.front[key] for key in ("arm", "transforms") if key in self.document.front}
         convention = self.arm.dh.convention if self.arm.dh is not None else ""
         line = self.document.lines.get("arm", 1)
-        return (
-            TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, write_front_matter(spec)),
-        )
+        return (TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, spec),)
 
     def _inverse(self) -> Record | None:
         if "inverse" not in self.document.front:
@@ -279,7 +279,9 @@ class DocumentChecker:
 
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
-        result = replace(outcome.result(record.line), links=links_of(outcome, self.checker.members))
+        result = outcome.result(record.line)
+        if self.inferred.arm is not None:
+            result = replace(result, links=links_of(outcome, self.checker.members))
         if outcome.verdict is not Verdict.REFUTED:
             return result
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))

@@ -8,6 +8,8 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 from armproof.verification.errors import DocumentError, located
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import write_all
@@ -242,7 +244,7 @@ class TakenArm:
         line, cell: where that stands: the key of the front matter, the table, the first link matrix.
         convention: classic, modified, or empty where the arm is none of a DH table.
         transforms: which index of a transform's name is the reference, upper or lower.
-        front_matter: the YAML that names this arm.
+        front: the keys of front matter that name this arm.
         lines: the places (cell, line) of all that it was taken from: data, not claims.
     """
 
@@ -251,13 +253,18 @@ class TakenArm:
     source: str
     convention: str
     transforms: str
-    front_matter: str
+    front: Mapping[str, Any]
     cell: int | None = None
     lines: frozenset[tuple[int | None, int]] = frozenset()
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""
         return str(say(Kind.ARM_OF, source=self.source, line=self.line, convention=self.convention))
+
+    @property
+    def front_matter(self) -> str:
+        """The YAML that names it, an arm's rows on a line each."""
+        return yaml.dump(dict(self.front), default_flow_style=None, sort_keys=False, allow_unicode=True, width=1000)
 
     def as_json(self) -> dict[str, Any]:
         """Return the arm as the report's JSON writes it."""

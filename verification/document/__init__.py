@@ -1,7 +1,7 @@
 """Read documents: front matter, displays and DH tables of every format that is read."""
 
 from armproof.verification.document.formats import SUFFIXES, find_documents, parse_document, read_document
-from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, parse_front_matter, write_front_matter
+from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, parse_front_matter
 from armproof.verification.document.model import Display, Document, Piece, Table
 
 __all__ = [
@@ -15,5 +15,4 @@ __all__ = [
     "parse_document",
     "parse_front_matter",
     "read_document",
-    "write_front_matter",
 ]

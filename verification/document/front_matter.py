@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 import time
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -85,11 +84,6 @@ def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[st
     lines = _lines_of_keys(path, block, first_line)
     _validate(path, front, lines, first_line)
     return front, lines
-
-
-def write_front_matter(front: Mapping[str, Any]) -> str:
-    """Return front matter as YAML, an arm's rows on a line each."""
-    return yaml.dump(dict(front), default_flow_style=None, sort_keys=False, allow_unicode=True, width=1000)
 
 
 def _load(path: Path, block: str, first_line: int) -> dict[str, Any]:

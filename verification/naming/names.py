@@ -11,12 +11,14 @@ from typing import Any
 from armproof.models.arm import Arm
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.document import Document
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.greek import NUMBERS, one_of
+from armproof.verification.latex.greek import NUMBERS, VARIANTS, one_of
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.latex.reader import Reader, key_as_latex
+from armproof.verification.latex.tokens import Spelling
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.quantities import implied_quantity, read_quantity, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState
@@ -217,6 +219,16 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     # A trig letter bound with any index (s_x) or an applied name (J(q)) is bound as written.
     reader = Reader(lambda key: key in bound, words)
     return Names(arm, symbols, quantities, transforms, reader)
+
+
+def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
+    """Return how a document spells: φ and ϕ are two letters where it uses both, a decimal comma is French or used before."""
+    text = "\n".join(display.latex for display in document.displays)
+    found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", text))
+    bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
+    apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
+    comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
+    return Spelling(words, frozenset(apart), comma)
 
 
 def _scalars(arm: Arm) -> list[str]:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from armproof.verification.check import DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
-from armproof.verification.naming.spelling import spelling_of
+from armproof.verification.naming.names import spelling_of
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.tables.arms import Inference, infer_arm
 from armproof.verification.verdict import DocumentResult, Record

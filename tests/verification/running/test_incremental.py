@@ -136,6 +136,20 @@ def test_another_front_matter_begins_anew(checker: IncrementalChecker) -> None:
     assert_as_from_scratch(checker, document)
 
 
+TABLE = "| a | alpha | d | theta |\n|---|---|---|---|\n| $l_1$ | 0 | 0 | $\\theta_1$ |\n"
+OF_TABLE = "$$ {}^0T_1 = \\begin{bmatrix} c_1 & -s_1 & 0 & l_1 c_1 \\\\ s_1 & c_1 & 0 & l_1 s_1 \\\\ 0 & 0 & 1 & 0 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$"
+
+
+def test_another_table_gives_another_arm(checker: IncrementalChecker) -> None:
+    texts = [TABLE, TABLE, "A line more.\n\n" + TABLE, TABLE.replace("| 0 | 0 |", "| 0 | d_1 |"), "No table.\n"]
+    arms = []
+    for text in texts:
+        assert_as_from_scratch(checker, parse_document(Path("page.md"), f"{text}\n{OF_TABLE}\n"))
+        assert checker.result is not None
+        arms.append([arm.line for arm in checker.result.arms])
+    assert arms == [[1], [1], [3], [], []]
+
+
 def spoilt(display: Display, rng: random.Random) -> Display:
     """Change one sign or one digit of a display."""
     places = [k for k, c in enumerate(display.latex) if c in "+-123"]

@@ -7,11 +7,10 @@ from dataclasses import replace
 from typing import Any
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.document import Document, Table, write_front_matter
+from armproof.verification.document import Document, Table
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.findings import Finding, Kind, finding_of, say
-from armproof.verification.naming.names import Names, read_names
-from armproof.verification.naming.spelling import spelling_of
+from armproof.verification.naming.names import Names, read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
@@ -92,7 +91,7 @@ def _taken(document: Document, candidate: Candidate, reading: Reading) -> Infere
         candidate.source,
         reading.convention,
         reading.transforms,
-        write_front_matter(added),
+        added,
         candidate.cell,
         candidate.lines,
     )
