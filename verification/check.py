@@ -194,7 +194,8 @@ class DocumentChecker:
     def _arms(self) -> tuple[TakenArm, ...]:
         if self.inferred.arm is not None or self.arm is None:
             return (self.inferred.arm,) if self.inferred.arm is not None else ()
-        spec = {key: self.document.front[key] for key in ("arm", "transforms") if key in self.document.front}
+        keys = [key for key in ("arm", "transforms") if key in self.document.front]
+        spec = {key: self.document.front[key] for key in keys}
         convention = self.arm.dh.convention if self.arm.dh is not None else ""
         line = self.document.lines.get("arm", 1)
         return (TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, spec),)

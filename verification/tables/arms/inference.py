@@ -62,7 +62,10 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     except ArmproofError as error:
         return Inference(document, problem=say(Kind.NO_ARM_IN_TABLE, reason=finding_of(error)), line=line)
     rivals = [one for one in others if one.counts == best.counts and one.front["arm"] != best.front["arm"]]
-    if "convention" in document.front:
+    alike = any(one.counts == best.counts and one.front["arm"] == best.front["arm"] for one in others)
+    if alike and "transforms" not in document.front:  # nothing tells which index is the reference
+        best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
+    if _stated(document):
         return _taken(document, found[0], best)
     if rivals or not best.held:
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)
@@ -71,16 +74,19 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     return _taken(document, found[0], best)
 
 
+def _stated(document: Document) -> tuple[str, ...]:
+    """Return the convention that the author states, alone, or nothing."""
+    return tuple(convention for convention in CONVENTIONS if document.front.get("convention") == convention)
+
+
 def _fronts(document: Document, candidate: Candidate) -> Iterator[Mapping[str, Any]]:
-    stated = document.front.get("convention")
     directions = (document.front["transforms"],) if "transforms" in document.front else ("upper", "lower")
-    for convention in candidate.conventions if stated not in CONVENTIONS else (str(stated),):
+    for convention in _stated(document) or candidate.conventions:
         for transforms in directions:
             found = candidate.front(convention)
             symbols = {**found.get("symbols", {}), **(document.front.get("symbols") or {})}
             more = {"symbols": symbols} if symbols else {}
-            direction = {"transforms": transforms} if transforms == "lower" else {}
-            yield {**document.front, **found, **more, **direction}
+            yield {**document.front, **found, **more, "transforms": transforms}
 
 
 def _taken(document: Document, candidate: Candidate, reading: Reading) -> Inference:
