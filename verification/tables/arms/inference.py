@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
@@ -9,9 +10,10 @@ from typing import Any
 from armproof.models.errors import ArmproofError
 from armproof.verification.document import Document, Table
 from armproof.verification.errors import EvaluationError, ReadError
-from armproof.verification.findings import Finding, Kind, finding_of, say
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.naming.names import Names, read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
+from armproof.verification.tables.arms.matrices import candidate_of_matrices
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.witnesses import Reading, weigh
@@ -19,24 +21,39 @@ from armproof.verification.tables.check import read_array, turned
 from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.verdict import TakenArm
 
+_INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d)")
+
 
 def infer_arm(document: Document) -> Inference:
-    """Return a document with the arm that its DH table gives, in the reading under which most of its equations hold.
+    """Return a document with the arm that its DH table gives, else its link matrices, in the reading under which most of its equations hold.
 
     A document that names its arm stays as it is, and so does one in which nothing tells one reading from another.
     """
     if "arm" in document.front:
         return Inference(document)
-    problem: Finding | None = None
-    line: int | None = None
+    of_table = _of_tables(document)
+    if of_table.arm is not None:
+        return of_table
+    try:
+        found = candidate_of_matrices(document, _names(document))
+    except EvaluationError as error:
+        problem = finding_of(error)
+        return of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms["line"])
+    of_matrices = _settle(document, [found]) if found is not None else of_table
+    return of_matrices if of_matrices.arm is not None else of_table
+
+
+def _of_tables(document: Document) -> Inference:
+    """Return the document with the arm of its first table that gives one."""
+    first = Inference(document)
     for table in _tables(document):
         try:
             found = list(candidates(table, read_columns(table.header), _names(document)))  # type: ignore[arg-type]
         except (EvaluationError, ReadError) as error:
-            problem, line = problem or finding_of(error), line or table.line
+            first = first if first.problem is not None else Inference(document, None, finding_of(error), table.line)
             continue
         return _settle(document, found)
-    return Inference(document, problem=problem, line=line)
+    return first
 
 
 def _names(document: Document) -> Names:
@@ -57,6 +74,8 @@ def _tables(document: Document) -> Iterator[Table]:
 def _settle(document: Document, found: list[Candidate]) -> Inference:
     """Return the document with the arm of the candidates' best reading, or the reason why none is."""
     line = found[0].line
+    if (more := _joints_used(document)) > len(found[0].joints):
+        return Inference(document, None, say(Kind.JOINTS_MISSING, count=len(found[0].joints), index=more), line)
     try:
         best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)])
     except ArmproofError as error:
@@ -72,6 +91,12 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if best.failed > best.held:
         return Inference(document, problem=say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed), line=line)
     return _taken(document, found[0], best)
+
+
+def _joints_used(document: Document) -> int:
+    """Return the largest index of a joint variable in a document's displays, as in θ_3 or c_{23}."""
+    found = (digit for d in document.displays if not d.erratum for part in _INDEXED.findall(d.latex) for digit in part)
+    return max(map(int, found), default=0)
 
 
 def _stated(document: Document) -> tuple[str, ...]:

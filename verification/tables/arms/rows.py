@@ -111,11 +111,18 @@ def _place_of_joint(reading: Reading, row: _Row, values: Mapping[str, Scalar]) -
             == 1
         ):
             return told[0]
-    if places and _angle_of(values["theta"]):
-        return "theta"
-    if places and (symbol := _angle_of(values["d"])) and letter_of(symbol) in _SLIDES and symbol[-1].isdigit():
-        return "d"
+    if places:
+        return place_of_joint(values, row.number)[0]
     raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=row.number))
+
+
+def place_of_joint(values: Mapping[str, Scalar], number: int) -> tuple[str, str]:
+    """Return where the values of a row hold a joint's variable, theta or d, and that variable; raises EvaluationError."""
+    if symbol := _angle_of(values["theta"]):
+        return "theta", symbol
+    if (symbol := _angle_of(values["d"])) and letter_of(symbol) in _SLIDES and symbol[-1].isdigit():
+        return "d", symbol
+    raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=number))
 
 
 def _is_named(row: _Row, cell: Cell, value: Scalar) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.quantity import Quantity
@@ -54,82 +54,90 @@ def settle_data(
     equations, tables, taken = tuple(equations), tuple(tables), inferred.arm
     if taken is None:
         return _told(inferred, equations), _told(inferred, tables)
-    results = [each for record in equations if not _is_data(taken, record) for each in record.outcomes]
-    confirmed = frozenset(link for each in results if each.verdict in _HOLDS for link in each.links)
-    named = {key: each.links for each in results for key in each.defines}
-    settled = _Settled(taken, confirmed, any(each.is_decided and each.links for each in results), named)
+    claims = [each for record in equations for each in record.outcomes if not _is_data(taken, record, each.links)]
+    settled = _Settled(
+        taken,
+        frozenset(link for each in claims if each.verdict in _HOLDS for link in each.links),
+        any(each.is_decided and each.links for each in claims),
+        {key: each.links for each in claims for key in each.defines},
+    )
     return tuple(map(settled.display, equations)), tuple(map(settled.table, tables))
 
 
 def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...]:
-    """Say of a table why no arm was taken from it."""
+    """Say of a table or a matrix why no arm was taken from it."""
     if (problem := inferred.problem) is None:
         return records
-    tells = [record.line == inferred.line and record.says(Kind.NO_ARM_FOR_TABLE) for record in records]
-    return tuple(replace(r, findings=(problem,)) if told else r for r, told in zip(records, tells, strict=True))
+    return tuple(
+        replace(
+            record, findings=(problem, *(each for each in record.findings if each.kind is not Kind.NO_ARM_FOR_TABLE))
+        )
+        if record.line == inferred.line and record.verdict is Verdict.UNCHECKED
+        else record
+        for record in records
+    )
 
 
-def _is_data(taken: TakenArm, record: Record) -> bool:
-    return (record.cell, record.line) in taken.lines
+def _is_data(taken: TakenArm, record: Record, links: frozenset[int] = frozenset()) -> bool:
+    """Whether the arm was taken from a table, or from the equation in a display that is about these links."""
+    return (record.cell, record.line) in taken.lines and len(links) == (taken.source == "matrices")
 
 
+@dataclass(frozen=True)
 class _Settled:
-    """The records of a document whose arm was taken from a part of it."""
+    """The records of a document whose arm was taken from a part of it.
 
-    def __init__(
-        self, taken: TakenArm, confirmed: frozenset[int], is_used: bool, named: dict[tuple[str, int], frozenset[int]]
-    ) -> None:
-        self.taken, self.confirmed, self.is_used, self.named = taken, confirmed, is_used, named
-        self.source: dict[str, object] = {"source": taken.source, "line": taken.line}
+    Attributes:
+        confirmed: the links of which something that is no data holds.
+        is_used: whether anything else is decided with this arm.
+        named: what defined names tell of.
+    """
+
+    taken: TakenArm
+    confirmed: frozenset[int]
+    is_used: bool
+    named: Mapping[tuple[str, int], frozenset[int]]
 
     def table(self, record: Record) -> Record:
         """Return the record of a table: data, or another table, which is not refuted by this one."""
         if _is_data(self.taken, record):
-            return self._data(record)
+            data = self._data(1)
+            return Record(
+                record.line, record.latex, data.verdict, record.erratum, data.findings, (data,), cell=record.cell,
+                section=record.section,
+            )  # fmt: skip
         if record.verdict is Verdict.REFUTED and not record.erratum:
-            return _unchecked(record, say(Kind.SECOND_TABLE, line=self.taken.line))
+            other = say(Kind.SECOND_TABLE, source=self.taken.source, line=self.taken.line)
+            return replace(record, verdict=Verdict.UNCHECKED, findings=(other, *record.findings), corrections=None)
         return record
 
     def display(self, record: Record) -> Record:
         """Return the record of a display."""
         if not record.outcomes:  # a table that is set as an array, or what was not read
             return self.table(record) if record.verdict in (*_HOLDS, Verdict.REFUTED) else record
-        if _is_data(self.taken, record):
-            links = frozenset(link for each in record.outcomes for link in each.links)
-            is_whole = bool(links) and links <= self.confirmed
-            return record if is_whole or record.verdict not in _HOLDS else self._data(record)
-        outcomes = tuple(self._outcome(each, record.erratum) for each in record.outcomes)
-        said = [say(Kind.FOR_ARM_OF, **self.source)] if any(each.is_decided and each.links for each in outcomes) else []
+        outcomes = tuple(self._outcome(each, record) for each in record.outcomes)
         verdict = worst([each.verdict for each in outcomes])
-        if verdict is record.verdict:
-            return replace(record, findings=(*record.findings, *said))
-        findings = [finding for each in outcomes if each.verdict is verdict for finding in each.findings]
-        return replace(record, outcomes=outcomes, verdict=verdict, findings=(*findings, *said), corrections=None)
+        findings = list(record.findings)
+        if outcomes != record.outcomes:
+            findings = [finding for each in outcomes if each.verdict is verdict for finding in each.findings]
+        if any(each.is_decided and each.links for each in outcomes):
+            findings.append(say(Kind.FOR_ARM_OF, source=self.taken.source, line=self.taken.line))
+        corrections = record.corrections if verdict is record.verdict else None
+        return replace(record, outcomes=outcomes, verdict=verdict, findings=tuple(findings), corrections=corrections)
 
-    def _outcome(self, result: EquationResult, erratum: bool) -> EquationResult:
+    def _outcome(self, result: EquationResult, record: Record) -> EquationResult:
         """Return an equation's result; unchecked where it differs from the source in what nothing else confirms."""
+        if result.verdict in _HOLDS and _is_data(self.taken, record, result.links):
+            return result if result.links <= self.confirmed else self._data(result.index)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
-        is_sure = self.taken.source != "table" or links <= self.confirmed
-        if result.verdict is not Verdict.REFUTED or is_sure or erratum:
+        is_sure = self.taken.source == "matrices" or links <= self.confirmed
+        if result.verdict is not Verdict.REFUTED or is_sure or record.erratum:
             return result
-        doubt = say(Kind.OTHER_THAN_SOURCE, **self.source)
+        doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)
         return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index), *result.findings))
 
-    def _data(self, record: Record) -> Record:
+    def _data(self, index: int) -> EquationResult:
         verdict = Verdict.DEFINED if self.is_used else Verdict.UNCHECKED
-        findings = (say(Kind.GIVES_ARM, convention=self.taken.convention),)
-        outcomes = (EquationResult(1, Role.DATA, verdict, findings=findings),)
-        return Record(
-            record.line,
-            record.latex,
-            verdict,
-            record.erratum,
-            findings,
-            outcomes,
-            cell=record.cell,
-            section=record.section,
+        return EquationResult(
+            index, Role.DATA, verdict, findings=(say(Kind.GIVES_ARM, convention=self.taken.convention),)
         )
-
-
-def _unchecked(record: Record, finding: Finding) -> Record:
-    return replace(record, verdict=Verdict.UNCHECKED, findings=(finding, *record.findings), corrections=None)

@@ -67,8 +67,11 @@ def test_where_nothing_tells_table_and_matrix_apart_neither_is_refuted() -> None
 
 def test_a_wrong_row_of_the_table_refutes_no_right_matrix() -> None:
     result = verify_text(PLAIN.replace("| 2 | $l_2$", "| 2 | $l_1$") + "\n" + CLASSIC)
-    assert result.arms == () and "refuted" not in verdicts(result)
-    assert "fits 1 equations and contradicts 2" in result.tables[0].message
+    assert [arm.source for arm in result.arms] == ["matrices"] and set(verdicts(result)) == {"proved"}
+    assert result.tables[0].verdict == "unchecked" and "which of the two is right" in result.tables[0].message
+    assert [(entry.row, entry.printed, entry.correct) for entry in result.tables[0].entries] == [(2, "l_1", "l_2")]
+    alone = verify_text(PLAIN.replace("| 2 | $l_2$", "| 2 | $l_1$") + "\n" + link(1, FIRST) + whole())
+    assert "refuted" not in verdicts(alone)
 
 
 @pytest.mark.parametrize("table", [PLAIN, MODIFIED_HEADERS], ids=["open headers", "modified headers"])
@@ -102,9 +105,10 @@ def test_the_direction_of_the_indices_is_told_by_what_holds() -> None:
 
 
 def test_a_table_that_contradicts_most_of_the_document_is_no_arm_of_it() -> None:
-    other = craig(2, FIRST) + craig(1, SECOND) + whole(y="0")
+    other = link(1, FIRST).replace(FIRST, "{}^0M_1") + whole(y="0") + whole(y="l_2 s_1") + craig(1, FIRST)
     result = verify_text(PLAIN + "\n" + other)
-    assert result.arm == "" and "refuted" not in verdicts(result)
+    assert result.arms == () and "fits 0" not in result.tables[0].message
+    assert "contradicts" in result.tables[0].message
 
 
 def test_an_arm_in_the_front_matter_is_the_authors() -> None:

@@ -1,0 +1,111 @@
+"""The arm of a document that shows no DH table: read from its link matrices, which are data then."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof import verify_text
+from armproof.verification.verdict import DocumentResult, Role
+from tests.verification.tables.arms.test_inference import (
+    CLASSIC,
+    CRAIG,
+    FIRST,
+    SECOND,
+    WHOLE,
+    link,
+    pose,
+    verdicts,
+    whole,
+)
+
+JACOBIAN = "$$ J_v = \\begin{bmatrix} -l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\\\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \\end{bmatrix} $$\n"
+
+
+def roles(result: DocumentResult) -> list[Role]:
+    return [each.role for record in result.equations for each in record.outcomes]
+
+
+def test_what_a_witness_confirms_is_proved() -> None:
+    result = verify_text(CLASSIC)
+    (arm,) = result.arms
+    assert (arm.source, arm.line, arm.convention) == ("matrices", 1, "classic")
+    assert verdicts(result) == ["proved"] * 3 and set(roles(result)) == {Role.CLAIM}
+
+
+def test_a_wrong_product_confirms_nothing_and_is_refuted() -> None:
+    result = verify_text(link(1, FIRST) + link(2, SECOND) + whole(y="l_1 s_1 - l_2 s_{12}"))
+    assert verdicts(result) == ["defined", "defined", "refuted"] and roles(result)[:2] == [Role.DATA] * 2
+    assert "for the arm of the matrices at line 1" in result.equations[2].message
+    assert [(entry.row, entry.column) for entry in result.equations[2].entries] == [(2, 4)]
+
+
+def test_link_matrices_alone_decide_nothing() -> None:
+    assert verdicts(verify_text(link(1, FIRST) + link(2, SECOND))) == ["unchecked", "unchecked"]
+
+
+def test_the_second_convention_is_fitted_too() -> None:
+    displays = CRAIG + pose(WHOLE, "c_{12}", "s_{12}", "l_1 + l_2 c_1", "l_2 s_1")
+    result = verify_text(displays)
+    assert result.arms[0].convention == "modified" and verdicts(result) == ["proved"] * 3
+    assert verify_text(displays.replace("l_2 s_1", "l_2 c_1")).equations[2].verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "both"),
+    [("A_1", "A_2", "{}^0T_2"), ("T_0^1", "T_1^2", "T_0^2"), ("T_{01}", "T_{12}", "T_{02}")],
+)
+def test_link_matrices_are_named_as_they_are_written(first: str, second: str, both: str) -> None:
+    right = link(1, first) + link(2, second) + whole(both)
+    assert verdicts(verify_text(right)) == ["proved"] * 3
+    assert verdicts(verify_text(right.replace("l_2 s_{12}", "l_2 c_{12}")))[2] == "refuted"
+
+
+def test_a_matrix_that_is_no_link_gives_no_arm_and_is_named() -> None:
+    result = verify_text(link(1, FIRST) + link(2, SECOND, "-l_2 s_2") + whole())
+    assert result.arms == () and "refuted" not in verdicts(result)
+    assert "the matrix at line 3 is that of no DH link" in result.equations[1].message
+
+
+def test_link_matrices_of_two_arms_give_none() -> None:
+    other = link(1, FIRST).replace("l_1", "b_1")
+    result = verify_text(CLASSIC + other)
+    assert result.arms == ()
+
+
+def test_the_first_of_more_link_matrices_are_no_arm() -> None:
+    more = r"$$ J_v = \\begin{bmatrix} -l_1 s_1 - l_2 s_{12} - l_3 s_{123} \\end{bmatrix} $$"
+    result = verify_text(link(1, FIRST) + link(2, SECOND) + more)
+    assert result.arms == () and "refuted" not in verdicts(result)
+
+
+def test_offsets_slides_and_twists_are_fitted() -> None:
+    first = (
+        r"$$ A_1 = \begin{bmatrix} -s_1 & 0 & c_1 & 0 \\ c_1 & 0 & s_1 & 0 \\ 0 & 1 & 0 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+        + "\n\n"
+    )
+    second = (
+        r"$$ A_2 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+        + "\n\n"
+    )
+    point = r"$$ p_2 = \begin{bmatrix} d_2 c_1 \\ d_2 s_1 \\ d_1 \end{bmatrix} $$" + "\n"
+    result = verify_text(first + second + point)
+    arm = result.arms[0].front["arm"]
+    assert arm["joints"] == ["theta_1", "d_2"] and "theta_1 + pi/2" in arm["rows"][0].values()
+    assert (
+        verdicts(result)[2] == "proved"
+        and verify_text(first + second + point.replace("c_1", "s_1")).equations[2].verdict != "proved"
+    )
+
+
+def test_the_jacobian_is_a_witness() -> None:
+    assert verdicts(verify_text(link(1, FIRST) + link(2, SECOND) + JACOBIAN)) == ["proved"] * 3
+    wrong = JACOBIAN.replace("& -l_2 s_{12}", "& l_2 s_{12}")
+    assert verdicts(verify_text(link(1, FIRST) + link(2, SECOND) + wrong)) == ["defined", "defined", "refuted"]
+
+
+def test_one_display_may_hold_them_all() -> None:
+    together = (link(1, FIRST) + link(2, SECOND) + whole()).replace(" $$\n\n$$ ", r", \quad ")
+    assert verdicts(verify_text(together)) == ["proved"]
+    wrong = (link(1, FIRST) + link(2, SECOND) + whole(y="l_1 s_1")).replace(" $$\n\n$$ ", r", \quad ")
+    result = verify_text(wrong)
+    assert verdicts(result) == ["refuted"] and roles(result) == [Role.DATA, Role.DATA, Role.CLAIM]

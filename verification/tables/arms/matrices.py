@@ -1,0 +1,135 @@
+"""The arm of a document's link matrices: an exact fit of a DH link, with one joint variable, to each of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.document import Display, Document
+from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.names import Names
+from armproof.verification.tables.angles import angle_as_scalar
+from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
+from armproof.verification.tables.arms.rows import place_of_joint
+from armproof.verification.tables.columns import CONVENTIONS
+from armproof.verification.tables.row import PARAMETERS, equal, right_row
+
+_TRANSFORMS = "TAHM"
+_JOINTS = re.compile(r"(?:theta|q|phi)_?\w*")  # names of angles that move
+SECONDS = 0.5  # for all link matrices of a document
+
+
+@dataclass(frozen=True)
+class _Link:
+    """The printed matrix of a link, counted from 1, its letters, and its display."""
+
+    index: int
+    value: Matrix
+    letters: tuple[n.Name, ...]
+    display: Display
+
+
+def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
+    """Return the arm of a document's link matrices, None where it shows none; raises EvaluationError where one fits no link."""
+    links: dict[int, _Link] = {}
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        for link in _links(document, names, algebra):
+            if not equal(links.setdefault(link.index, link).value, link.value):
+                raise EvaluationError(say(Kind.LINK_AGAIN, number=link.index, line=link.display.line))
+        chain = [links[index] for index in sorted(links)]
+        if not chain or [link.index for link in chain] != list(range(1, len(chain) + 1)):
+            return None
+        return _fit(chain)
+
+
+def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[_Link]:
+    for display in document.displays:
+        if display.erratum or not display.closed or ("matri" not in display.latex and "array" not in display.latex):
+            continue
+        try:
+            statements = names.reader.read(display.latex)
+        except (ReadError, RecursionError):
+            continue
+        for chain in statements:
+            if isinstance(chain, n.Chain) and set(chain.relations) == {"="}:
+                yield from _link_of(chain, names, algebra, display)
+
+
+def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Display) -> Iterator[_Link]:
+    indices = [found for member in chain.members if (found := _index(bare(member))) is not None]
+    printed = [member for member in chain.members if isinstance(bare(member), n.Matrix)]
+    if len(set(indices)) != 1 or not printed:
+        return
+    letters = tuple(b for b in n.walk(printed[0]) if isinstance(b, n.Name) and b.key != "pi")
+    bound = replace(names, symbols={name.key: name.key for name in letters})
+    try:
+        value = Evaluator(bound, algebra).evaluate(printed[0])
+    except EvaluationError:
+        return
+    if isinstance(value, Matrix) and value.shape == (4, 4):
+        yield _Link(indices[0], value, letters, display)
+
+
+def _index(node: n.Node) -> int | None:
+    """Return i of a name of {}^{i-1}T_i, T^{i-1}_i, T_{i-1,i} or A_i."""
+    if not isinstance(node, n.Name) or node.base not in _TRANSFORMS or node.primes or node.dots:
+        return None
+    scripts = [part for part in (node.pre_sup, node.pre_sub, node.sup, node.sub) if part]
+    digits = [int(digit) for part in scripts for digit in re.findall(r"\d", part) if re.fullmatch(r"\d(?:,?\d)?", part)]
+    if len(scripts) == len(digits) == 1:
+        return digits[0]
+    is_outward = not (node.pre_sup or node.pre_sub) and len(scripts) == 2
+    pair = sorted(digits) if is_outward else digits
+    return pair[1] if len(pair) == 2 and pair[1] == pair[0] + 1 else None
+
+
+def _fit(chain: list[_Link]) -> Candidate:
+    """Return the links as rows of the first convention that fits them all; raises EvaluationError for the link that fits none."""
+    fitted = {convention: list(_rows(chain, convention)) for convention in CONVENTIONS}
+    convention, rows = max(fitted.items(), key=lambda item: len(item[1]))  # the first of the best
+    if len(rows) < len(chain):
+        raise EvaluationError(say(Kind.NO_DH_LINK, line=chain[len(rows)].display.line))
+    first = chain[0].display
+    letters = [letter for link in chain for letter in link.letters]
+    lines = tuple((link.display.cell, link.display.line) for link in chain)
+    entries = tuple({name: entry_text(value) for name, value in values.items()} for values, _ in rows)
+    joints = tuple(symbol_of(joint) for _, joint in rows)
+    return Candidate("matrices", first.line, first.cell, entries, joints, renamed(letters), (convention,), lines)
+
+
+def _rows(chain: list[_Link], convention: str) -> Iterator[tuple[dict[str, Scalar], str]]:
+    """Yield the rows of the links with their joint variables, up to the first that is none."""
+    for link in chain:
+        try:
+            yield _row(link, convention)
+        except EvaluationError:
+            return
+
+
+def _row(link: _Link, convention: str) -> tuple[dict[str, Scalar], str]:
+    ring = link.value.rows[0][0].ring
+    angles = sorted({name for row in link.value.rows for cell in row for name in _angles_in(cell)})
+    found = right_row(link.value, convention, [name for name in angles if _JOINTS.fullmatch(name)])
+    if found is None:
+        raise EvaluationError(say(Kind.NO_DH_LINK, line=link.display.line))
+    bases = [ring.symbol(name) for name in angles]
+    theta, alpha = (angle_as_scalar(ring, angle, bases) for angle in (found.theta, found.alpha))
+    if theta is None or alpha is None:
+        raise EvaluationError(say(Kind.NO_DH_LINK, line=link.display.line))
+    values = dict(zip(PARAMETERS, (found.a, alpha, found.d, theta), strict=True))
+    _, joint = place_of_joint(values, link.index)
+    return values, joint
+
+
+def _angles_in(cell: Scalar) -> Iterator[str]:
+    terms = [*cell.ring.terms(cell.numerator), *cell.ring.terms(cell.denominator)]
+    return (name for powers, _ in terms for kind, name in powers if kind in ("cos", "sin"))
