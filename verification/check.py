@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property, partial
+from itertools import accumulate
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
@@ -25,7 +27,7 @@ from armproof.verification.latex.tokens import normalise_unicode, original_offse
 from armproof.verification.naming.names import read_names, spelling_of
 from armproof.verification.naming.state import settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
-from armproof.verification.tables.arms import Inference, infer_arm, links_of, settle_data
+from armproof.verification.tables.arms import Inference, infer_arm, links_of, scopes, settle_data
 from armproof.verification.verdict import DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
 
 if TYPE_CHECKING:
@@ -76,9 +78,28 @@ def check_document(
             decide is unchecked.
     """
     seeks = arm is None and samples and "arm" not in document.front
-    found = infer_arm(document) if seeks else Inference(document)
-    arm = arm if arm is not None else load_arm_of(found.document)
-    return DocumentChecker(found.document, arm, confirm and samples, correct and samples, samples, found).run()
+    parts = [infer_arm(part) for part in scopes(document)] if seeks else [Inference(document)]
+    options = confirm and samples, correct and samples, samples
+    results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
+    return results[0] if len(results) == 1 else joined(document, results)
+
+
+def joined(document: Document, results: Sequence[DocumentResult]) -> DocumentResult:
+    """Return the results of a document's parts as one: each record keeps the index of its arm among all of them."""
+    before = list(accumulate((len(result.arms) for result in results), initial=0))
+    counted = list(zip(results, before, strict=False))
+    return replace(
+        next((result for result in results if result.arms), results[0]),
+        equations=tuple(_moved(record, first) for result, first in counted for record in result.equations),
+        tables=tuple(_moved(record, first) for result, first in counted for record in result.tables),
+        seconds=sum(result.seconds for result in results),
+        arms=tuple(arm for result in results for arm in result.arms),
+        front=document.front,
+    )
+
+
+def _moved(record: Record, first: int) -> Record:
+    return record if record.arm_index is None else replace(record, arm_index=record.arm_index + first)
 
 
 def load_arm_of(document: Document) -> Arm | None:
@@ -194,8 +215,7 @@ class DocumentChecker:
     def _arms(self) -> tuple[TakenArm, ...]:
         if self.inferred.arm is not None or self.arm is None:
             return (self.inferred.arm,) if self.inferred.arm is not None else ()
-        keys = [key for key in ("arm", "transforms") if key in self.document.front]
-        spec = {key: self.document.front[key] for key in keys}
+        spec: dict[str, Any] = {k: v for k, v in self.document.front.items() if k in ("arm", "transforms")}
         convention = self.arm.dh.convention if self.arm.dh is not None else ""
         line = self.document.lines.get("arm", 1)
         return (TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, spec),)

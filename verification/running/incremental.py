@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.verification.check import DocumentChecker, load_arm_of
+from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document
 from armproof.verification.naming.names import spelling_of
 from armproof.verification.naming.state import DocumentState
-from armproof.verification.tables.arms import Inference, infer_arm
+from armproof.verification.tables.arms import Inference, infer_arm, scopes
 from armproof.verification.verdict import DocumentResult, Record
 
 
@@ -43,6 +43,11 @@ class IncrementalChecker:
 
         Raises DocumentError where the document as a whole cannot be checked; the next update then begins anew.
         """
+        if (
+            "arm" not in document.front and len(scopes(document)) > 1
+        ):  # each part has names of its own: all are checked again
+            yield from self._begin_whole(document)
+            return
         found = infer_arm(document)
         document, checker = found.document, self._checker
         # a fraction of an angle changes in which generators values are written: what follows may be written otherwise
@@ -55,6 +60,12 @@ class IncrementalChecker:
         if fresh:
             self._begin(document)
         yield from self._continue(found)
+
+    def _begin_whole(self, document: Document) -> Iterator[Record]:
+        before = self.result.records if self.result is not None else ()
+        self._checker, self._checked = None, []
+        self.result = check_document(document)
+        yield from (record for record in self.result.equations if record not in before)
 
     def _begin(self, document: Document) -> None:
         self._checker, self._checked = None, []

@@ -1,6 +1,7 @@
 """The arm that a document shows where its front matter names none: read from its DH table or from its link matrices."""
 
 from armproof.verification.tables.arms.inference import infer_arm
+from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.support import Inference, links_of, settle_data
 
-__all__ = ["Inference", "infer_arm", "links_of", "settle_data"]
+__all__ = ["Inference", "infer_arm", "links_of", "scopes", "settle_data"]

@@ -42,6 +42,19 @@ class Candidate:
         """The places (cell, line) of all that it was read from."""
         return frozenset(((self.cell, self.line), *self.more_lines))
 
+    @property
+    def is_numeric(self) -> bool:
+        """Whether its lengths are numbers."""
+        entries = [row[column] for row in self.rows for column in ("a", "d")]
+        return all(not re.search("[A-Za-z]", entry) or entry in self.joints for entry in entries)
+
+    def is_other_than(self, before: Candidate) -> bool:
+        """Whether it is another arm than one before it: not the same once more, nor the same with numbers for letters."""
+        if self.is_numeric == before.is_numeric:
+            return (self.rows, self.joints) != (before.rows, before.joints)
+        angles = [[(row["alpha"], row["theta"]) for row in one.rows] for one in (self, before)]
+        return self.joints != before.joints or angles[0] != angles[1]
+
     def front(self, convention: str) -> dict[str, Any]:
         """Return the keys of front matter that name this arm in a convention."""
         arm = {"dh": convention, "rows": [dict(row) for row in self.rows], "joints": list(self.joints)}

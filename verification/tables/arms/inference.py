@@ -10,7 +10,7 @@ from typing import Any
 from armproof.models.errors import ArmproofError
 from armproof.verification.document import Document, Table
 from armproof.verification.errors import EvaluationError, ReadError
-from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.naming.names import Names, read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.matrices import candidate_of_matrices
@@ -35,7 +35,7 @@ def infer_arm(document: Document) -> Inference:
     if of_table.arm is not None:
         return of_table
     try:
-        found = candidate_of_matrices(document, _names(document))
+        found = candidate_of_matrices(document, plain_names(document))
     except EvaluationError as error:
         problem = finding_of(error)
         return of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms["line"])
@@ -45,24 +45,31 @@ def infer_arm(document: Document) -> Inference:
 
 def _of_tables(document: Document) -> Inference:
     """Return the document with the arm of its first table that gives one."""
-    first = Inference(document)
-    for table in _tables(document):
-        try:
-            found = list(candidates(table, read_columns(table.header), _names(document)))  # type: ignore[arg-type]
-        except (EvaluationError, ReadError) as error:
-            first = first if first.problem is not None else Inference(document, None, finding_of(error), table.line)
-            continue
-        return _settle(document, found)
-    return first
+    problem: tuple[Finding | None, int | None] = (None, None)
+    for table in dh_tables(document):
+        found = arms_of(document, table)
+        if not isinstance(found, Finding):
+            return _settle(document, found)
+        problem = problem if problem[0] is not None else (found, table.line)
+    return Inference(document, None, *problem)
 
 
-def _names(document: Document) -> Names:
+def arms_of(document: Document, table: Table) -> list[Candidate] | Finding:
+    """Return the arms that a DH table can mean, or why it gives none."""
+    try:
+        return list(candidates(table, read_columns(table.header), plain_names(document)))  # type: ignore[arg-type]
+    except (EvaluationError, ReadError) as error:
+        return finding_of(error)
+
+
+def plain_names(document: Document) -> Names:
+    """Return the names of a document that is about no arm, read as it spells."""
     names = read_names(None, {})
     names.reader.spelling = spelling_of(document, names.reader.words)
     return names
 
 
-def _tables(document: Document) -> Iterator[Table]:
+def dh_tables(document: Document) -> Iterator[Table]:
     """Yield the DH tables of a document, upright, in their order."""
     arrays = (array.table for display in document.displays if (array := read_array(display)) is not None)
     for table in sorted((*document.tables, *arrays), key=lambda one: (one.cell or 0, one.line)):

@@ -37,6 +37,14 @@ class _Link:
     display: Display
 
 
+def first_links(document: Document, names: Names) -> list[tuple[Display, str]]:
+    """Return the displays of first link matrices, each with its entries as text; where there are several arms, several."""
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        links = [link for link in _links(document, names, algebra) if link.index == 1]
+        return [(link.display, str(link.value.map(Scalar.normal).rows)) for link in links]
+
+
 def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
     """Return the arm of a document's link matrices, None where it shows none; raises EvaluationError where one fits no link."""
     links: dict[int, _Link] = {}
@@ -75,7 +83,7 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
         value = Evaluator(bound, algebra).evaluate(printed[0])
     except EvaluationError:
         return
-    if isinstance(value, Matrix) and value.shape == (4, 4):
+    if isinstance(value, Matrix) and value.shape == (4, 4) and letters:  # one of numbers alone is an example
         yield _Link(indices[0], value, letters, display)
 
 

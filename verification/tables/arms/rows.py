@@ -16,7 +16,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import letter_of, symbols_of, to_radians
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.cells import Cell, read_cell, read_kind
-from armproof.verification.tables.columns import Columns, Reading
+from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
 
 _MARK = re.compile(r"\*|\\ast|\\star|\bvar", re.IGNORECASE)  # of a variable
@@ -45,9 +45,10 @@ def candidates(table: Table, columns: Columns, names: Names) -> Iterator[Candida
     for reading in columns.readings(("",)):
         made = [_entries(bound, columns, reading, row) for row in rows]
         joints = tuple(symbol_of(joint) for _, joint in made)
-        yield Candidate(
-            "table", table.line, table.cell, tuple(entries for entries, _ in made), joints, renamed(letters)
-        )
+        entries = tuple(row for row, _ in made)
+        in_line = all(row["a"] == row["alpha"] == "0" for row in entries)  # one arm in both conventions
+        conventions = CONVENTIONS[:1] if in_line else CONVENTIONS
+        yield Candidate("table", table.line, table.cell, entries, joints, renamed(letters), conventions)
 
 
 def _read_row(names: Names, table: Table, columns: Columns, number: int) -> _Row:

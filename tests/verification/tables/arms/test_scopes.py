@@ -1,0 +1,61 @@
+"""Several arms in a document: a second table, or a first link matrix that differs in another section, begins a part of its own."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof import verify_text
+from tests.verification.tables.arms.test_inference import (
+    CLASSIC,
+    CRAIG,
+    FIRST,
+    PLAIN,
+    SECOND,
+    WHOLE,
+    link,
+    pose,
+    verdicts,
+    whole,
+)
+
+SLIDE = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | 0 | 0 | $q_1$ | 0 |\n| 2 | 0 | 0 | $q_2$ | 0 |\n\n"
+OF_SLIDE = (
+    r"$$ {}^0T_2 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & q_1 + q_2 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    + "\n\n"
+)
+OF_CRAIG = CRAIG + pose(WHOLE, "c_{12}", "s_{12}", "l_1 + l_2 c_1", "l_2 s_1")
+
+
+@pytest.mark.parametrize("heading", ["## Exercise 2\n\n", ""], ids=["in its section", "at its place"])
+def test_each_table_has_its_own_arm_and_names(heading: str) -> None:
+    first, second = "## Exercise 1\n\n" + PLAIN + "\n" + CLASSIC, heading + SLIDE + OF_SLIDE
+    result = verify_text(first + second)
+    assert [arm.source for arm in result.arms] == ["table", "table"] and set(verdicts(result)) == {"proved"}
+    assert [record.arm_index for record in result.equations] == [0, 0, 0, 1]
+    wrong = verify_text(first + second.replace("q_1 + q_2", "q_1 - q_2"))
+    assert verdicts(wrong)[:3] == ["proved"] * 3 and verdicts(wrong)[3] != "proved"
+
+
+def test_the_same_table_once_more_is_the_same_arm() -> None:
+    result = verify_text(
+        "# A\n\n" + PLAIN + "\n" + link(1, FIRST) + "# B\n\n" + PLAIN + "\n" + link(2, SECOND) + whole()
+    )
+    assert len(result.arms) == 1 and verdicts(result) == ["proved"] * 3
+
+
+def test_a_table_of_numbers_beside_one_of_letters_is_no_other_arm() -> None:
+    numbers = PLAIN.replace("$l_1$", "0.3").replace("$l_2$", "0.2")
+    result = verify_text("# A\n\n" + PLAIN + "\n# B\n\n" + numbers + "\n" + CLASSIC)
+    assert [arm.line for arm in result.arms] == [3] and verdicts(result) == ["proved"] * 3
+
+
+def test_other_link_matrices_under_another_heading_are_another_arm() -> None:
+    result = verify_text("# A\n\n" + CLASSIC + "# B\n\n" + OF_CRAIG)
+    assert [arm.convention for arm in result.arms] == ["classic", "modified"] and verdicts(result) == ["proved"] * 6
+    wrong = verify_text("# A\n\n" + CLASSIC + "# B\n\n" + OF_CRAIG.replace("l_2 s_1", "l_2 c_1"))
+    assert verdicts(wrong) == ["proved"] * 3 + ["defined"] * 2 + ["refuted"]
+
+
+def test_link_matrices_of_another_exercise_are_not_refuted_by_the_table_of_the_first() -> None:
+    result = verify_text("# A\n\n" + PLAIN + "\n" + CLASSIC + "# B\n\n" + OF_CRAIG)
+    assert [arm.source for arm in result.arms] == ["table", "matrices"] and verdicts(result) == ["proved"] * 6
