@@ -54,7 +54,7 @@ def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
             if not equal(links.setdefault(link.index, link).value, link.value):
                 raise EvaluationError(say(Kind.LINK_AGAIN, number=link.index, line=link.display.line))
         chain = [links[index] for index in sorted(links)]
-        if not chain or [link.index for link in chain] != list(range(1, len(chain) + 1)):
+        if len(chain) < 2 or [link.index for link in chain] != list(range(1, len(chain) + 1)):
             return None
         return _fit(chain)
 
