@@ -8,8 +8,6 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from armproof.verification.errors import DocumentError, located
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import write_all
@@ -264,6 +262,8 @@ class TakenArm:
     @property
     def front_matter(self) -> str:
         """The YAML that names it, an arm's rows on a line each."""
+        import yaml  # which `armproof --help` does without
+
         return yaml.dump(dict(self.front), default_flow_style=None, sort_keys=False, allow_unicode=True, width=1000)
 
     def as_json(self) -> dict[str, Any]:

@@ -176,6 +176,7 @@ def test_the_json_report_keeps_the_contract(armproof, write):
         "counterexample",
         "samples",
         "max_error",
+        "arm_index",
     ]
     assert all(list(equation) == keys for equation in document["equations"])
     proved, refuted, erratum, *_ = document["equations"]
