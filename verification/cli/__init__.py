@@ -4,13 +4,14 @@ Exit codes: 0 everything passes, 1 something does not, 2 the command cannot run 
 Nothing heavy is imported before it is needed: `armproof --help` loads neither Drake nor NumPy.
 """
 
-from armproof.verification.cli import arms, correct, singularities, verify
+from armproof.verification.cli import arms, correct, singularities, start, verify
 from armproof.verification.cli.application import app, main
 
 __all__ = ["app", "main"]
 
 for command in (
     verify.verify,
+    start.start,
     correct.correct,
     arms.arms,
     singularities.singularities,

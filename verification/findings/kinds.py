@@ -474,6 +474,7 @@ class Kind(MessageKind):
     AT_NO_LAST_FRAME = "at_no_last_frame", "and the last row's frame lies at none of the arm's last frames"
     GENERAL_LINK = "general_link", "names the parameters of a general link"
     NO_ARM_FOR_TABLE = "no_arm_for_table", "the front matter names no arm to check the table against"
+    NO_PLACE_FOR_FRONT = "no_place_for_front", "the front matter cannot be inserted so that all else is read as before: write it by hand"
     GIVES_ARM = "gives_arm", "taken for the document's arm, {convention} DH: data, not checked by itself"
     ARM_OF = "arm_of", "arm of the {source} at line {line}, {convention} DH"
     FOR_ARM_OF = "for_arm_of", "for the arm of the {source} at line {line}"

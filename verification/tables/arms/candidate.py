@@ -57,7 +57,8 @@ class Candidate:
 
     def front(self, convention: str) -> dict[str, Any]:
         """Return the keys of front matter that name this arm in a convention."""
-        arm = {"dh": convention, "rows": [dict(row) for row in self.rows], "joints": list(self.joints)}
+        rows = [{name: int(entry) if entry.isdigit() else entry for name, entry in row.items()} for row in self.rows]
+        arm = {"dh": convention, "rows": rows, "joints": list(self.joints)}
         return {"arm": arm, **({"symbols": dict(self.symbols)} if self.symbols else {})}
 
 
