@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import partial
 from math import inf, isinf
 from types import MappingProxyType
 from typing import Any
@@ -26,31 +25,18 @@ FORMAT = 1
 _TEXTS = ("name", "title", "source", "zero", "digest")
 
 
-@dataclass(frozen=True)
-class WrittenKinematics:
+class WrittenKinematics(ChainKinematics[Entry]):
     """The exact kinematics of an arm that was read from a value (see ExactKinematics in models/exact/trace.py)."""
 
-    depths: Mapping[str, int]
-    joints: int
-    links: Mapping[tuple[str, str], Link]
-    generators: set[Generator]
-    growth: Mapping[int, float]
-
-    @cached_property
-    def _chain(self) -> ChainKinematics[Entry]:
-        return ChainKinematics(self.depths, self.joints, lambda before, after: self.links[before, after], POLYNOMIALS)
+    def __init__(self, value: Mapping[str, Any]) -> None:
+        links = {(link.before, link.after): link for link in map(_read_link, value["links"])}
+        super().__init__(value["depths"], len(value["joints"]), lambda before, after: links[before, after], POLYNOMIALS)
+        self.generators: set[Generator] = {(kind, name) for kind, name in value["generators"]}
+        self.growth: Mapping[int, float] = dict(value["growth"])
 
     def depth(self, frame: str) -> int:
         """Return the number of moving joints between the base and a frame."""
-        return self.depths[frame]
-
-    def pose(self, frame: str, reference: str) -> Sequence[Sequence[Entry]]:
-        """Return the pose of a frame in a reference frame."""
-        return self._chain.pose(frame, reference)
-
-    def jacobian(self, frame: str, expressed_in: str, reference: str) -> Sequence[Sequence[Entry]]:
-        """Return the geometric Jacobian [v; ω]."""
-        return self._chain.jacobian(frame, expressed_in, reference)
+        return self._depths[frame]
 
 
 def write_value(arm: Arm) -> str:
@@ -95,21 +81,13 @@ def read_value(text: str) -> Arm:
 
 def _arm(value: Mapping[str, Any]) -> Arm:
     joints = tuple(_read_joint(index, joint) for index, joint in enumerate(value["joints"], start=1))
-    links = [_read_link(link) for link in value["links"]]
-    kinematics = WrittenKinematics(
-        depths=MappingProxyType(value["depths"]),
-        joints=len(joints),
-        links={(link.before, link.after): link for link in links},
-        generators={(kind, name) for kind, name in value["generators"]},
-        growth=dict(value["growth"]),
-    )
     return Arm(
         **{key: value[key] for key in _TEXTS},
         joints=joints,
         lengths=MappingProxyType(value["lengths"]),
         angles=MappingProxyType(value["angles"]),
         frames=tuple(value["depths"]),
-        exact=kinematics,
+        exact=WrittenKinematics(value),
         dh=read_table(value["dh"]) if value["dh"] else None,
         warnings=tuple(value["warnings"]),
     )

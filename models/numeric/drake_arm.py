@@ -1,4 +1,7 @@
-"""The arm as Drake has it: its MultibodyPlant of doubles, and where its joints and frames are in it."""
+"""The arm as Drake has it: its MultibodyPlant of doubles, and where its joints and frames are in it.
+
+An arm that was read from a value has no plant: asking for it, or for anything in it, is a ModelError.
+"""
 
 from __future__ import annotations
 
@@ -34,11 +37,7 @@ class DrakeArm:
 
 
 def drake_of(arm: Arm) -> DrakeArm:
-    """Return the Drake objects of an arm.
-
-    Raises:
-        ModelError: the arm was read from a value.
-    """
+    """Return the Drake objects of an arm."""
     if arm.drake is None:
         raise ModelError(Fault.NO_PLANT, arm=arm.name)
     drake: DrakeArm = arm.drake
@@ -46,18 +45,10 @@ def drake_of(arm: Arm) -> DrakeArm:
 
 
 def plant_of(arm: Arm) -> Any:
-    """Return the finalized MultibodyPlant of doubles of an arm.
-
-    Raises:
-        ModelError: the arm was read from a value.
-    """
+    """Return the finalized MultibodyPlant of doubles of an arm."""
     return drake_of(arm).plant
 
 
 def frame_of(arm: Arm, name: str | int) -> Any:
-    """Return the Drake frame of a document frame.
-
-    Raises:
-        ModelError: the arm has no such frame, or was read from a value.
-    """
+    """Return the Drake frame of a document frame; raises ModelError where the arm has no such frame."""
     return drake_of(arm).frames[arm.frame_names(name)[0]]

@@ -1,4 +1,4 @@
-"""Joint values as anyone hands them in: read and checked in one place, with a message that says what is wrong."""
+"""Joint values (rad, m) as anyone hands them in: read and checked in one place, with a ModelError that says what is wrong."""
 
 from __future__ import annotations
 
@@ -31,14 +31,7 @@ def read_joint_values(arm: Arm, q: Any) -> np.ndarray:
 
 
 def read_configuration(arm: Arm, q: Any) -> np.ndarray:
-    """Return the joint values of one configuration as an (n,) array of doubles.
-
-    Args:
-        q: an array, list or tuple of n real numbers, base to tool (rad, m); limits as in `read_joint_values`.
-
-    Raises:
-        ModelError: another length, something that is not a real number, or a number that is not finite.
-    """
+    """Return the joint values of one configuration as an (n,) array of doubles; otherwise as `read_joint_values`."""
     values = _read_numbers(arm, q)
     n = len(arm.joints)
     if values.shape != (n,):
@@ -47,14 +40,7 @@ def read_configuration(arm: Arm, q: Any) -> np.ndarray:
 
 
 def outside_limits(arm: Arm, q: Any) -> np.ndarray:
-    """Return which joint values lie outside the limits of their joints, an array of booleans of the shape of q.
-
-    Args:
-        q: (N, n) or (n,) joint values (rad, m).
-
-    Raises:
-        ModelError: as `read_joint_values`.
-    """
+    """Return which joint values, (N, n) or (n,), lie outside the limits of their joints, an array of booleans of that shape."""
     values = _read_numbers(arm, q)
     values = read_configuration(arm, values) if values.ndim == 1 else read_joint_values(arm, values)
     lower, upper = (np.array([getattr(joint, end) for joint in arm.joints]) for end in ("lower", "upper"))
@@ -62,14 +48,7 @@ def outside_limits(arm: Arm, q: Any) -> np.ndarray:
 
 
 def limit_notes(arm: Arm, q: Any) -> tuple[str, ...]:
-    """Return one sentence for each joint that some configuration takes beyond its limits; none if all are within.
-
-    Args:
-        q: (N, n) or (n,) joint values (rad, m).
-
-    Raises:
-        ModelError: as `read_joint_values`.
-    """
+    """Return one sentence for each joint that some configuration, (N, n) or (n,), takes beyond its limits; none if all are within."""
     outside = np.atleast_2d(outside_limits(arm, q))
     return tuple(
         f"{joint.symbol} is outside its limits [{joint.lower:g}, {joint.upper:g}] {_UNITS[joint.kind]} "
