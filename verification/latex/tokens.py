@@ -80,7 +80,12 @@ _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
+_TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
 _STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
+_FENCES = {
+    ".": ".", r"\{": "{", r"\lbrace": "{", r"\}": "{", r"\rbrace": "{",
+    **dict.fromkeys(("|", r"\|", r"\lvert", r"\rvert", r"\vert", r"\lVert", r"\rVert"), "|"),
+}  # fmt: skip
 _ENDS_OPERAND = frozenset(
     ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
 )
@@ -148,7 +153,7 @@ class _Scanner:
         return [self.token("NEWLINE", r"\\", start, end)], end
 
     def on_begin(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
-        name = value[value.index("{") + 1 : value.rindex("}")].strip().rstrip("*")
+        name = value.partition("{")[2].rstrip("}").strip().rstrip("*")
         if name in TRANSPARENT:
             return [], end
         if name not in MATRICES and name not in LAYOUTS:
@@ -159,7 +164,7 @@ class _Scanner:
         return [self.token("BEGIN", name, start, end)], end
 
     def on_end(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
-        name = value[value.index("{") + 1 : value.rindex("}")].strip().rstrip("*")
+        name = value.partition("{")[2].rstrip("}").strip().rstrip("*")
         if name in TRANSPARENT:
             return [], end
         self.depth -= 1
@@ -224,10 +229,7 @@ class _Scanner:
 
     def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
-            return [
-                self.token("NUMBER", value[0], start, start + 1),
-                self.token("NUMBER", value[1], start + 1, start + 2),
-            ], start + 2
+            return [self.token("NUMBER", value[k], start + k, start + k + 1) for k in (0, 1)], start + 2
         comma = _DECIMAL_COMMA.match(self.text, end)
         if comma and self.previous != "COMMA" and self.previous != "FRAC" and value.isdigit() and not self.lists:
             mark = "." if self.spelling.decimal_comma else ","
@@ -243,35 +245,17 @@ class _Scanner:
         return [], end
 
     def on_fence(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
-        opening = value.startswith("\\left")
-        mark = value[5:].strip() if opening else value[6:].strip()
-        if mark == ".":
-            if opening:
-                self.fences.append(".")
-                return [self.token("OPEN_EMPTY", mark, start, end)], end
-            opened = self.fences.pop() if self.fences else "."
-            kind = {"(": "RPAR", "[": "RPAR", "|": "CLOSE_BAR", "{": "CLOSE_EMPTY"}.get(opened, "CLOSE_EMPTY")
-            return [self.token(kind, mark, start, end)], end
-        if mark in (r"\{", r"\lbrace", r"\}", r"\rbrace"):
-            if opening:
-                self.fences.append("{")
-                return [self.token("OPEN_EMPTY", "{", start, end)], end
-            if self.fences:
-                self.fences.pop()
-            return [self.token("CLOSE_EMPTY", "}", start, end)], end
-        if mark in ("|", r"\|", r"\lvert", r"\rvert", r"\vert", r"\lVert", r"\rVert"):
-            if opening:
-                self.fences.append("|")
-                return [self.token("OPEN_BAR", "|", start, end)], end
-            opened = self.fences.pop() if self.fences else "|"
-            return [self.token("CLOSE_EMPTY" if opened in ".{" else "CLOSE_BAR", "|", start, end)], end
+        opening, mark = value.startswith("\\left"), re.sub(r"\\(?:left|right)\s*", "", value, count=1)
+        sort = _FENCES.get(mark, "(")
         if opening:
-            self.fences.append("(")
-        elif self.fences:
-            opened = self.fences.pop()
-            if opened in ".{":
-                return [self.token("CLOSE_EMPTY", mark, start, end)], end
-        return [self.token("LPAR" if opening else "RPAR", mark, start, end)], end
+            self.fences.append(sort)
+            kind = {".": "OPEN_EMPTY", "{": "OPEN_EMPTY", "|": "OPEN_BAR", "(": "LPAR"}[sort]
+        else:
+            opened = self.fences.pop() if self.fences else sort
+            kind = {"|": "CLOSE_BAR", "(": "RPAR"}.get(opened if sort == "." else sort, "CLOSE_EMPTY")
+            kind = "CLOSE_EMPTY" if opened in ".{" else kind
+        shown = {"{": "{" if opening else "}", "|": "|"}.get(sort, mark)
+        return [self.token(kind, shown, start, end)], end
 
     def on_macro(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         name = value[1:]
@@ -339,13 +323,8 @@ class _Scanner:
             if re.fullmatch(r"[a-zA-Z]\d+", content):
                 return [], end
             return [self.token("TEXT", content, start, after)], after
-        if (
-            re.fullmatch(r"[A-Za-z]+", content)
-            and (len(content) > 1)
-            and not re.fullmatch(r"(?:boxed|fbox|vec|overline|bar|hat)", name)
-        ):
-            return self._letter(content, start, after)
-        if re.fullmatch(r"[A-Za-z]", content):
+        over_several = len(content) > 1 and name in ("vec", "overline", "bar", "hat")
+        if re.fullmatch(r"[A-Za-z]+", content) and not over_several:
             return self._letter(content, start, after)
         return [], end
 
@@ -358,53 +337,40 @@ class _Scanner:
         return name if name in self.spelling.told_apart else VARIANTS.get(name, name)
 
     def _function(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
-        if FUNCTIONS[name] in ("atan", "tan") or (name == "a"):
-            two = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))").match(
-                self.text, end
-            )
-            if two and FUNCTIONS[name] == "atan":
-                return [self.token("FUNC", "atan2", start, two.end())], two.end()
-        if name == "sqrt":
-            return [self.token("SQRT", name, start, end)], end
-        return [self.token("FUNC", FUNCTIONS[name], start, end)], end
+        function = FUNCTIONS[name]
+        if function == "atan" and (two := _TWO.match(self.text, end)):
+            return [self.token("FUNC", "atan2", start, two.end())], two.end()
+        return [self.token("SQRT" if name == "sqrt" else "FUNC", function, start, end)], end
 
     def _letter(self, base: str, start: int, end: int) -> tuple[list[Token], int]:
         """A letter glued to digits is an indexed name: C12, l1, q3."""
-        digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end)
         if base in ("a", "A") and (two := re.compile(r"\\?tan\s*_?\s*\{?2\}?").match(self.text, end)):
             return [self.token("FUNC", "atan2", start, two.end())], two.end()
-        tokens = [self.token("LETTER", base, start, end)]
-        if digits and base not in ("pi",):
-            tokens.append(self.token("SUB", digits.group(), end, digits.end()))
-            return tokens, digits.end()
-        return tokens, end
+        letter = self.token("LETTER", base, start, end)
+        digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end) if base != "pi" else None
+        if digits is None:
+            return [letter], end
+        return [letter, self.token("SUB", digits.group(), end, digits.end())], digits.end()
 
     def on_bare(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
-        longer = self._known_word(start)
-        if longer and len(longer) >= len(value):
-            return self._letter(longer, start, start + len(longer))
-        if value in FUNCTIONS:
+        word = max(value, self._known_word(start), key=len)
+        if value in FUNCTIONS and word == value and value not in self.words:
             return self._function(value, start, end)
-        return self._letter(value, start, end)
+        return self._letter(word, start, start + len(word))
 
     def _known_word(self, start: int) -> str:
         return next((w for w in sorted(self.words, key=len, reverse=True) if self.text.startswith(w, start)), "")
 
     def on_letter(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
-        word = self._known_word(start)
-        if word:
-            return self._letter(word, start, start + len(word))
-        return self._letter(value, start, end)
+        word = self._known_word(start) or value
+        return self._letter(word, start, start + len(word))
 
     def on_assign(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
         return [self.token("REL", "=", start, end)], end
 
     def _bar(self, start: int, end: int) -> tuple[list[Token], int]:
-        if (
-            self.previous in _ENDS_OPERAND
-            and not self.bar_open
-            and (script := re.compile(r"\s*_").match(self.text, end))
-        ):
+        script = re.compile(r"\s*_").match(self.text, end)
+        if script and self.previous in _ENDS_OPERAND and not self.bar_open:
             argument, end = self._script_argument(script.end() - 1, script.end())  # J|_{θ_2 = 0}
             return [self.token("AT", argument, start, end)], end
         opening = not self.bar_open and (self.previous not in _ENDS_OPERAND or self._has_partner(start, end))
@@ -418,15 +384,8 @@ class _Scanner:
         if self.text.startswith("\\mid", start):
             return False
         member = _NEXT_BAR.split(self.text[end:], maxsplit=1)[0]
-        return (
-            len(
-                re.findall(
-                    r"\||\\vert(?![A-Za-z])", re.sub(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_", "", member)
-                )
-            )
-            % 2
-            == 1
-        )
+        member = re.sub(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_", "", member)
+        return len(re.findall(r"\||\\vert(?![A-Za-z])", member)) % 2 == 1
 
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if value == "|":
@@ -444,20 +403,15 @@ class _Scanner:
             if word and word.group(1) in FUNCTIONS and len(word.group(1)) > 2:
                 return self._function(word.group(1), start, word.end())
             self._deeper(start)
-        elif kind == "RBRACE":
+        elif kind in ("RBRACE", "RPAR"):
             self.depth -= 1
         elif kind == "LPAR":
             if value == "(" and (remark := _REMARK.match(self.text, start)):  # (i = 1, …, n)
                 return [self.token("TEXT", remark.group(), start, remark.end())], remark.end()
             self._deeper(start)
-        elif kind == "RPAR":
-            self.depth -= 1
-        elif kind == "DOT":
-            if self.previous in _ENDS_OPERAND and _FACTOR.match(self.text, end):
-                return [self.token("CDOT", value, start, end)], end
-            return [], end  # a full stop
-        elif kind == "STAR":
-            return [self.token("CDOT", value, start, end)], end
+        elif kind in ("DOT", "STAR"):
+            is_product = kind == "STAR" or (self.previous in _ENDS_OPERAND and _FACTOR.match(self.text, end))
+            return ([self.token("CDOT", value, start, end)] if is_product else []), end  # else a full stop
         return [self.token(kind, RELATIONS.get(value, value), start, end)], end
 
 
