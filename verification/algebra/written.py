@@ -16,7 +16,7 @@ from typing import Any
 from armproof.models.exact.polynomial import Generator
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.latex.writer import Notation, join_factors, number
+from armproof.verification.latex.writer import Notation, number
 
 Angle = tuple[tuple[str, Fraction | int], ...]  # sorted (symbol, coefficient); whole numbers as int, which hash faster
 Trig = tuple[tuple[str, Angle, int], ...]  # sorted (function, angle, power): a monomial of sines and cosines
@@ -138,7 +138,7 @@ def _write_term(value: Scalar, coefficient: Fraction, rest: Rest, trig: Trig, no
         factors.append(_power_of_trig(notation.trig(function, {name: Fraction(k) for name, k in angle}), power))
     if coefficient != 1 or not factors:
         factors.insert(0, number(coefficient))
-    return join_factors(factors)
+    return " ".join(factors)
 
 
 def _exponent(power: int) -> str:

@@ -35,9 +35,8 @@ class CallReader(NameReader):
             return None
         _, text, span = subs[0]
         amount = self._elementary_amount(text, span)
-        if amount is None or not any(
-            isinstance(below, n.Name) and below.base in ANGLE_LETTERS for below in n.walk(amount)
-        ):
+        below = n.walk(amount) if amount is not None else ()
+        if amount is None or not any(isinstance(b, n.Name) and b.base in ANGLE_LETTERS for b in below):
             return None
         axis = n.Name(canonical_script(text)[0].lower(), span=span)
         call = n.Call("Rot3", (axis, amount), self.text[item.start : span[1]], "script", span=(item.start, span[1]))
@@ -50,50 +49,30 @@ class CallReader(NameReader):
             return replace(node, base=applied) if applied is not None else None
         if not isinstance(node, n.Name):
             return None
-        group = following.node
-        arguments = (
-            group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
-        )
-        if (
-            arguments
-            and node.base[:1].isupper()
-            and node.base not in TRIG_LETTERS
-            and all(map(_is_constant, arguments))
-        ):
-            # {}^0T_3(0, 90^\\circ, 0), J(0, 0): the arm at a configuration
-            span = (node.span[0], following.end)
-            head = self.text[node.span[0] : node.span[1]]
-            return self.scripted(
-                n.Call("name", (node, *arguments), head, "name", span=span), following.scripts, node.span[0]
-            )
-        if not all(isinstance(argument, n.Name) for argument in arguments):
+        arguments = _arguments(following)
+        if not self._is_application(node, arguments):
             return None
-        inside = ",".join(argument.key for argument in arguments)  # type: ignore[attr-defined]
-        key = f"{node.key}({inside})"
-        plain = all(a.base in ("q", "t", "theta", "d") or a.base in ANGLE_LETTERS for a in arguments)  # type: ignore[attr-defined]
-        letter = node.base
-        is_function = (
-            (letter in "fgh" and not node.sub)
-            or (letter[:1].isupper() and letter not in "CS")
-            or (len(letter) > 1 and letter not in ANGLE_LETTERS)
-        )
-        if (
-            self.is_bound(key)
-            or (is_function and (plain or letter[:1].isupper()))
+        head = self.text[node.span[0] : node.span[1]]
+        named = n.Call("name", (node, *arguments), head, "name", span=(node.span[0], following.end))
+        return self.scripted(named, following.scripts, node.span[0])
+
+    def _is_application(self, node: n.Name, arguments: tuple[n.Node, ...]) -> bool:
+        letter, is_upper = node.base, node.base[:1].isupper()
+        if arguments and is_upper and letter not in TRIG_LETTERS and all(map(_is_constant, arguments)):
+            return True  # {}^0T_3(0, 90^\\circ, 0), J(0, 0): the arm at a configuration
+        names = [argument for argument in arguments if isinstance(argument, n.Name)]
+        if len(names) < len(arguments):
+            return False
+        inside = ",".join(name.key for name in names)
+        plain = all(name.base in ("t", "d") or name.base in ANGLE_LETTERS for name in names)
+        is_function = (letter in "fgh" and not node.sub) or (is_upper and letter not in "CS")
+        is_function = is_function or (len(letter) > 1 and letter not in ANGLE_LETTERS)
+        return (
+            self.is_bound(f"{node.key}({inside})")
+            or (is_function and (plain or is_upper))
             or (plain and inside in ("q", "t") and not self.is_bound(node.key))
-        ):
-            named = n.Call(
-                "name",
-                (node, *arguments),
-                self.text[node.span[0] : node.span[1]],
-                "name",
-                span=(node.span[0], following.end),
-            )
-            return self.scripted(named, following.scripts, node.span[0])
-        if letter == "S" and not node.sub and not plain:  # S(v), the skew matrix, unless the argument is an angle
-            named = n.Call("name", (node, *arguments), letter, "name", span=(node.span[0], following.end))
-            return self.scripted(named, following.scripts, node.span[0])
-        return None
+            or (letter == "S" and not node.sub and not plain)  # S(v), the skew matrix, unless the argument is an angle
+        )
 
     def trig_letter(self, item: Item, following: Item | None) -> tuple[n.Node, int] | None:
         """c_1, C_{12}, s_{\\theta_1}, C\\theta_1, S(\\theta_1+\\theta_2): unless the document binds that name."""
@@ -114,26 +93,17 @@ class CallReader(NameReader):
             return self.scripted(call, sups, item.start), 1
         if following is None or self.is_bound(item.base):
             return None
+        head, span = self.text[item.start : item.end], (item.start, following.end)
         if following.kind == "letter" and following.base in ANGLE_LETTERS and not following.pre:
             angle = self.name(Item("letter", None, following.start, following.end, following.base, following.scripts))
             if isinstance(angle, n.Name):
-                call = n.Call(
-                    function, (angle,), self.text[item.start : item.end], "letter", span=(item.start, following.end)
-                )
-                return self.scripted(call, sups, item.start), 2
-        group = following.node
+                return self.scripted(n.Call(function, (angle,), head, "letter", span=span), sups, item.start), 2
+        group, scripts = following.node, [*sups, *following.scripts]
         if following.kind in ("list", "braces", "node") and isinstance(group, n.Group) and self._is_angle(group.inner):
-            call = n.Call(
-                function, (group.inner,), self.text[item.start : item.end], "letter()", span=(item.start, following.end)
-            )
-            if sups:
-                call = self.scripted(call, sups, item.start)  # type: ignore[assignment]
-            return self.scripted(call, following.scripts, item.start), 2
+            call = n.Call(function, (group.inner,), head, "letter()", span=span)
+            return self.scripted(call, scripts, item.start), 2
         if following.kind == "node" and isinstance(group, n.Name) and group.base in ANGLE_LETTERS:
-            call = n.Call(
-                function, (group,), self.text[item.start : item.end], "letter", span=(item.start, following.end)
-            )
-            return self.scripted(call, [*sups, *following.scripts], item.start), 2
+            return self.scripted(n.Call(function, (group,), head, "letter", span=span), scripts, item.start), 2
         return None
 
     def _trig_index(self, raw: str, span: tuple[int, int]) -> n.Node | None:
@@ -184,10 +154,7 @@ class CallReader(NameReader):
         following = items[index + 1]
         head = self.text[item.start : item.end]
         if following.kind == "list" and not following.pre:
-            group = following.node
-            arguments = (
-                group.items if isinstance(group, n.Sequence) else (group.inner,) if isinstance(group, n.Group) else ()
-            )
+            arguments = _arguments(following)
             if function == "atan" and len(arguments) == 2:
                 function = "atan2"
             if axis is not None:
@@ -224,6 +191,13 @@ class CallReader(NameReader):
             second, after = self.next_factor(items, after)
             return n.Product((node, second), ("",), span=(first.start, second.span[1])), after
         return node, after
+
+
+def _arguments(item: Item) -> tuple[n.Node, ...]:
+    """Return what stands in brackets, between the commas."""
+    if isinstance(item.node, n.Sequence):
+        return item.node.items
+    return (item.node.inner,) if isinstance(item.node, n.Group) else ()
 
 
 def _is_constant(node: n.Node) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
@@ -191,14 +191,6 @@ def bare_head(call: n.Call) -> str:
     return re.sub(r"\s*\^.*", "", call.head, flags=re.DOTALL)
 
 
-def join_factors(factors: Iterable[str]) -> str:
-    """Juxtapose factors so that they are read back as they were."""
-    text = ""
-    for factor in factors:
-        text = factor if not text else f"{text} {factor}"
-    return text
-
-
 class Writer:
     """Writes a tree; whatever comes unchanged from `source` is copied from it, spaces and brackets included."""
 
@@ -298,17 +290,11 @@ class Writer:
         """Write what a script is set on; without brackets only where it cannot be read as part of the name."""
         text = self.write(node)
         if isinstance(node, n.Name):
-            plain = (
-                not (node.sup or node.pre_sub or node.pre_sup or node.dots or "^" in text) and node.base not in SCRIPTED
-            )
+            scripts = node.sup or node.pre_sub or node.pre_sup or node.dots or "^" in text
+            plain = not scripts and node.base not in SCRIPTED
         elif isinstance(node, n.Call):
-            plain = node.style in ("index", "script", "bars", "braces") and node.function in (
-                "cos",
-                "sin",
-                "sqrt",
-                "abs",
-                "det",
-            )
+            closed = node.style in ("index", "script", "bars", "braces")
+            plain = closed and node.function in ("cos", "sin", "sqrt", "abs", "det")
         else:
             plain = isinstance(node, n.Number | n.Group | n.Matrix | n.Sequence)
         return text if plain else f"({text})"
@@ -327,15 +313,9 @@ class Writer:
         return text
 
     def _product(self, node: n.Product) -> str:
-        text = ""
-        for index, factor in enumerate(node.factors):
-            written = self.write(factor)
-            if isinstance(factor, n.Sum):
-                written = f"({written})"
-            operator = node.operators[index - 1] if index else ""
-            mark = {"": " ", "⋅": " \\cdot ", "×": " \\times "}[operator]
-            text = written if not index else f"{text}{mark}{written}"
-        return text
+        marks = {"": " ", "⋅": " \\cdot ", "×": " \\times "}
+        first, *others = (f"({self.write(f)})" if isinstance(f, n.Sum) else self.write(f) for f in node.factors)
+        return first + "".join(marks[sign] + text for sign, text in zip(node.operators, others, strict=True))
 
     def _call(self, node: n.Call) -> str:
         head = bare_head(node)
