@@ -43,15 +43,11 @@ class Readings:
             name = self.members.jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], True)  # type: ignore[attr-defined]
             if name is None:
                 continue
-            value = self.members.evaluate(name).value
-            if isinstance(value, Matrix) and len(self.names.state.shown.get(name.key, ())) == value.shape[1]:
+            value, shown = self.members.evaluate(name).value, self.names.state.shown
+            if not isinstance(value, Matrix) or value.shape[1] in (len(shown.get(name.key, ())), value.shape[0]):
                 continue
-            if (
-                isinstance(value, Matrix)
-                and value.shape[0] != value.shape[1]
-                and (rows := square_rows(value)) is not None
-            ):
-                self.names.state.shown[name.key] = tuple(row + 1 for row in rows)
+            if (rows := square_rows(value)) is not None:
+                shown[name.key] = tuple(row + 1 for row in rows)
 
     def part(self, member: Member, known: list[Member]) -> Member:
         """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
@@ -72,12 +68,10 @@ class Readings:
         if self.names.angle_sum(member.node) is None or member.node.key in self.names.quantities:
             return member
         other = next((m for m in members if m is not member and m.known), None)
-        if (
-            other is None
-            or self.equality.compare(member, other, 0, has_branches(other.node)).verdict is not Verdict.REFUTED
-        ):
+        if other is None:
             return member
-        return Member(member.node, None, UnboundName(member.node.key))
+        found = self.equality.compare(member, other, 0, has_branches(other.node))
+        return Member(member.node, None, UnboundName(member.node.key)) if found.verdict is Verdict.REFUTED else member
 
     def other_meaning(self, outcome: Outcome, line: int, define: bool) -> Outcome:
         """A letter that stands for something of another size here: x-dot = J q-dot for a component x, a height z_1."""
@@ -188,20 +182,19 @@ class Readings:
 
     def slipped_index(self, true: Member, member: Member, equation: int) -> Outcome | None:
         """A length that the arm does not have (a_3 of a 2R arm) is a slip where one of its lengths makes the equation hold."""
-        unknown = {
-            b.key: b for b in n.walk(member.node) if isinstance(b, n.Name) and not self.members.evaluate(b).known
-        }
+        named = [below for below in n.walk(member.node) if isinstance(below, n.Name)]
+        unknown = {name.key: name for name in named if not self.members.evaluate(name).known}
         if self.names.arm is None or len(unknown) != 1:
             return None
         (name,) = unknown.values()
-        family = [
-            length for length in self.names.arm.lengths if length.partition("_")[0] == name.base and name.sub.isdigit()
-        ]
-        for length in family:
+        for length in self.names.arm.lengths if name.sub.isdigit() else ():
+            letter, _, index = length.partition("_")
+            if letter != name.base:
+                continue
             read = member.node
-            for below in n.walk(member.node):
-                if isinstance(below, n.Name) and below.key == name.key:
-                    read = n.substitute(read, below, replace(below, sub=length.partition("_")[2]))
+            for below in named:
+                if below.key == name.key:
+                    read = n.substitute(read, below, replace(below, sub=index))
             mended = self.members.evaluate(read)
             if mended.known and self.equality.compare(true, mended, equation, False).verdict is Verdict.PROVED:
                 slip = say(Kind.NO_SUCH_LENGTH, name=name.key, length=length)
@@ -223,10 +216,9 @@ def counted(chain: n.Chain, names: Names) -> Finding | None:
 
 
 def _is_joint(node: n.Node, names: Names) -> bool:
-    joints = (
-        {joint.symbol for joint in names.arm.joints if joint.kind == "revolute"} if names.arm is not None else set()
-    )
-    return isinstance(node, n.Name) and not node.dots and names.known_symbol(node.key) in joints
+    joints = names.arm.joints if names.arm is not None else ()
+    symbol = names.known_symbol(node.key) if isinstance(node, n.Name) and not node.dots else None
+    return any(joint.symbol == symbol and joint.kind == "revolute" for joint in joints)
 
 
 def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | None:
@@ -259,10 +251,8 @@ def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | No
     return None
 
 
-def _jacobian_rows(value: Value, printed: tuple[int, ...] | None) -> Iterator[tuple[int, ...]]:
+def _jacobian_rows(value: Matrix, printed: tuple[int, ...] | None) -> Iterator[tuple[int, ...]]:
     """Yield the rows (from 1) that a shorter Jacobian is likely to hold: as printed before, v, the plane's, all that move."""
-    if not isinstance(value, Matrix):
-        return
     moving = tuple(i for i, row in enumerate(value.rows, 1) if not all(cell.is_zero() for cell in row))
     yield from dict.fromkeys(rows for rows in (printed, (1, 2, 3), (1, 2), moving, (4, 5, 6)) if rows)
 

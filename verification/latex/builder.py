@@ -80,18 +80,14 @@ class TreeBuilder(Transformer):
         return n.Sum(tuple(terms), span=(start, terms[-1][1].span[1]))
 
     def term(self, children: list) -> n.Node:
-        result = product(children[0])
-        index = 1
-        while index < len(children):
-            operator = children[index]
-            index += 1
-            negative = isinstance(children[index], Token)
-            index += negative
-            run = children[index]
-            index += 1
-            right = product(run)
-            if negative:
-                right = n.Sum((("-", right),), span=right.span)
+        result, rest = product(children[0]), iter(children[1:])
+        for operator in rest:
+            run = next(rest)
+            if isinstance(run, Token):  # a sign
+                run = next(rest)
+                right: n.Node = n.Sum((("-", product(run)),), span=product(run).span)
+            else:
+                right = product(run)
             result = self._join(result, operator, right, run)
         return result
 
@@ -100,28 +96,21 @@ class TreeBuilder(Transformer):
         if operator.type == "SLASH":
             if isinstance(left, Differential) and isinstance(right, Differential):
                 return partial_derivative(left, right, span)
-            if len(run) > 1 and not (isinstance(left, n.Number) and isinstance(run[0], n.Number)):
-                below = n.Quotient(left, right, "slash", span=span)
-                first = n.Quotient(left, run[0], "slash", span=(left.span[0], run[0].span[1]))
-                beside = n.Product((first, *run[1:]), ("",) * (len(run) - 1), span=span)
-                readings = (below, beside) if isinstance(run[0], n.Number) else (beside, below)
-                return n.Ambiguous(readings, self.text[span[0] : span[1]], span=span)
-            if len(run) > 1:
-                quotient = n.Quotient(left, run[0], "slash", span=(left.span[0], run[0].span[1]))
-                return n.Product((quotient, *run[1:]), ("",) * (len(run) - 1), span=span)
-            if isinstance(left, n.Product):  # a b / c is (a b)/c
-                return n.Quotient(left, right, "slash", span=span)
-            return n.Quotient(left, right, "slash", span=span)
-        sign = {"CDOT": "⋅", "TIMES": "×"}[operator.type]
-        factors: tuple[n.Node, ...] = (left,)
-        operators: tuple[str, ...] = ()
-        if isinstance(left, n.Product):
-            factors, operators = left.factors, left.operators
-        if sign == "×":  # the cross product binds like any product, but must keep its two sides whole
+            below = n.Quotient(left, right, "slash", span=span)
+            if len(run) == 1:  # a b / c is (a b)/c
+                return below
+            first = n.Quotient(left, run[0], "slash", span=(left.span[0], run[0].span[1]))
+            beside = n.Product((first, *run[1:]), ("",) * (len(run) - 1), span=span)
+            if isinstance(left, n.Number) and isinstance(run[0], n.Number):
+                return beside
+            readings = (below, beside) if isinstance(run[0], n.Number) else (beside, below)
+            return n.Ambiguous(readings, self.text[span[0] : span[1]], span=span)
+        if operator.type == "TIMES":  # the cross product binds like any product, but must keep its two sides whole
             return n.Product((left, right), ("×",), span=span)
+        factors, operators = (left.factors, left.operators) if isinstance(left, n.Product) else ((left,), ())
         if isinstance(right, n.Product) and "×" not in right.operators:
-            return n.Product((*factors, *right.factors), (*operators, sign, *right.operators), span=span)
-        return n.Product((*factors, right), (*operators, sign), span=span)
+            return n.Product((*factors, *right.factors), (*operators, "⋅", *right.operators), span=span)
+        return n.Product((*factors, right), (*operators, "⋅"), span=span)
 
     # -- atoms -----------------------------------------------------------------------------------------------------
 
