@@ -251,8 +251,10 @@ def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | No
     return None
 
 
-def _jacobian_rows(value: Matrix, printed: tuple[int, ...] | None) -> Iterator[tuple[int, ...]]:
+def _jacobian_rows(value: Value, printed: tuple[int, ...] | None) -> Iterator[tuple[int, ...]]:
     """Yield the rows (from 1) that a shorter Jacobian is likely to hold: as printed before, v, the plane's, all that move."""
+    if not isinstance(value, Matrix):
+        return
     moving = tuple(i for i, row in enumerate(value.rows, 1) if not all(cell.is_zero() for cell in row))
     yield from dict.fromkeys(rows for rows in (printed, (1, 2, 3), (1, 2), moving, (4, 5, 6)) if rows)
 
