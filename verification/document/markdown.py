@@ -14,6 +14,7 @@ from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.model import Display, Document, Piece, Table
 
 _BAR = re.compile(r"(?<!\\)\|")
@@ -162,6 +163,10 @@ def _read_blocks(
             displays.append(
                 Display(line, token.content[token.content.index("$$") + 2 :], any(quotes), cell, section, closed=False)
             )
+        elif token.type == "html_block" and "<table" in token.content:
+            line = first + (token.map[0] if token.map else 0)
+            for at, rows in read_html_tables(token.content):
+                tables.append(Table(line + at - 1, rows[0], rows[1:], any(quotes), cell, section))
         elif token.type == "inline":
             displays.extend(_inline_displays(token, first, any(quotes), cell, section))
         elif token.type == "table_open":

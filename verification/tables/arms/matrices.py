@@ -18,7 +18,7 @@ from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
-from armproof.verification.tables.arms.rows import place_of_joint
+from armproof.verification.tables.arms.rows import joint_of
 from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, right_row
 
@@ -134,7 +134,7 @@ def _row(link: _Link, convention: str) -> tuple[dict[str, Scalar], str]:
     if theta is None or alpha is None:
         raise EvaluationError(say(Kind.NO_DH_LINK, line=link.display.line))
     values = dict(zip(PARAMETERS, (found.a, alpha, found.d, theta), strict=True))
-    _, joint = place_of_joint(values, link.index)
+    _, joint = joint_of(values, link.index)
     return values, joint
 
 

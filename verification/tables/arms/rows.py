@@ -83,8 +83,7 @@ def _entries(names: Names, columns: Columns, reading: Reading, row: _Row) -> tup
         parameter: _value(names, algebra, columns, reading.columns[parameter], parameter, row)
         for parameter in PARAMETERS
     }
-    place = _place_of_joint(reading, row, values)
-    joint = _joint(row, place, values[place])
+    place, joint = _joint_of(reading, row, values)
     if joint not in symbols_of(values[place]):
         values[place] = values[place] + algebra.symbol(joint)
     return {parameter: entry_text(value) for parameter, value in values.items()}, joint
@@ -101,48 +100,42 @@ def _value(names: Names, algebra: ExactAlgebra, columns: Columns, column: int, p
     return value * SCALES.get(unit, 1) if value.as_fraction() is not None else value
 
 
-def _place_of_joint(reading: Reading, row: _Row, values: Mapping[str, Scalar]) -> str:
-    """Return theta or d, whichever holds the joint's variable; raises EvaluationError."""
-    if row.kind in ("revolute", "prismatic"):
-        return "theta" if row.kind == "revolute" else "d"
-    places = ("theta", "d") if row.kind != "fixed" else ()
-    for tells in (_is_named, _is_marked):
-        if (
-            len(told := [place for place in places if tells(row, row.cells[reading.columns[place]], values[place])])
-            == 1
-        ):
-            return told[0]
-    if places:
-        return place_of_joint(values, row.number)[0]
-    raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=row.number))
+def _joint_of(reading: Reading, row: _Row, values: Mapping[str, Scalar]) -> tuple[str, str]:
+    """Return where a row holds its joint's variable, theta or d, and that variable; raises EvaluationError."""
+    if row.kind == "fixed":
+        raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=row.number))
+    place = {"revolute": "theta", "prismatic": "d"}.get(row.kind, "")
+    cells = {place: row.cells[reading.columns[place]] for place in ("theta", "d")}
+    named = [place for place in cells if row.variable and row.variable in symbols_of(values[place])]
+    marked = [place for place, cell in cells.items() if _is_marked(cell)]
+    place = place or next((told[0] for told in (named, marked) if len(told) == 1), "")
+    if not place:
+        return joint_of(values, row.number)
+    fallback = f"{'theta' if place == 'theta' else 'd'}_{row.number}"
+    return place, row.variable or _variable(values[place], place) or fallback
 
 
-def place_of_joint(values: Mapping[str, Scalar], number: int) -> tuple[str, str]:
+def joint_of(values: Mapping[str, Scalar], number: int) -> tuple[str, str]:
     """Return where the values of a row hold a joint's variable, theta or d, and that variable; raises EvaluationError."""
-    if symbol := _angle_of(values["theta"]):
+    if symbol := _variable(values["theta"], "theta"):
         return "theta", symbol
-    if (symbol := _angle_of(values["d"])) and letter_of(symbol) in _SLIDES and symbol[-1].isdigit():
+    if (symbol := _variable(values["d"], "d")) and _is_slide(symbol):
         return "d", symbol
     raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=number))
 
 
-def _is_named(row: _Row, cell: Cell, value: Scalar) -> bool:
-    return bool(row.variable) and row.variable in symbols_of(value)
-
-
-def _is_marked(row: _Row, cell: Cell, value: Scalar) -> bool:
+def _is_marked(cell: Cell) -> bool:
     return cell.kind == "variable" or (cell.kind == "value" and _MARK.search(cell.text) is not None)
 
 
-def _angle_of(value: Scalar) -> str:
-    """Return the one symbol of a sum that can be a joint's variable, or an empty text."""
+def _variable(value: Scalar, place: str) -> str:
+    """Return the one symbol of a sum that can be a joint's variable, or an empty text; of several the one that is named so."""
     terms = [(powers, factor) for powers, factor in value.ring.terms(value.numerator) if ("pi", "") not in powers]
     found = [name for powers, factor in terms if abs(factor) == 1 for kind, name in powers if kind == "symbol"]
+    if len(found) > 1:
+        found = [name for name in found if (letter_of(name) in ("theta", "q") if place == "theta" else _is_slide(name))]
     return found[0] if len(found) == 1 else ""
 
 
-def _joint(row: _Row, place: str, value: Scalar) -> str:
-    """Return the variable of a row: the one that a column names, the one in its entry, else one by its number."""
-    if row.variable:
-        return row.variable
-    return _angle_of(value) or f"{'theta' if place == 'theta' else 'd'}_{row.number}"
+def _is_slide(symbol: str) -> bool:
+    return letter_of(symbol) in _SLIDES and symbol[-1].isdigit()

@@ -132,8 +132,11 @@ def test_a_general_row_gives_no_arm() -> None:
         "| θ (deg) | d (mm) | Link length | Twist |\n|---|---|---|---|\n| $\\theta_1^*$ | 0 | $l_1$ | 0 |\n| $\\theta_2^*$ | 0 | $l_2$ | 0 |\n",
         "| i | 1 | 2 |\n|---|---|---|\n| $\\alpha_i$ | 0 | 0 |\n| $a_i$ | $l_1$ | $l_2$ |\n| $\\theta_i$ | θ1 (variable) | var |\n| $d_i$ | 0 | 0 |\n",
         "$$\n\\begin{array}{c|cccc} i & a_i & \\alpha_i & d_i & \\theta_i \\\\ \\hline 1 & l_1 & 0 & 0 & \\theta_1 \\\\ 2 & l_2 & 0 & 0 & \\theta_2 \\end{array}\n$$\n",
+        "<table>\n<tr><th>Link</th><th>a<sub>i</sub></th><th>&alpha;<sub>i</sub></th><th>d<sub>i</sub></th><th>&theta;<sub>i</sub></th></tr>\n"
+        "<tr><td>1</td><td>l<sub>1</sub></td><td>0</td><td>0</td><td>&theta;<sub>1</sub></td></tr>\n"
+        "<tr><td>2</td><td>l<sub>2</sub></td><td>0</td><td>0</td><td>&theta;<sub>2</sub></td></tr>\n</table>\n",
     ],
-    ids=["French", "units and stars", "turned", "array"],
+    ids=["French", "units and stars", "turned", "array", "HTML"],
 )
 def test_tables_are_read_as_they_are_written(table: str) -> None:
     result = verify_text(table + "\n" + CLASSIC)
@@ -160,3 +163,16 @@ def test_latex_tables_give_an_arm_too() -> None:
     tabular = f"\\begin{{tabular}}{{ccccc}} $i$ & $a_i$ & $\\alpha_i$ & $d_i$ & $\\theta_i$ \\\\ \\hline {rows} \\end{{tabular}}\n"
     result = verify_text(tabular + CLASSIC, "tex")
     assert result.arms[0].source == "table" and verdicts(result) == ["proved"] * 3
+
+
+def test_beside_lengths_the_variable_is_what_is_named_so() -> None:
+    table = "| a | alpha | d | theta |\n|---|---|---|---|\n| 0 | 0 | $h + q_1$ | 0 |\n| 0 | 0 | $d_0 + l_3$ | $\\beta_2 + \\theta_2$ |\n"
+    display = "$$ p_2 = \\begin{bmatrix} 0 \\\\ 0 \\\\ h + q_1 + d_0 + l_3 \\end{bmatrix} $$\n"
+    result = verify_text(table + "\n" + display)
+    assert "joints: [q_1, theta_2]" in result.arms[0].front_matter and verdicts(result) == ["proved"]
+    assert "proved" not in verdicts(verify_text(table + "\n" + display.replace("+ q_1", "- q_1")))
+
+
+def test_merged_cells_of_html_are_no_table() -> None:
+    merged = "<table>\n<tr><th>a</th><th>alpha</th><th colspan='2'>d and theta</th></tr>\n<tr><td>1</td><td>0</td><td>0</td><td>q1</td></tr>\n</table>\n"
+    assert verify_text(merged).tables == ()
