@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import cos, isfinite, isqrt, pi, sin, sqrt
+from math import cos, isfinite, pi, sin, sqrt
 
 from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.polynomial import (
@@ -90,10 +90,20 @@ def exact_cos_sin(angle: float) -> tuple[Entry, Entry]:
 
     Within 1e-12 of a rational multiple of pi (denominator up to 360) it is that multiple, else the decimal.
     """
-    multiple = Fraction(angle / pi).limit_denominator(360)
-    if abs(angle - float(multiple) * pi) <= TOLERANCE * max(1.0, abs(angle)):
-        return cos_sin_of_pi(multiple)
-    return cos_sin_of_radians(exact_number(angle))
+    multiple = pi_multiple(angle)
+    return cos_sin_of_radians(exact_number(angle)) if multiple is None else cos_sin_of_pi(multiple)
+
+
+def pi_multiple(value: float) -> Fraction | None:
+    """Return the rational multiple of pi, its denominator up to 360, that a value is within 1e-12; else None."""
+    multiple = Fraction(value / pi).limit_denominator(360)
+    return multiple if abs(value - float(multiple) * pi) <= TOLERANCE * max(1.0, abs(value)) else None
+
+
+def square_of_root(value: float) -> Fraction | None:
+    """Return the rational p/q, q up to 1000, of which ± the root is a value within 1e-12; else None."""
+    square = Fraction(value * value).limit_denominator(1000)
+    return square if abs(abs(value) - sqrt(square)) <= TOLERANCE else None
 
 
 def add_angles(first: tuple[Entry, Entry], second: tuple[Entry, Entry]) -> tuple[Entry, Entry]:
@@ -157,15 +167,8 @@ def exact_rotation(matrix: Sequence[Sequence[float]]) -> Rows:
 
 def _radical(value: float) -> Entry | None:
     """Return ±√(p/q) with q ≤ 1000 if the value is that within 1e-12, else None."""
-    if abs(value) <= TOLERANCE:
-        return ZERO
-    square = Fraction(value * value).limit_denominator(1000)
-    if abs(abs(value) - sqrt(square)) > TOLERANCE:
-        return None
-    top, bottom = isqrt(square.numerator), isqrt(square.denominator)
-    if Fraction(top * top, bottom * bottom) == square:
-        return number(Fraction(top, bottom) * (1 if value > 0 else -1))
-    return scale(root(square), 1 if value > 0 else -1)
+    square = square_of_root(value)
+    return None if square is None else scale(root(square), 1 if value > 0 else -1)
 
 
 def _decimal(value: Fraction) -> str:

@@ -6,21 +6,16 @@ import operator
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
-from math import isqrt, pi, sqrt
 from typing import Any
 
 import numpy as np
 
-from armproof.models.exact.numbers import TOLERANCE, exact_number
+from armproof.models.exact.numbers import TOLERANCE, exact_number, pi_multiple, square_of_root
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.functions.tracing.number import TracedNumber
-
-_LARGEST_DENOMINATOR = 360  # of a multiple of π
-_LARGEST_RADICAND = 1000
-
 
 _ARITHMETIC: dict[str, Callable[..., Scalar]] = {
     "add": operator.add,
@@ -126,12 +121,8 @@ def exact_constant(value: float) -> tuple[Fraction, str]:
     number = exact_number(value)
     if abs(value) <= TOLERANCE or abs(number.denominator) <= 10**9:
         return number, ""
-    multiple = Fraction(value / pi).limit_denominator(_LARGEST_DENOMINATOR)
-    if abs(value - float(multiple) * pi) <= TOLERANCE * max(1.0, abs(value)):
+    if (multiple := pi_multiple(value)) is not None:
         return multiple, "pi"
-    square = Fraction(value * value).limit_denominator(_LARGEST_RADICAND)
-    if abs(abs(value) - sqrt(square)) <= TOLERANCE:
-        top, bottom = isqrt(square.numerator), isqrt(square.denominator)
-        if Fraction(top * top, bottom * bottom) != square:
-            return square if value > 0 else -square, "sqrt"
+    if (square := square_of_root(value)) is not None:
+        return square if value > 0 else -square, "sqrt"
     return number, ""
