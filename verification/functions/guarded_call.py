@@ -191,6 +191,7 @@ class Guard:
         try:
             return self._call(function)
         except TimeUp as up:  # rung as the call ended
+            sys.settrace(None)  # what follows is ours: the watchdog may have set a trap at its lines
             return Call(error=self._timeout(up.__traceback__))
         finally:
             self._deadline = math.inf

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from armproof.verification.functions.guarded_call import Call, Guard
+from armproof.verification.functions.guarded_call import Call, CallError, Guard, Overtime
 
 HERE = __file__
 
@@ -166,16 +166,32 @@ def test_no_function_lets_itself_recurse_without_end(function: Callable[[], Any]
     assert sys.getrecursionlimit() == limit
 
 
+def test_a_watchdog_that_barks_as_the_call_ends_is_a_timeout_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a busy machine it raises in our own lines, behind those of the function."""
+    timeout, late = Guard._timeout, [1]
+
+    def interrupted(guard: Guard, traceback: Any) -> CallError:
+        if late:
+            late.clear()
+            raise Overtime
+        return timeout(guard, traceback)
+
+    monkeypatch.setattr(Guard, "_timeout", interrupted)
+    found = call(loops)
+    assert not late and found.error is not None and found.error.is_timeout
+    assert call(returns) == Call(3)
+
+
 def test_a_function_may_recurse_a_little_deeper() -> None:
     def count(k: int) -> int:
         return 0 if k == 0 else 1 + count(k - 1)
 
     def deeper() -> int:
         sys.setrecursionlimit(1_900)
-        return count(1_300)
+        return count(1_100)
 
-    assert call(lambda: count(1_300)).error is not None
-    assert call(deeper) == Call(1_300)
+    assert call(lambda: count(1_100)).error is not None
+    assert call(deeper) == Call(1_100)
 
 
 def spoils() -> float:
