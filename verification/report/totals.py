@@ -29,6 +29,8 @@ _EXPECTED: dict[MessageKind, tuple[str, str]] = {
     Kind.QUANTITY_WITHOUT_ARM: ("a quantity without an arm", _ARM),
     Kind.TOO_LARGE: ("too large to decide", "split it into steps, each with a name"),
 }  # fmt: skip
+_UNBOUND = {Kind.NOT_BOUND, Kind.NOT_BOUND_BECAUSE, Kind.NEVER_USED, Kind.DEFINES, Kind.DEFINES_ENTRIES}
+_NO_ARM = "no arm is known: name it in the front matter (arm: …), or print its DH table"
 _ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
 
 
@@ -40,15 +42,15 @@ class Undecided:
         self.open: Counter[str] = Counter()
         self._causes: Counter[str] = Counter()
 
-    def add(self, record: Record, noun: str = "equation") -> None:
-        """Count the equations of a record, or the record where it has none."""
+    def add(self, record: Record, noun: str = "equation", *, arm: bool = True) -> None:
+        """Count the equations of a record, or the record where it has none; `arm`: whether its document needs none."""
         for each in record.outcomes or (record,):
             if isinstance(each, EquationResult) and each.is_remark:
                 continue
             self.total[noun] += 1
             if each.verdict in (Verdict.UNCHECKED, Verdict.UNREADABLE):
                 self.open[noun] += 1
-                self._causes[_cause(each.findings or record.findings)] += 1
+                self._causes[_cause(each.findings or record.findings, arm)] += 1
 
     def __bool__(self) -> bool:
         return self.open.total() > 0
@@ -67,12 +69,17 @@ class Undecided:
             yield f"{number:,} × {cause}"
 
 
-def _cause(findings: tuple[Finding, ...]) -> str:
-    """Return the cause in words: one sentence a kind, with what to write where that is known."""
+def _cause(findings: tuple[Finding, ...], arm: bool) -> str:
+    """Return the cause in words: one sentence a kind, with what to write where that is known.
+
+    Without an arm no name of kinematics is bound, and to bind them one by one would be the wrong advice.
+    """
     if not findings:
         return "compared with nothing"
     last = findings[-1]
     finding = last if last.kind is Kind.NEVER_USED else findings[0]
+    if not arm and finding.kind in _UNBOUND:
+        return _NO_ARM
     if finding.kind in _EXPECTED:
         return ": ".join(_EXPECTED[finding.kind])
     return str(finding)
@@ -148,17 +155,18 @@ class Totals:
         inverse = [result.inverse] if result.inverse is not None else []
         for noun, records in (("equation", result.equations), ("table", result.tables), ("inverse", inverse)):
             for record in records:
-                self._add_record(record, noun, result.path)
+                self._add_record(record, noun, result)
         if not result.claims and self.undecided.open.total() == undecided:
             self.without_claim.append(result.path)
 
-    def _add_record(self, record: Record, noun: str, path: str) -> None:
-        self.undecided.add(record, noun)
+    def _add_record(self, record: Record, noun: str, result: DocumentResult) -> None:
+        self.undecided.add(record, noun, arm=bool(result.arm or result.arms or result.claims))
         if noun != "inverse":
             (self.tables if noun == "table" else self.displays).add(record)
         self.samples = max(self.samples, record.samples)
         if record.max_error is not None and record.samples:
-            self.largest_error = max(self.largest_error or (0.0, path), (record.max_error, path), key=itemgetter(0))
+            error = (record.max_error, result.path)
+            self.largest_error = max(self.largest_error or error, error, key=itemgetter(0))
 
     @property
     def passed(self) -> bool:

@@ -21,10 +21,10 @@ UNUSED = "$$ B = C_1 + 7 $$\n\n"
 REMARK = "$$ \\lVert J \\dot q - \\dot x \\rVert^2 $$\n\n"
 
 
-def result(tmp_path: Path, *displays: str, name: str = "page.md") -> DocumentResult:
+def result(tmp_path: Path, *displays: str, name: str = "page.md", front: str = FRONT) -> DocumentResult:
     """Return the verdicts of a document with these displays."""
     path = tmp_path / name
-    path.write_text(FRONT + "".join(displays), encoding="utf-8")
+    path.write_text(front + "".join(displays), encoding="utf-8")
     return verify(path)
 
 
@@ -46,6 +46,13 @@ def test_causes_are_told_the_most_frequent_first_with_what_to_write(tmp_path: Pa
         "2 × a name is not bound: bind it in the front matter: quantities: …",
         "1 × no decided claim uses what is defined: bind the name in the front matter (quantities: …)",
     ]
+
+
+def test_where_no_arm_is_known_that_is_what_is_missing(tmp_path: Path) -> None:
+    _, *causes = said(result(tmp_path, PROVED, UNBOUND, front=""))
+    assert causes[0].startswith("3 × no arm is known: name it in the front matter (arm: …)")
+    with_arm = said(result(tmp_path, PROVED, UNBOUND))
+    assert not any("no arm" in line for line in with_arm)
 
 
 def test_each_equation_of_a_display_counts(tmp_path: Path) -> None:
