@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import typer
-from typer.core import TyperGroup
 
 from armproof.course.authoring import options as o
+from armproof.course.site.command import site
 from armproof.models.errors import written
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, as_command, complain, ending, tell
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending, tell
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
@@ -18,24 +18,7 @@ if TYPE_CHECKING:
     from armproof.course.sources.places import Place
 
 
-class LessonGroup(TyperGroup):
-    """The commands of this module, and `site`, which is loaded when it is asked for."""
-
-    def list_commands(self, ctx: Any) -> list[str]:
-        """Return the names of the commands."""
-        return [*super().list_commands(ctx), "site"]
-
-    def get_command(self, ctx: Any, name: str) -> Any:
-        """Return a command by its name; None if there is none."""
-        if name != "site":
-            return super().get_command(ctx, name)
-        from armproof.course.site.command import site
-
-        return as_command(name, site)
-
-
 lesson = typer.Typer(
-    cls=LessonGroup,
     add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -125,6 +108,9 @@ def new(
         typer.echo(relative(str(path)))
     more = f" --folder {folder}" if folder is not None else ""
     tell("check it with: armproof lesson check {name}{more}", name=name, more=more)
+
+
+lesson.command()(site)
 
 
 def _place(folder: Path | None) -> Place:

@@ -45,10 +45,4 @@ def remark(record: Record | None, lang: str) -> str:
 
 
 def _kind(record: Record) -> str:
-    kinds = {
-        Verdict.PROVED: "proved",
-        Verdict.CONFIRMED: "confirmed",
-        Verdict.UNCHECKED: "unchecked",
-        Verdict.DEFINED: "defined",
-    }
-    return kinds.get(record.verdict, "failed")
+    return "failed" if record.verdict in (Verdict.REFUTED, Verdict.UNREADABLE) else record.verdict.value

@@ -140,8 +140,9 @@ def joint_texts(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> list
     """Return each of the joint values (n,), or velocities or accelerations, with its symbol and unit."""
     parts = []
     for joint, value in zip(arm.joints, joint_scales(arm) * values, strict=True):
-        name = f"${dotted(joint.symbol, order)}$" if order else math(joint.symbol)
-        parts.append(f"{name} = {with_unit(round(value, 9), joint_unit(joint.kind, order), lang)}")
+        parts.append(
+            f"${dotted(joint.symbol, order)}$ = {with_unit(round(value, 9), joint_unit(joint.kind, order), lang)}"
+        )
     return parts
 
 
