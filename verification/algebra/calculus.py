@@ -114,16 +114,15 @@ def symbols_in(values: Iterable[Scalar]) -> set[str]:
     """Return the symbols that occur in values: as such, in angles, under roots, in arc functions."""
     found: set[str] = set()
     for value in values:
-        for part in (value.numerator, value.denominator):
-            for _, (kind, name) in value.ring.generators_of(part):
-                if kind == "symbol":
-                    found.add(name)
-                elif kind in ("cos", "sin"):
-                    found |= {name.partition("/")[0]} - {"pi"} if not name[0].isdigit() else set()
-                elif kind == "radical":
-                    found |= symbols_in([value.ring.radicand(name)])
-                elif kind == "arc":
-                    found |= symbols_in(value.ring.arcs[name])
+        for kind, name in value.generators:
+            if kind == "symbol":
+                found.add(name)
+            elif kind in ("cos", "sin"):
+                found |= {name.partition("/")[0]} - {"pi"} if not name[0].isdigit() else set()
+            elif kind == "radical":
+                found |= symbols_in([value.ring.radicand(name)])
+            elif kind == "arc":
+                found |= symbols_in(value.ring.arcs[name])
     return found
 
 
@@ -133,8 +132,7 @@ def leaves_open(difference: Scalar) -> bool:
     So it may if it holds a square root of an expression, an arc function, or the cosine of a constant angle that is no
     multiple of π/12 (cos 2π/5 is a generator of its own, though it is a polynomial in cos π/5).
     """
-    parts = (difference.numerator, difference.denominator)
-    return any(_is_open(generator) for part in parts for _, generator in difference.ring.generators_of(part))
+    return any(map(_is_open, difference.generators))
 
 
 def _is_open(generator: Generator) -> bool:

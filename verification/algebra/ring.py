@@ -28,6 +28,11 @@ class Scalar:
     def __init__(self, ring: Ring, numerator: fmpq_mpoly, denominator: fmpq_mpoly) -> None:
         self.ring, self.numerator, self.denominator = ring, numerator, denominator
 
+    @property
+    def generators(self) -> set[Generator]:
+        """The symbols, cosines, roots, … of which it is made, above and below."""
+        return {each for part in (self.numerator, self.denominator) for _, each in self.ring.generators_of(part)}
+
     def _coerce(self, other: object) -> tuple[Scalar, Scalar]:
         if not isinstance(other, Scalar):
             other = self.ring.rational(other)  # type: ignore[arg-type]

@@ -14,14 +14,13 @@ from fractions import Fraction
 from functools import cached_property
 from math import pi
 
-from armproof.verification.algebra.calculus import substitute
-from armproof.verification.algebra.matrix import Matrix, as_scalar
+from armproof.verification.algebra.calculus import substitute, symbols_in
+from armproof.verification.algebra.matrix import as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.conditions.implication import Implication, is_condition
 from armproof.verification.conditions.system import Condition, System, Undecided, read_condition
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.decimals import depends_on
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError, NoValue
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -70,7 +69,7 @@ def states_condition(checker: ChainChecker, chain: n.Chain) -> bool:
         return False
     joints = {joint.symbol for joint in arm.joints}
     values = [as_scalar(member.value) for member in members]
-    if any(isinstance(value, Scalar) and not depends_on(Matrix(((value,),)), joints) for value in values):
+    if any(isinstance(value, Scalar) and joints.isdisjoint(symbols_in([value])) for value in values):
         return True
     plain = n.Number | n.Sum | n.Product | n.Quotient | n.Group
     return all(isinstance(b, plain) or checker.members.is_symbol(b) for m in chain.members for b in n.walk(m))

@@ -121,8 +121,7 @@ def _value(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evalua
     value = as_scalar(evaluator.evaluate(right))
     if not isinstance(value, Scalar) or not _is_angle(checker, checker.exact.symbol(symbol) - value):
         return ()
-    holds_itself = any(("symbol", symbol) in powers for powers, _ in checker.exact.ring.terms(value.numerator))
-    return () if holds_itself else ((symbol, value),)
+    return () if ("symbol", symbol) in value.generators else ((symbol, value),)
 
 
 def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> list[Scalar]:

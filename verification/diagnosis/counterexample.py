@@ -123,15 +123,8 @@ class Probe:
         pair = outcome.pair
         if pair is None or outcome.sampled_only:
             return []
-        ring = self.checker.exact.ring
-        parts = [
-            part
-            for row, column in outcome.wrong
-            for cell in (pair.true.rows[row][column], pair.printed.rows[row][column])
-            if isinstance(cell, Scalar)
-            for part in (cell.numerator, cell.denominator)
-        ]
-        generators = {generator for part in parts for _, generator in ring.generators_of(part)}
+        cells = [side.rows[row][column] for row, column in outcome.wrong for side in (pair.true, pair.printed)]
+        generators = {each for cell in cells if isinstance(cell, Scalar) for each in cell.generators}
         names = {name.split("/")[0] for kind, name in generators if kind in ("symbol", "cos", "sin")}
         return sorted(name for name in names if name != "pi" and not name[:1].isdigit())
 

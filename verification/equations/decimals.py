@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from armproof.verification.algebra.calculus import leaves_open
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import FEWEST, SecondRoute
 from armproof.verification.findings import Kind, say
@@ -14,18 +13,6 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
-
-
-def depends_on(value: Matrix, symbols: set[str]) -> bool:
-    """Whether one of these symbols stands in an exact matrix."""
-    return any(
-        name in symbols
-        for row in value.rows
-        for cell in row
-        for part in (cell.numerator, cell.denominator)
-        for powers, _ in cell.ring.terms(part)
-        for _, name in powers
-    )
 
 
 def finest_decimals(nodes: Iterable[n.Node]) -> int:
@@ -118,7 +105,7 @@ def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
     decimals = max(decimals, finest_decimals((outcome.true.node, outcome.printed.node)))
     true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
     for difference in (true[r][c] - printed[r][c] for r, c in outcome.wrong):
-        roots = any(kind == "sqrt" for powers, _ in difference.ring.terms(difference.numerator) for kind, _ in powers)
+        roots = any(kind == "sqrt" for kind, _ in difference.generators)
         if roots or not difference.denominator.is_one() or leaves_open(difference):
             continue
         if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):

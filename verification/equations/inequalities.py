@@ -80,11 +80,7 @@ def _identical(a: Any, b: Any) -> bool:
 
 def _is_constant(value: Value) -> bool:
     """Whether a value holds no joint variable and no length: π and roots of numbers may stand in it."""
-    if not isinstance(value, Scalar):
-        return False
-    parts = (value.numerator, value.denominator)
-    kinds = {kind for part in parts for powers, _ in value.ring.terms(part) for kind, _ in powers}
-    return kinds <= {"pi", "sqrt"}
+    return isinstance(value, Scalar) and all(kind in ("pi", "sqrt") for kind, _ in value.generators)
 
 
 # -- sets ---------------------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import exact_number
-from armproof.verification.algebra.calculus import substitute
+from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring, Scalar
@@ -63,7 +63,7 @@ class Bench:
         """Return the lengths, and constant angles, on which a quantity depends."""
         if quantity not in self._lengths_in:
             cells = [cell for row in self.true(quantity).rows for cell in row]
-            names = {name for cell in cells for powers, _ in self.ring.terms(cell.numerator) for _, name in powers}
+            names = symbols_in(cells)
             self._lengths_in[quantity] = [symbol for symbol in self.numbers if symbol in names]
         return self._lengths_in[quantity]
 

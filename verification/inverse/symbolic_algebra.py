@@ -66,8 +66,7 @@ class SymbolicAlgebra(GivenTarget, ExactAlgebra):
         """Return a symbol for a long value made of coordinates alone, which is substituted afterwards as that of a joint is."""
         if not self.names_stay or not isinstance(value, Scalar) or len(value.numerator) < LONG:
             return value
-        kinds = {kind for powers, _ in self.ring.terms(value.numerator) for kind, _ in powers}
-        if kinds & {"cos", "sin", "arc"}:
+        if any(kind in ("cos", "sin", "arc") for kind, _ in value.generators):
             return value
         self.trail.append((f"name {key}", value))
         return self.ring.symbol(f"name {key}")

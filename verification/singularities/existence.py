@@ -132,7 +132,7 @@ def _magnitude(value: Scalar) -> str:
 
 
 def _angles(value: Scalar) -> set[str]:
-    return {name for powers, _ in value.ring.terms(value.numerator) for kind, name in powers if kind in ("cos", "sin")}
+    return {name for kind, name in value.generators if kind in ("cos", "sin")}
 
 
 def _greatest(value: Scalar) -> tuple[Scalar, Scalar | None] | None:

@@ -30,12 +30,10 @@ class HalfAngles:
 
     def __init__(self, ring: Ring, values: Iterable[Scalar], extra: Iterable[Generator] = ()) -> None:
         self.ring, self.parts = ring, dict(ring.parts)
-        found: dict[Generator, None] = dict.fromkeys(extra)
+        found = set(extra)
         for value in values:
             ring.budget.check()
-            for part in (value.numerator, value.denominator):
-                for powers, _ in ring.terms(part):
-                    found.update(dict.fromkeys(powers))
+            found |= value.generators
         self.angles: tuple[str, ...] = tuple(sorted({name for kind, name in found if kind in ("cos", "sin")}))
         self.others: tuple[Generator, ...] = tuple(sorted(g for g in found if g[0] not in ("cos", "sin")))
         count = 2 * len(self.angles) + len(self.others)

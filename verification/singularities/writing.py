@@ -132,7 +132,7 @@ def write_product(value: Scalar, factors: Sequence[tuple[Scalar, int]]) -> str |
 
 def _order(item: tuple[Scalar, int]) -> tuple[int, int, str]:
     value = item[0]
-    kinds = {kind for powers, _ in value.ring.terms(value.numerator) for kind, _ in powers}
+    kinds = {kind for kind, _ in value.generators}
     return len(value.numerator), "symbol" not in kinds, write_scalar(value, compact_notation())
 
 

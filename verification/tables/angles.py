@@ -144,7 +144,7 @@ def letter_of(symbol: str) -> str:
 
 def symbols_of(value: Scalar) -> set[str]:
     """Return the symbols of a sum."""
-    return {name for powers, _ in value.ring.terms(value.numerator) for kind, name in powers if kind == "symbol"}
+    return {name for kind, name in value.generators if kind == "symbol"}
 
 
 def _signs(value: Scalar) -> dict[str, bool]:

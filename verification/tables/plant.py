@@ -8,6 +8,7 @@ from functools import reduce
 
 import numpy as np
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
@@ -62,9 +63,7 @@ def counterexample(found: TableReading) -> dict[str, float]:
         for verdict in found.verdicts:
             differences = _differences(found, verdict)
             if any(abs(float(at.from_exact(cell)[0])) > TOLERANCE for cell in differences):
-                involved = {
-                    name for cell in differences for powers, _ in cell.ring.terms(cell.numerator) for _, name in powers
-                }
+                involved = symbols_in(differences)
                 everything = {**values, **arm.lengths, **arm.angles}
                 return {name: float(value) for name, value in everything.items() if name in involved} or values
     return {}

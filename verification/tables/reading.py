@@ -7,6 +7,7 @@ from functools import cached_property, reduce
 from typing import Any
 
 from armproof.models.exact.trace import trace_of
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, UnboundName
@@ -16,7 +17,7 @@ from armproof.verification.tables.cells import Cell
 from armproof.verification.tables.claim import Claim, Row, RowVerdict
 from armproof.verification.tables.columns import Reading
 from armproof.verification.tables.frames import Frames
-from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES, is_free_of, right_row, row_matrix
+from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES, right_row, row_matrix
 
 
 class TableReading:
@@ -153,7 +154,7 @@ class TableReading:
         if own is None:
             raise EvaluationError(say(Kind.VARIABLE_WITHOUT_JOINT, cell=cell.text))
         right = self.right_value(verdict, parameter)
-        return self.claim.algebra.symbol(own) if right is None or is_free_of(right, [own]) else right
+        return self.claim.algebra.symbol(own) if right is None or own not in symbols_in([right]) else right
 
     def _judge_unbound(self, verdicts: list[RowVerdict]) -> None:
         """A lone unbound name is wrong where it cannot be the document's letter for what should stand there.

@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import Any
 
 from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Algebra
 from armproof.verification.algebra.ring import Scalar
@@ -62,7 +63,7 @@ def right_row(pose: Matrix, convention: str, variables: Iterable[str]) -> RightR
     else:
         theta, alpha = (t[0][0], t[1][0]), (t[2][2], t[2][1])
         a, d = theta[0] * t[0][3] + theta[1] * t[1][3], t[2][3]
-    if not all(is_free_of(part, variables) for part in alpha):
+    if not symbols_in(alpha).isdisjoint(variables):
         return None
     made = _matrix_of(convention, a, alpha, d, theta, a.ring.zero, a.ring.one)
     return RightRow(a, alpha, d, theta) if equal(made, pose) else None
@@ -71,12 +72,6 @@ def right_row(pose: Matrix, convention: str, variables: Iterable[str]) -> RightR
 def equal(one: Matrix, other: Matrix) -> bool:
     """Decide whether two matrices of one shape are equal."""
     return all(cell.is_zero() for row in (one + -other).rows for cell in row)
-
-
-def is_free_of(value: Scalar, names: Iterable[str]) -> bool:
-    """Whether none of these symbols occurs in a value, nor the cosine or sine of one."""
-    parts = (value.numerator, value.denominator)
-    return set(names).isdisjoint(name for part in parts for powers, _ in value.ring.terms(part) for _, name in powers)
 
 
 def _matrix_of(
