@@ -31,6 +31,9 @@ CHANGES = re.compile(
     r"\b(?:not|never|cannot|no longer|except|unless|only if|otherwise|false|wrong|sauf|ne|n'|pas|jamais|faux|non|sinon)\b",
     re.I,
 )
+SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
+ARROWS = ("⇒", "⇔", "⇐")
+WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
@@ -70,18 +73,21 @@ class Statements:
         while index < len(statements):
             statement = statements[index]
             self.ring.budget.check()
-            if isinstance(statement, n.Connective):
+            implication = find_implication(asked, index) if connected else None
+            if isinstance(statement, n.Connective) and implication is None:
                 index += 1
                 continue
-            implication = find_implication(asked, index) if connected else None
+            given = dict(self.names.state.configuration)
             if implication is None:
+                assert isinstance(statement, n.Chain)
                 found = self._chain(statement, equation, line, define)
+                if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
+                    self.names.state.configuration = given  # what is concluded is no data
                 outcomes.extend(with_role(outcome, statement, self.names) for outcome in found)
                 self._tell_what_is_left_out(statement, statements, found, latex)
                 equation += len(statement.relations)
                 index += 1
                 continue
-            given = dict(self.names.state.configuration)
             self.checker.redefinitions.enabled = False
             steps = [self._chain(chain, equation, line, define) for chain in implication.premises]
             self.checker.redefinitions.enabled = True
@@ -113,6 +119,11 @@ class Statements:
         self, statement: n.Statement, statements: list[n.Statement], outcomes: list[Outcome], latex: str
     ) -> None:
         """An expression beside an equation is part of no claim, and what was meant by it is not known."""
+        dots = [below for below in n.walk(statement) if isinstance(below, n.Dots)]
+        for outcome in outcomes if dots and latex else ():
+            if any(finding.kind is Kind.PATTERN for finding in outcome.findings):
+                sign = SCRIPTED.match(latex, dots[0].span[0])
+                outcome.findings = (say(Kind.TERMS_UNWRITTEN, text=sign.group() if sign else "…"),)
         if any(isinstance(each, n.Chain) and each.relations for each in statements):
             for outcome in outcomes:
                 if any(finding.kind is Kind.NO_EQUATION for finding in outcome.findings):
@@ -126,6 +137,15 @@ class Statements:
         while index < len(statements):
             after = index + 1
             statement = statements[index]
+            if len(statements) > 1 and self._is_whole_number(statement):
+                if (
+                    kept
+                    and isinstance(quantifier := kept[-1], n.Connective)
+                    and quantifier.text in ("exists", "forall")
+                ):
+                    kept.pop()
+                index = after
+                continue
             if isinstance(statement, n.Connective) and statement.text.strip(" .,;:").lower() in FOR_ALL:
                 while after < len(statements) and self._is_any_configuration(statements[after]):
                     after += 1
@@ -133,6 +153,13 @@ class Statements:
                 kept.append(statement)
             index = after
         return kept
+
+    def _is_whole_number(self, statement: n.Statement) -> bool:
+        """k ∈ ℤ: so it is read in θ = kπ without being said."""
+        if not isinstance(statement, n.Chain) or statement.relations != ("∈",):
+            return False
+        k, numbers = (member.key if isinstance(member, n.Name) else "" for member in statement.members)
+        return k in ("k", "n", "m") and numbers in WHOLE and self.names.known_symbol(k) is None
 
     def _is_any_configuration(self, statement: n.Statement) -> bool:
         node = statement.members[0] if isinstance(statement, n.Chain) and not statement.relations else None
@@ -311,9 +338,10 @@ def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
 
 def _tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
     """Beside "not", "except" or "unless" nothing is decided but what is so without it."""
-    words = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words" and CHANGES.search(s.text)]
+    said = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words"]
+    words = [text for text in said if CHANGES.search(text) or text == "exists"]
     for outcome in outcomes if words else ():
-        if outcome.verdict in DECIDED:
+        if outcome.verdict in DECIDED or (outcome.verdict is Verdict.REFUTED and "exists" in words):
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
 
 
@@ -327,7 +355,7 @@ def _asked(statement: n.Statement) -> n.Statement:
 def _goes_on(statements: list[n.Statement], implication: Implication) -> bool:
     """Whether another arrow follows what an implication concludes: A ⇒ B ⇒ C."""
     behind = statements[implication.after] if implication.after < len(statements) else None
-    return isinstance(behind, n.Connective) and behind.kind in ("⇒", "⇔", "⇐")
+    return isinstance(behind, n.Connective) and behind.kind in ARROWS
 
 
 def _is_label(chain: n.Chain) -> bool:

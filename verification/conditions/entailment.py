@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -22,7 +23,7 @@ from armproof.verification.conditions.implication import Implication, is_conditi
 from armproof.verification.conditions.system import Condition, System, Undecided, read_condition
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import EvaluationError, NoValue
+from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
@@ -30,8 +31,10 @@ from armproof.verification.singularities.decomposition import Decomposer, Length
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 from armproof.verification.singularities.variety import Variety
+from armproof.verification.singularities.writing import write_condition
 from armproof.verification.verdict import Verdict
 
+LONGEST = 120  # characters of the families that are named
 MOST_PRODUCTS = 32
 MOST_QUARTERS = 4  # joints of which quarter turns are tried
 SCALES = (1.0, 4.0, 0.25)  # of the lengths: what holds for an arm of any size is refuted by one
@@ -107,28 +110,37 @@ def _divisors(checker: ChainChecker, chain: n.Chain) -> Iterator[Scalar]:
 
 
 def _follows(checker: ChainChecker, implication: Implication, equation: int) -> tuple[Outcome, dict[str, float]]:
-    outcome = Outcome(Verdict.PROVED, (), equation)
+    outcome, point = Outcome(Verdict.PROVED, (), equation), {}
     try:
         before = read_condition(checker, implication.before)
         behind = read_condition(checker, implication.behind)
-        wanted = {"⇒": (0,), "⇐": (1,), "⇔": (0, 1)}[implication.arrow]
-        pairs = ((before, behind), (behind, before))
-        for side in wanted:
+        for forward in {"⇒": (True,), "⇐": (False,), "⇔": (True, False)}[implication.arrow]:
+            entailment = Entailment(checker, before, behind) if forward else Entailment(checker, behind, before)
             try:
-                found = Entailment(checker, *pairs[side]).counterexample()
-            except Undecided as problem:  # the other direction may yet be refuted
-                outcome.verdict, outcome.findings = Verdict.UNCHECKED, (finding_of(problem),)
+                found = entailment.counterexample()
+            except EvaluationError as problem:  # the other direction may yet be refuted
+                if isinstance(problem, TooComplex) or outcome.verdict is Verdict.PROVED:
+                    outcome = _undecided(outcome, problem)
                 continue
             if found is not None:
-                first, second = (("left", "right"), ("right", "left"))[side]
-                outcome.verdict = Verdict.REFUTED
-                outcome.findings = (say(Kind.DOES_NOT_FOLLOW, holds=first, fails=second),)
-                return outcome, found
+                holds, fails = ("left", "right") if forward else ("right", "left")
+                if outcome.verdict is not Verdict.REFUTED:
+                    outcome.verdict, point = Verdict.REFUTED, found
+                    outcome.findings = (say(Kind.DOES_NOT_FOLLOW, holds=holds, fails=fails),)
+                if families := entailment.families():
+                    outcome.also(say(Kind.NOT_COVERED, side=fails, families=families))
     except NoValue as problem:
         outcome.verdict, outcome.findings = Verdict.REFUTED, (finding_of(problem),)
     except EvaluationError as problem:
-        outcome.verdict, outcome.findings = Verdict.UNCHECKED, (finding_of(problem),)
-    return outcome, {}
+        outcome = _undecided(outcome, problem)
+    return outcome, point
+
+
+def _undecided(outcome: Outcome, problem: EvaluationError) -> Outcome:
+    """What one direction has refuted stays so, whatever becomes of the other."""
+    if outcome.verdict is Verdict.REFUTED:
+        return outcome
+    return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding_of(problem),))
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,6 +157,7 @@ class Entailment:
     def __init__(self, checker: ChainChecker, premise: Condition, conclusion: Condition) -> None:
         self.checker = checker
         self.premise, self.conclusion = premise, conclusion
+        self._families: list[Variety] = []
         self.half = HalfAngles(checker.exact.ring, (s for system in (*premise, *conclusion) for s in _scalars(system)))
         self.positive = _lengths(checker, self.half)
         self.decomposer = Decomposer(self.half, self.positive, lengths=Lengths.ALL, budget=checker.exact.budget)
@@ -155,6 +168,24 @@ class Entailment:
         Raises:
             Undecided: neither could be shown, or the premise holds at no configuration.
         """
+        failing = self._failing()
+        first = next(failing, None)
+        if first is None:
+            return None
+        point = self._point(*first)
+        with suppress(EvaluationError):  # the others are named where there is time
+            self._families = [first[0], *(variety for variety, *_ in failing)]
+        return point
+
+    def families(self) -> list[str]:
+        """Return where the premise holds and the conclusion does not, as conditions: θ_2 = π."""
+        written = [
+            " and ".join(f"${write_condition(factor)}$" for factor in variety.conditions) for variety in self._families
+        ]
+        return written if sum(map(len, written)) <= LONGEST else []
+
+    def _failing(self) -> Iterator[tuple[Variety, _System, list[_System]]]:
+        """Yield the irreducible sets of the premise on which the conclusion fails, with both sides' systems."""
         premise, conclusion = ([self._polynomials(s) for s in side] for side in (self.premise, self.conclusion))
         met = False
         for given, system in zip(self.premise, premise, strict=True):
@@ -167,10 +198,9 @@ class Entailment:
                 met = True
                 lies = any(self._lies_in(variety, system, other) for other in conclusion)
                 if not lies and not self._lies_in_union(variety):
-                    return self._point(variety, system, conclusion)
+                    yield variety, system, conclusion
         if not met:
             raise Undecided(say(Kind.CONDITION_NEVER_MET))
-        return None
 
     def _follows_by_substitution(self, given: System) -> bool:
         """Whether a system that does nothing but fix angles makes the equations of one conclusion zero.

@@ -43,6 +43,8 @@ class Implication:
 
 def find_implication(statements: list[n.Statement], index: int) -> Implication | None:
     """Return the implication that starts at a statement, or None."""
+    if isinstance(statements[index], n.Connective):
+        return _if_then(statements, index)
     premises, at = _alternatives(statements, index, given=True)
     if at >= len(statements):
         return None
@@ -52,6 +54,18 @@ def find_implication(statements: list[n.Statement], index: int) -> Implication |
     conclusions, after = _alternatives(statements, at + 1, given=connective.kind in ("⇐", "if"))
     found = Implication(connective.kind, premises, conclusions, after, at + 1)
     return found if conclusions and all(chain.relations for chain in found.chains) else None
+
+
+def _if_then(statements: list[n.Statement], index: int) -> Implication | None:
+    """Return what "if A, then B" says, or None."""
+    if statements[index].kind != "if":  # type: ignore[union-attr]
+        return None
+    conditions, at = _alternatives(statements, index + 1, given=True)
+    then = statements[at] if at < len(statements) else None
+    at += isinstance(then, n.Connective) and then.text.strip(" ,:").lower() in ("then", "alors")
+    claims, after = _alternatives(statements, at, given=False)
+    found = Implication("if", claims, conditions, after, index + 1)
+    return found if claims and conditions and all(chain.relations for chain in found.chains) else None
 
 
 def _alternatives(statements: list[n.Statement], index: int, *, given: bool) -> tuple[Alternatives, int]:
@@ -84,12 +98,18 @@ def _alternatives(statements: list[n.Statement], index: int, *, given: bool) -> 
 
 def _comma(before: n.Chain | None, chain: n.Chain, given: bool) -> str:
     """How a comma joins two chains: θ_2 = 0, π and θ_2 = 0, θ_2 = π are alternatives; "" where they are not joined."""
-    if before is None or not is_condition(before):
+    if before is None or not (is_condition(before) or _equates_names(before)):
         return ""
     values = _is_constant(chain.members[-1]) and before.relations == ("=",)
     if values and (not chain.relations or (chain.relations == ("=",) and chain.members[0] == before.members[0])):
         return "or"
-    return "and" if given and chain.relations and is_condition(chain) else ""
+    return "and" if given and chain.relations and (is_condition(chain) or _equates_names(chain)) else ""
+
+
+def _equates_names(chain: n.Chain) -> bool:
+    """Whether a chain equates names alone, perhaps with a sign: l_1 = l_2, θ_2 = −θ_1."""
+    sides = (side.terms[0][1] if isinstance(side, n.Sum) and len(side.terms) == 1 else side for side in chain.members)
+    return len(chain.members) > 1 and all(isinstance(side, n.Name) for side in sides)
 
 
 def _with_subject(chain: n.Chain, before: n.Chain | None) -> n.Chain:

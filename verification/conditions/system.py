@@ -131,14 +131,32 @@ def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Ev
         if isinstance(value, Matrix) and value.shape[0] < value.shape[1]:
             return _minors(value, value.shape[0])
     a = as_scalar(evaluator.evaluate(left))
+    if isinstance(a, Scalar) and (squares := _of_squares(checker, a, right, evaluator)) is not None:
+        return [squares]
     if not isinstance(a, Matrix):
         return [_angle_or_difference(checker, left, right, evaluator)]
     b = as_scalar(evaluator.evaluate(right))
+    if isinstance(b, Scalar) and b.is_zero():
+        return [cell for row in a.rows for cell in row]
     if not isinstance(b, Matrix):
         raise Undecided(say(Kind.MATRIX_FOR_CONDITION))
     pair = next(align(a, b, checker.exact))
     rows = zip(pair.true.rows, pair.printed.rows, strict=True)
     return [x - y for row, other in rows for x, y in zip(row, other, strict=True)]
+
+
+def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: Evaluator) -> Scalar | None:
+    """√f = g as f = g², where g is a sum of positive lengths: ‖p‖ = l_1 + l_2."""
+    (powers, factor), *more = [*checker.exact.ring.terms(root.numerator)] or [({}, 0)]
+    if more or factor != 1 or not root.denominator.is_one() or [kind for kind, _ in powers] != ["radical"]:
+        return None
+    value, arm = as_scalar(evaluator.evaluate(right)), checker.names.arm
+    if not isinstance(value, Scalar) or not value.denominator.is_one() or arm is None:
+        return None
+    lengths = {("symbol", name) for name, length in arm.lengths.items() if length > 0}
+    terms = [*checker.exact.ring.terms(value.numerator)]
+    positive = terms and all(number > 0 and lengths.issuperset(generators) for generators, number in terms)
+    return root * root - value * value if positive else None
 
 
 def _gram_factor(node: n.Node) -> n.Node | None:

@@ -36,6 +36,7 @@ class Kind(MessageKind):
     NO_EQUATION = "no_equation", "states no equation"
     CONDITION = "condition", "a condition, not a claim"
     CONFIGURATION = "configuration", "a configuration, not a claim"
+    TERMS_UNWRITTEN = "terms_unwritten", "'{text}' stands for terms that are not written out: what they are is not decided"
     PATTERN = "pattern", "an ellipsis stands for terms: a pattern, not a claim"
     SIGN = "sign", "`{name}` is a sign, either one"
     SLASH_OVER_ALL = "slash_over_all", "'{text}' read with all that follows the slash taken as the denominator"
@@ -84,6 +85,7 @@ class Kind(MessageKind):
     NO_DELIMITER = "no_delimiter", "\\{name} needs a delimiter such as ( [ | or ."
     UNKNOWN_COMMAND = "unknown_command", "'{command}' is not a command of kinematic LaTeX"
     NO_VALUES_SAID = "no_values_said", "'{text}' does not say at which values"
+    STAR_ON_EXPRESSION = "star_on_expression", "a star on an expression"
     PRIME_ON_EXPRESSION = "prime_on_expression", "a prime on an expression"
     SUBSCRIPT_ON_EXPRESSION = "subscript_on_expression", "subscript '{script}' on an expression"
     LARGE_EXPONENT = "large_exponent", "the exponent {exponent} is larger than {most}"
@@ -231,6 +233,7 @@ class Kind(MessageKind):
     HAS_VALUE_WHERE = "has_value_where", "the formula has a value where ${divisor}$ is not zero"
     PREMISE_DIFFERS = "premise_differs", "it follows, but what it follows from does not hold of the arm"
     UNDER_MORE = "under_more", "it does not follow at every configuration; it may where joints are at rest, or with what else is said before it"
+    NOT_COVERED = "not_covered", "the {side} side leaves out {families}"
     DOES_NOT_FOLLOW = "does_not_follow", "the {holds} side holds and the {fails} does not at the configuration given"
 
     # -- wrong entries and what mends them ------------------------------------------------------------------------------

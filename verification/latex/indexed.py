@@ -22,6 +22,10 @@ _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 
 
+# a star marks a joint variable in a table, or its cosine; over another letter it makes another name
+STARRED = frozenset(["theta", "q", "d", "r", "a", "alpha", "l", "L", "phi", "beta", "gamma", "c", "s", "C", "S"])
+
+
 class NameReader:
     """Reads items with their scripts; `parse` reads a piece of LaTeX, `is_bound` tells the names the front matter binds."""
 
@@ -72,7 +76,9 @@ class NameReader:
     def _raise_to(
         self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]
     ) -> n.Node:
-        if canonical == "":  # a star
+        if canonical == "" and not isinstance(node, n.Call):
+            raise ReadError(say(Kind.STAR_ON_EXPRESSION), span[0])
+        if canonical == "":  # above a cosine: that of a joint variable
             return replace(node, span=whole)
         if canonical in OPERATORS:
             return n.Postfix(node, OPERATORS[canonical], span=whole)
@@ -109,8 +115,10 @@ class NameReader:
                 sub = f"{sub},{canonical}" if sub else canonical
             elif self._is_index(item.base, canonical, below, bool(item.pre)):
                 sup = f"{sup},{canonical}" if sup else canonical
-            elif canonical == "":
+            elif canonical == "" and item.base in STARRED:
                 pass
+            elif canonical == "":
+                sup = "*"
             else:
                 above.append((kind, text, span))
                 continue

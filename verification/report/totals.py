@@ -20,6 +20,7 @@ _EXPECTED: dict[MessageKind, tuple[str, str]] = {
     Kind.DEFINES_ENTRIES: ("no decided claim uses what is defined", "bind the name in the front matter (quantities: …)"),
     Kind.DEFINES_WITHOUT_VALUE: ("a definition rests on names without a value", "bind those names: quantities: …"),
     Kind.LEFT_OUT: ("an expression stands beside an equation", "give it a display of its own, or write it as text"),
+    Kind.TERMS_UNWRITTEN: ("an ellipsis, a sum or an integral leaves terms out", "write the terms out"),
     Kind.PATTERN: ("an ellipsis, a sum or an integral leaves terms out", "write the terms out"),
     Kind.CONDITION: ("a condition stands alone", r"write what follows from it, with \Rightarrow"),
     Kind.CONFIGURATION: ("a configuration stands alone", r"write what holds there, with \Rightarrow"),

@@ -11,6 +11,7 @@ import pytest
 
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
+from armproof.verification.findings import Kind
 from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
@@ -52,10 +53,20 @@ def test_a_singular_set_is_decided(judge: Judge, latex: str, verdict: Verdict) -
 def test_a_refuted_condition_comes_with_the_configuration_that_shows_it(judge: Judge) -> None:
     record = judge(r"\det J = 0 \iff \theta_2 = 0", **PLANAR)
     assert record.counterexample == {"theta_2": pytest.approx(pi)}
-    assert record.message == "the left side holds and the right does not at the configuration given"
+    assert record.message.startswith("the left side holds and the right does not at the configuration given")
     record = judge(r"\det J = 0 \Leftarrow \theta_2 = \frac{\pi}{2}", **PLANAR)
     assert record.counterexample == {"theta_2": pytest.approx(pi / 2)}
     assert record.message.startswith("the right side holds and the left does not")
+
+
+def test_families_that_are_missing_and_those_that_do_not_belong_are_named(judge: Judge) -> None:
+    both = judge(r"\det J = 0 \iff \theta_2 = 0 \text{ or } \theta_1 = \frac{\pi}{2}", **PLANAR)
+    told = [
+        (finding.terms["side"], finding.terms["families"])
+        for finding in both.findings
+        if finding.kind is Kind.NOT_COVERED
+    ]
+    assert told == [("right", [r"$\theta_2 = \pi$"]), ("left", [r"$\theta_1 = \frac{\pi}{2}$"])]
 
 
 def test_a_factor_that_may_vanish_is_no_length(judge: Judge) -> None:
