@@ -177,12 +177,11 @@ class Entailment:
             self._families = [first[0], *(variety for variety, *_ in failing)]
         return point
 
-    def families(self) -> list[str]:
-        """Return where the premise holds and the conclusion does not, as conditions: θ_2 = π."""
-        written = [
-            " and ".join(f"${write_condition(factor)}$" for factor in variety.conditions) for variety in self._families
-        ]
-        return written if sum(map(len, written)) <= LONGEST else []
+    def families(self) -> str:
+        """Return where the premise holds and the conclusion does not, as conditions; empty where that is too long."""
+        written = (r" \wedge ".join(map(write_condition, variety.conditions)) for variety in self._families)
+        text = r",\; ".join(written)
+        return text if len(text) <= LONGEST else ""
 
     def _failing(self) -> Iterator[tuple[Variety, _System, list[_System]]]:
         """Yield the irreducible sets of the premise on which the conclusion fails, with both sides' systems."""

@@ -147,7 +147,7 @@ def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Ev
 
 def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: Evaluator) -> Scalar | None:
     """√f = g as f = g², where g is a sum of positive lengths: ‖p‖ = l_1 + l_2."""
-    (powers, factor), *more = [*checker.exact.ring.terms(root.numerator)] or [({}, 0)]
+    (powers, factor), *more = [*checker.exact.ring.terms(root.numerator)] or [({}, Fraction(0))]
     if more or factor != 1 or not root.denominator.is_one() or [kind for kind, _ in powers] != ["radical"]:
         return None
     value, arm = as_scalar(evaluator.evaluate(right)), checker.names.arm

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.angles import has_arcs
 from armproof.verification.algebra.calculus import leaves_open
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError
@@ -127,9 +128,14 @@ class SecondRoute:
         Only there a sign or a half-turn is left to the reader; √(sin² θ) = sin θ and x = |x| are identities, and false.
         """
         node = bare(node)
-        if any(below == node or (isinstance(below, n.Call) and below.function == "abs") for below in n.walk(by)):
+        calls = [below for below in n.walk(by) if isinstance(below, n.Call)]
+        if any(below == node for below in n.walk(by)) or any(call.function == "abs" for call in calls):
             return False
         if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan"):
+            value = self.members.evaluate(node).value
+            same = (self.members.evaluate(call).value for call in calls if call.function == node.function)
+            if any(isinstance(each, Scalar) and (each - value).is_zero() for each in same):  # c_1 is cos θ_1
+                return False
             node = node.arguments[0]
         plain = n.Name | n.JointAngles | n.Number | n.Sum | n.Product | n.Quotient | n.Group
         return all(
@@ -139,7 +145,7 @@ class SecondRoute:
     def _has_roots(self, node: n.Node) -> bool:
         """Whether a square root stands in a tree, or may stand behind one of its names."""
         return any(
-            (isinstance(b, n.Call) and b.function == "sqrt") or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
+            (isinstance(b, n.Call) and b.function in ("sqrt", "abs")) or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
             or (isinstance(b, n.Name) and b.key in self.names.state.definitions)
             for b in n.walk(node)
         )  # fmt: skip

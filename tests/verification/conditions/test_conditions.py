@@ -66,7 +66,7 @@ def test_families_that_are_missing_and_those_that_do_not_belong_are_named(judge:
         for finding in both.findings
         if finding.kind is Kind.NOT_COVERED
     ]
-    assert told == [("right", [r"$\theta_2 = \pi$"]), ("left", [r"$\theta_1 = \frac{\pi}{2}$"])]
+    assert told == [("right", r"\theta_2 = \pi"), ("left", r"\theta_1 = \frac{\pi}{2}")]
 
 
 def test_a_factor_that_may_vanish_is_no_length(judge: Judge) -> None:
