@@ -186,8 +186,9 @@ class Statements:
             return check_implication(self.checker, implication, equation, links)
         if links or any(states_condition(self.checker, chain) for chain in premises):
             return check_implication(self.checker, implication, equation, links)
-        if not all(is_condition(chain) for chain in conclusions):
-            return None
+        values = (self.checker.member(node).value for chain in premises for node in chain.members)
+        if not all(is_condition(chain) for chain in conclusions) or any(hasattr(value, "rows") for value in values):
+            return None  # a step between matrices
         judged = check_implication(self.checker, implication, equation, links)
         of_arm = any(self.checker.quantity_of(below) for chain in premises for below in n.walk(chain))
         if judged[0].verdict is Verdict.PROVED and of_arm and any(o.verdict is Verdict.REFUTED for o in steps):
