@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import linecache
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -44,6 +44,7 @@ class FunctionCaller:
         self.count = count
         self.notes: dict[str, None] = {}
         self._calls, self._took = 0, 0.0
+        self.constants: Mapping[str, float] = constants_of(arm)
         self.passed = [symbol for symbol in layout.lengths if symbol not in layout.defaults]
 
     def at(self, q: np.ndarray) -> list[np.ndarray]:
@@ -53,7 +54,7 @@ class FunctionCaller:
             Stopped: it has none.
         """
         numbers = {joint.symbol: float(value) for joint, value in zip(self.arm.joints, q, strict=True)}
-        numbers |= {symbol: float(value) for symbol, value in constants_of(self.arm).items()}
+        numbers |= {symbol: float(value) for symbol, value in self.constants.items()}
         args, kwargs = self.layout.arguments(numbers.__getitem__, self.passed)
         vector = args[0] if self.layout.vector else None
         before = None if vector is None else vector.copy()
@@ -106,10 +107,10 @@ class FunctionCaller:
         items = traced.value if self.count > 1 else [traced.value]
         return [np.array(item, dtype=object) for item in items] if len(items) == self.count else "another result"
 
-    def with_lengths_of_the_arm(self) -> FunctionCaller:
-        """Return a caller that passes the arm's lengths also where the function has defaults of its own."""
+    def with_lengths_of_the_arm(self, others: Mapping[str, float] | None = None) -> FunctionCaller:
+        """Return a caller that passes the arm's lengths, or others, also where the function has defaults of its own."""
         other = FunctionCaller(self.arm, self.function, self.layout, self.guard, self.count)
-        other.passed = list(self.layout.lengths)
+        other.passed, other.constants = list(self.layout.lengths), {**self.constants, **(others or {})}
         return other
 
     def _stopped(self, error: CallError, q: np.ndarray, is_exhausted: bool) -> Stopped:

@@ -37,6 +37,8 @@ def explain(caller: FunctionCaller, parts: list[Part], proof: Proof | None, foun
         elif proof is not None and (different := proof.different[part.number - 1]):
             findings.extend(part.findings)
             entries.extend(describe_entries(replace(part, wrong=list(different)), proof, mend=True))
+        elif part.verdict is FunctionVerdict.REFUTED:
+            findings.extend(part.findings)
     if not any(part.wrong or part.mismatch for part in parts):  # nothing to see at the arm's own lengths
         return replace(found, findings=tuple(findings), entries=tuple(entries))
     telling = most_telling(caller, parts)

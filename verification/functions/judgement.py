@@ -37,12 +37,32 @@ def judge(
             part.verdict, part.findings = FunctionVerdict.REFUTED, (say(Kind.RIGHT_AT_LENGTHS_ONLY),)
             continue
         proved = proof is not None and proof.proved[part.number - 1]
+        if not proved and _fails_for_lengths(caller, part, sampling[1]):
+            part.verdict, part.findings = FunctionVerdict.REFUTED, (say(Kind.RIGHT_AT_LENGTHS_ONLY),)
+            continue
         part.verdict = FunctionVerdict.PROVED if proved else FunctionVerdict.CONFIRMED
         part.findings = (_claim(caller, part, proof),) if proved else _confirmed(count, proof)
     verdicts = tuple(part.verdict for part in parts)
     worst = max(verdicts, key=_WEIGHT.index)
     findings = tuple(finding for part in parts if part.verdict is worst for finding in part.findings)
     return replace(blank, verdict=worst, findings=findings, verdicts=verdicts, samples=count, max_error=largest)
+
+
+def _fails_for_lengths(caller: FunctionCaller, part: Part, seed: int) -> bool:
+    """Whether a part that is right at the arm's own lengths is wrong at others, of those that the function takes."""
+    own = caller.arm.lengths
+    taken = [name for name in caller.layout.lengths if name in own]
+    if not taken or caller.guard.left <= 0:
+        return False
+    lengths = {name: round((1.2 + 0.3 * k) * own[name] + 0.01, 3) for k, name in enumerate(taken)}
+    at = samples(caller.arm, len(FAMILIES), seed)
+    try:
+        results = caller.with_lengths_of_the_arm(lengths).many(at.q)
+    except Stopped:
+        return False  # it may refuse them
+    obtained = results[part.number - 1]
+    again = read_part(part.number, part.asked, at.true_for(part.asked.quantity, lengths)[: len(obtained)], obtained)
+    return bool(again.mismatch or wrong_entries(again.obtained, again.true))
 
 
 def _confirmed(count: int, proof: Proof | None) -> tuple[Finding, ...]:

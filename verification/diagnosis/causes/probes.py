@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 
 import numpy as np
@@ -28,6 +29,11 @@ class Configurations:
         self.numeric = NumericKinematics(arm, q)
         self._algebra = SampledAlgebra(ExactAlgebra(Ring(), arm), q)
         self._true: dict[Quantity, np.ndarray] = {}
+
+    def true_for(self, quantity: Quantity, lengths: Mapping[str, float]) -> np.ndarray:
+        """Return a quantity at each configuration, for other lengths than the arm's."""
+        algebra = self._algebra.at({name: np.full(len(self.q), value) for name, value in lengths.items()})
+        return algebra.stacked(algebra.quantity(quantity))
 
     def true(self, quantity: Quantity) -> np.ndarray:
         """Return a quantity at each configuration: (N, rows, columns)."""
