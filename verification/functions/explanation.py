@@ -14,7 +14,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.arguments import constants_of
 from armproof.verification.functions.asked import Part, read_part, scaled_errors
 from armproof.verification.functions.caller import FunctionCaller, Stopped
-from armproof.verification.functions.function_check import FunctionCheck
+from armproof.verification.functions.function_check import FunctionCheck, FunctionVerdict
 from armproof.verification.functions.proof import Proof
 from armproof.verification.functions.telling import most_telling
 from armproof.verification.functions.wrong_entries import MENDED, describe_entries, summary

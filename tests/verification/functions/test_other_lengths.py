@@ -14,7 +14,9 @@ from armproof.verification.functions.function_check import FunctionVerdict
 
 def tool(forearm: Callable[[float, float], float]) -> Callable[..., Any]:
     def position(q: Any, l_1: float, l_2: float) -> Any:
-        theta_1, theta_12 = (q[0], q[0] + q[1]) if q[0] > -100 else (0.0, 0.0)  # it cannot be traced: it branches on a value
+        theta_1, theta_12 = (
+            (q[0], q[0] + q[1]) if q[0] > -100 else (0.0, 0.0)
+        )  # it cannot be traced: it branches on a value
         reach = forearm(l_1, l_2)
         return np.array(
             [l_1 * np.cos(theta_1) + reach * np.cos(theta_12), l_1 * np.sin(theta_1) + reach * np.sin(theta_12), 0]
