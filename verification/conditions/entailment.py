@@ -127,7 +127,7 @@ def _follows(checker: ChainChecker, implication: Implication, equation: int) -> 
                 if outcome.verdict is not Verdict.REFUTED:
                     outcome.verdict, point = Verdict.REFUTED, found
                     outcome.findings = (say(Kind.DOES_NOT_FOLLOW, holds=holds, fails=fails),)
-                if families := entailment.families():
+                if families := entailment.families(implication.arrow == "⇔"):
                     outcome.also(say(Kind.NOT_COVERED, side=fails, families=families))
     except NoValue as problem:
         outcome.verdict, outcome.findings = Verdict.REFUTED, (finding_of(problem),)
@@ -158,6 +158,7 @@ class Entailment:
         self.checker = checker
         self.premise, self.conclusion = premise, conclusion
         self._families: list[Variety] = []
+        self._met = 0  # irreducible sets of the premise that were looked at
         self.half = HalfAngles(checker.exact.ring, (s for system in (*premise, *conclusion) for s in _scalars(system)))
         self.positive = _lengths(checker, self.half)
         self.decomposer = Decomposer(self.half, self.positive, lengths=Lengths.ALL, budget=checker.exact.budget)
@@ -177,8 +178,13 @@ class Entailment:
             self._families = [first[0], *(variety for variety, *_ in failing)]
         return point
 
-    def families(self) -> str:
-        """Return where the premise holds and the conclusion does not, as conditions; empty where that is too long."""
+    def families(self, in_any_case: bool) -> str:
+        """Return where the premise holds and the conclusion does not, as conditions; empty where that is too long.
+
+        What is all of the premise is told in any case alone.
+        """
+        if len(self._families) == self._met and not in_any_case:
+            return ""
         written = (r" \wedge ".join(map(write_condition, variety.conditions)) for variety in self._families)
         text = r",\; ".join(written)
         return text if len(text) <= LONGEST else ""
@@ -186,19 +192,18 @@ class Entailment:
     def _failing(self) -> Iterator[tuple[Variety, _System, list[_System]]]:
         """Yield the irreducible sets of the premise on which the conclusion fails, with both sides' systems."""
         premise, conclusion = ([self._polynomials(s) for s in side] for side in (self.premise, self.conclusion))
-        met = False
         for given, system in zip(self.premise, premise, strict=True):
             if self._follows_by_substitution(given):
-                met = True
+                self._met += 1
                 continue
             for variety in self._decompose(system.zero):
                 if any(_within(variety, others) for others in system.not_all_zero):
                     continue
-                met = True
+                self._met += 1
                 lies = any(self._lies_in(variety, system, other) for other in conclusion)
                 if not lies and not self._lies_in_union(variety):
                     yield variety, system, conclusion
-        if not met:
+        if not self._met:
             raise Undecided(say(Kind.CONDITION_NEVER_MET))
 
     def _follows_by_substitution(self, given: System) -> bool:

@@ -44,6 +44,7 @@ class Rounding:
     far: float
 
 
+UNITS = {"deg": 0.017453292519943295, "cm": 0.01, "mm": 0.001}
 EXACT = Rounding(1e-9, 1e-9)
 
 
@@ -68,7 +69,8 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
         decimals = [b.decimals for b in n.walk(whole) if isinstance(b, n.Number) and b.decimals]
     if not decimals:
         return EXACT
-    unit = 10.0 ** -max(decimals)
+    marks = [b.operator for b in n.walk(cell) if isinstance(b, n.Postfix)]
+    unit = 10.0 ** -max(decimals) * min((UNITS[mark] for mark in marks if mark in UNITS), default=1.0)
     return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
 
 

@@ -93,9 +93,9 @@ class GivenValues:
     def _entries(self, left: n.Node, right: n.Node) -> list[Pair] | None:
         """The entries of (θ_1, θ_2) = (0, π/2), of a column of joints, of q: each gives a value."""
         names, values = _cells(left), _cells(right)
-        key = left.key if isinstance(left, n.Name) else ""
+        dots, key = (left.dots, replace(left, dots=0).key) if isinstance(left, n.Name) else (0, "")
         if key in ("q", "theta") and self.names.known_symbol(key) is None and key not in self.names.state.definitions:
-            names = [n.Name(*symbol.partition("_")[::2]) for symbol in self._joints]
+            names = [n.Name(*symbol.partition("_")[::2], dots=dots) for symbol in self._joints]
         return list(zip(names, values, strict=True)) if names and values and len(names) == len(values) else None
 
     def _is_joint_value(self, value: n.Node) -> bool:

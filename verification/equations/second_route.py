@@ -134,7 +134,9 @@ class SecondRoute:
         if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan"):
             value = self.members.evaluate(node).value
             same = (self.members.evaluate(call).value for call in calls if call.function == node.function)
-            if any(isinstance(each, Scalar) and (each - value).is_zero() for each in same):  # c_1 is cos θ_1
+            if isinstance(value, Scalar) and any(
+                isinstance(v, Scalar) and (v - value).is_zero() for v in same
+            ):  # c_1 is cos θ_1
                 return False
             node = node.arguments[0]
         plain = n.Name | n.JointAngles | n.Number | n.Sum | n.Product | n.Quotient | n.Group
