@@ -104,7 +104,9 @@ class Statements:
                 index += len(implication.premises) + connectives_among(statements, index, len(implication.premises))
                 continue
             self.names.state.configuration = given  # a premise holds in its implication alone
-            outcomes.append(replace(judged[0], role=Role.CONDITION, uses=self._consulted()))
+            read_as = dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains)))
+            judged_so = replace(judged[0], role=Role.CONDITION, uses=self._consulted(), read_as="; ".join(read_as))
+            outcomes.append(judged_so)
             extra.update(judged[1])
             links = [*links, implication] if _goes_on(statements, implication) else []
             equation += sum(len(chain.relations) for chain in (implication.premises if links else implication.chains))
@@ -280,6 +282,8 @@ class Statements:
             return self._cases(chain, equation, line, define)
         is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in chain.members)
         found = self.general.check(chain, equation, line, define) if is_general else None
+        for outcome in found or ():
+            outcome.role = Role.LAW
         outcomes = found or self._decided(chain, equation, line, define)
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)

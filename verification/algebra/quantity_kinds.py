@@ -313,6 +313,12 @@ def as_front_matter(quantity: Quantity) -> dict[str, Any]:
     return spec | part | {"component": list(COMPONENTS)[(row - 1) % 3]}
 
 
+def as_line(name: str, quantity: Quantity) -> str:
+    """Return the line of front matter that binds a name to a quantity."""
+    spec = ", ".join(f"{option}: {value}" for option, value in as_front_matter(quantity).items())
+    return f'quantities: {{"{name}": {{{spec}}}}}'
+
+
 @once_per_arm
 def is_planar(arm: Arm) -> bool:
     """Whether every revolute axis is parallel to z_0: then the tool's orientation is a sum of the joints' angles."""

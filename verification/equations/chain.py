@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.equations.catalogue import Catalogue
 from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import Definitions
 from armproof.verification.equations.equality import Equality
@@ -42,6 +43,7 @@ class ChainChecker:
         self.readings = Readings(self.equality)
         self.conventions = Conventions(self.members, self.route)
         self.redefinitions = Redefinitions(names)
+        self.catalogue = Catalogue(self.members)
 
     @property
     def confirm(self) -> bool:
@@ -110,7 +112,7 @@ class ChainChecker:
                 outcomes.append(definitions.define(true, member, equation))
         outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
-        outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
+        outcomes = [self.catalogue.judge(self.conventions.judge(outcome)) for outcome in outcomes]
         if defined is not None:
             check = partial(self.check, first_equation=first_equation, line=line)
             outcomes = self.redefinitions.judge(chain, outcomes, defined, check)

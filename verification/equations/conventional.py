@@ -12,7 +12,7 @@ from dataclasses import replace
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.quantity_kinds import as_front_matter, kind_of
+from armproof.verification.algebra.quantity_kinds import as_line, kind_of
 from armproof.verification.equations.alignment import (
     Pair,
     align,
@@ -330,9 +330,8 @@ class Conventions:
         return not symbols & lengths and not lengths & self.names.state.configuration.keys()
 
     def _finding(self, key: str, quantity: Quantity) -> Finding:
-        spec = ", ".join(f"{option}: {value}" for option, value in as_front_matter(quantity).items())
-        line = f'quantities: {{"{key}": {{{spec}}}}}'
-        return say(Kind.NOT_AS_USUAL_BOUND, name=key, reading=kind_of(quantity).tell(quantity), line=line)
+        reading, line = kind_of(quantity).tell(quantity), as_line(key, quantity)
+        return say(Kind.NOT_AS_USUAL_BOUND, name=key, reading=reading, line=line)
 
 
 def _plain(node: n.Node) -> n.Name | None:

@@ -59,6 +59,8 @@ class Kind(MessageKind):
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
     NOT_AS_USUAL_BOUND = "not_as_usual_bound", "`{name}` is usually {reading}, and that is something else: to have it checked, write in the front matter {line}"
+    NEAR_QUANTITY = "near_quantity", "but for entry ({row}, {column}) `{name}` would be {reading}: to have it checked, write in the front matter {line}"
+    SEVERAL_QUANTITIES = "several_quantities", "the arm has several quantities with this value, {readings}: bind `{name}` in the front matter (quantities)"
     NUMBERS_FOR_LENGTHS = "numbers_for_lengths", "numbers stand where the arm has lengths, and the document gives the lengths no values: state them"
     WHICH_INDEX = "which_index", "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter"
     SECOND_MEANING = "second_meaning", "`{name}` means something else since line {line}: give it another name, or a section of its own"

@@ -35,7 +35,7 @@ SQUARE = "l_1^2 + l_2^2 + 2 l_1 l_2 c_2"
         # by its square
         ([f"k^2 = {SQUARE}", "p^T p = k^2", "k^2 = l_1^2"], "defined proved refuted"),
         # by the label of a brace
-        ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{m} + 2 l_1 l_2 c_2", "p^T p = m + 2 l_1 l_2 c_2", "m = l_1^2"], "proved proved refuted"),
+        ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{m} + 2 l_1 l_2 c_2", "p^T p = m + 2 l_1 l_2 c_2", "m = l_1^2 - l_2^2", "m = l_1^2"], "proved proved refuted unchecked"),
         ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{l_1^2} + 2 l_1 l_2 c_2"], "refuted"),
         ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{l_2^2 + l_1^2} + 2 l_1 l_2 c_2"], "proved"),
         ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{u + w} + 2 l_1 l_2 c_2"], "unchecked"),

@@ -1,0 +1,50 @@
+"""Names that only their value binds: a quantity of the arm, nearly one, or several."""
+
+from collections.abc import Callable
+
+import pytest
+
+from armproof.verification.verdict import Record, Role, Verdict
+
+Judge = Callable[..., Record]
+POINT = r"\begin{bmatrix} l_1 c_1 + l_2 c_{12} \\ l_1 s_1 %s l_2 s_{12} \\ 0 \end{bmatrix}"
+
+
+def test_a_name_whose_value_is_a_quantity_is_defined_and_said_to_be_it(judge: Judge) -> None:
+    record = judge(f"Q = {POINT % '+'}", arm="planar_2r")
+    assert [(each.role, each.read_as) for each in record.outcomes] == [
+        (Role.DEFINITION, "origin of frame 2 in frame 0")
+    ]
+    assert not record.is_decided
+    assert judge(f"Q = {POINT % '+'}", "Q = p_2", arm="planar_2r").verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("display", "where", "line"),
+    [
+        (f"Q = {POINT % '-'}", "(2, 1)", '{"Q": {origin: 2}}'),
+        (r"G = \begin{bmatrix} c_{12} & s_{12} & 0 \\ s_{12} & c_{12} & 0 \\ 0 & 0 & 1 \end{bmatrix}", "(1, 2)", '{"G": {rotation: 2}}'),
+        (r"B = \begin{bmatrix} -l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\ l_1 c_1 + l_2 c_{12} & -l_2 c_{12} \end{bmatrix}", "(2, 2)", '{"B": {jacobian: 2, rows: [1, 2]}}'),
+    ],
+)  # fmt: skip
+def test_a_value_near_a_quantity_is_not_decided(judge: Judge, display: str, where: str, line: str) -> None:
+    record = judge(display, arm="planar_2r")
+    assert record.verdict is Verdict.UNCHECKED
+    assert f"but for entry {where}" in record.message and line in record.message
+    left, _, value = display.partition(" = ")
+    used = judge(display, f"3 {left} = 3 {value}", arm="planar_2r")
+    assert used.verdict is Verdict.PROVED  # what is said of the name is decided, and does not make it a quantity
+
+
+@pytest.mark.parametrize(
+    "display",
+    [
+        r"Q = \begin{bmatrix} l_1 & 0 \\ 0 & l_2 \end{bmatrix}",
+        r"Q = \begin{bmatrix} s_1 \\ c_2 \\ 0 \end{bmatrix}",
+        r"Q = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}",
+        r"Q = J_v^T J_v",
+        r"Q = l_1 c_1 + l_2 c_{12}",
+    ],
+)
+def test_other_values_are_the_documents_own(judge: Judge, display: str) -> None:
+    assert "but for entry" not in judge(display, arm="planar_2r").message

@@ -1,0 +1,74 @@
+"""Values that bind a name: which quantity of the arm the value of a new name is, exactly or but for a slip."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import as_line, kind_of
+from armproof.verification.equations.alignment import Pair, different_entries, exactly_equal, is_constant, is_near
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Members
+from armproof.verification.findings import Kind, say
+from armproof.verification.verdict import Role, Verdict
+
+KINDS = {(4, 4): "pose", (3, 3): "rotation", (3, 1): "origin", (2, 1): "origin"}
+PARTS = (None, (1, 2, 3), (4, 5, 6), (1, 2), (1, 2, 6))  # of the rows of a Jacobian
+MOST_WRONG = 2  # entries of what is meant to be a quantity
+
+
+class Catalogue:
+    """Compares matrices that define a name, and are written out, with the quantities of the arm."""
+
+    def __init__(self, members: Members) -> None:
+        self.members = members
+
+    def judge(self, outcome: Outcome) -> Outcome:
+        """Say what a defined matrix is on the arm; one that is nearly a quantity, or is several, is not decided."""
+        value = outcome.true.value if outcome.true is not None and outcome.true.rank == 1 else None
+        if outcome.verdict is not Verdict.DEFINED or len(outcome.defines) != 1:
+            return outcome
+        if self.members.names.arm is None or not isinstance(value, Matrix) or is_constant(value):
+            return outcome
+        (name,) = outcome.defines
+        pairs = [(quantity, Pair(true, value)) for quantity, true in self._alike(value)]
+        exact = [quantity for quantity, pair in pairs if not different_entries(pair, exactly_equal)]
+        if len(exact) == 1:
+            outcome.read_as = kind_of(exact[0]).tell(exact[0])
+            return outcome
+        if exact:
+            several = say(Kind.SEVERAL_QUANTITIES, name=name, readings=[kind_of(each).tell(each) for each in exact])
+            return replace(outcome, verdict=Verdict.UNCHECKED, findings=(several,), role=Role.DEFINITION)
+        return self._unless_near(outcome, name, pairs)
+
+    def _unless_near(self, outcome: Outcome, name: str, pairs: list[tuple[Quantity, Pair]]) -> Outcome:
+        near = [(different_entries(pair, exactly_equal), quantity) for quantity, pair in pairs if is_near(pair)]
+        wrong, quantity = min(near, key=lambda each: len(each[0]), default=([], None))
+        if quantity is None or len(wrong) > MOST_WRONG:
+            return outcome
+        row, column = (index + 1 for index in wrong[0])
+        reading, line = kind_of(quantity).tell(quantity), as_line(name, quantity)
+        finding = say(Kind.NEAR_QUANTITY, name=name, reading=reading, row=row, column=column, line=line)
+        return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
+
+    def _alike(self, value: Matrix) -> Iterator[tuple[Quantity, Matrix]]:
+        """Yield the quantities of a size, each with its value; of two frames that are one, the first."""
+        seen: list[Matrix] = []
+        for quantity in self._quantities(value.shape):
+            true = self.members.exact.quantity(quantity)
+            if isinstance(true, Matrix) and true.shape == value.shape and true not in seen:
+                seen.append(true)
+                yield quantity, true
+
+    def _quantities(self, shape: tuple[int, int]) -> Iterator[Quantity]:
+        arm = self.members.names.arm
+        assert arm is not None
+        rows = (1, 2) if shape == (2, 1) else None
+        for index, frame in enumerate(arm.frames[1:]):
+            for reference in dict.fromkeys((arm.frames[0], arm.frames[index])):
+                if shape in KINDS:
+                    yield Quantity(KINDS[shape], frame, reference, rows=rows)
+        if shape[1] == len(arm.joints):
+            yield from (Quantity("jacobian", arm.frames[-1], arm.frames[0], rows=part) for part in PARTS)
