@@ -124,7 +124,7 @@ def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
     if count == 1 and len(true.rows) == 6:
         candidates += [(5,)]
     for rows in candidates:
-        if len(rows) == count and rows not in tried:
+        if len(rows) == count and rows not in tried and max(rows, default=0) < len(true.rows):
             tried.append(rows)
             yield rows
 

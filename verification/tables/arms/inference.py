@@ -58,7 +58,7 @@ def arms_of(document: Document, table: Table) -> list[Candidate] | Finding:
     """Return the arms that a DH table can mean, or why it gives none."""
     try:
         return list(candidates(table, read_columns(table.header), plain_names(document)))  # type: ignore[arg-type]
-    except (EvaluationError, ReadError) as error:
+    except (EvaluationError, ReadError, RecursionError) as error:
         return finding_of(error)
 
 

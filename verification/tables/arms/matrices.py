@@ -81,7 +81,7 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
     bound = replace(names, symbols={name.key: name.key for name in letters})
     try:
         value = Evaluator(bound, algebra).evaluate(printed[0])
-    except EvaluationError:
+    except (EvaluationError, RecursionError):
         return
     if isinstance(value, Matrix) and value.shape == (4, 4) and letters:  # one of numbers alone is an example
         yield _Link(indices[0], value, letters, display)

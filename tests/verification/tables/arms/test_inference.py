@@ -176,3 +176,12 @@ def test_beside_lengths_the_variable_is_what_is_named_so() -> None:
 def test_merged_cells_of_html_are_no_table() -> None:
     merged = "<table>\n<tr><th>a</th><th>alpha</th><th colspan='2'>d and theta</th></tr>\n<tr><td>1</td><td>0</td><td>0</td><td>q1</td></tr>\n</table>\n"
     assert verify_text(merged).tables == ()
+
+
+def test_a_fault_of_ours_while_readings_are_weighed_costs_no_document(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise IndexError("tuple index out of range")
+
+    assert verify_text(PLAIN + "\n" + CLASSIC).arms
+    monkeypatch.setattr("armproof.verification.tables.arms.witnesses._Trial._take_chain", fail)
+    assert verify_text(PLAIN + "\n" + CLASSIC).arms == ()
