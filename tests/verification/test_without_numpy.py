@@ -121,7 +121,6 @@ SAMPLED = [
     r"\arctan\frac{S_1}{C_1} = \theta_1",
     r"C_1 \le 2 + S_1",
     r"a_3 + d_3 \approx 0.9",
-    r"{}^0T_1 = \begin{bmatrix} 0.5 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
     r"C_1 = 0.5 \Rightarrow S_1 = S_2",
 ]
 

@@ -30,7 +30,14 @@ _EXPECTED: dict[MessageKind, tuple[str, str]] = {
     Kind.QUANTITY_WITHOUT_ARM: ("a quantity without an arm", _ARM),
     Kind.TOO_LARGE: ("too large to decide", "split it into steps, each with a name"),
 }  # fmt: skip
-_UNBOUND = {Kind.NOT_BOUND, Kind.NOT_BOUND_BECAUSE, Kind.NEVER_USED, Kind.DEFINES, Kind.DEFINES_ENTRIES}
+_UNBOUND = {
+    Kind.NOT_BOUND,
+    Kind.NOT_BOUND_BECAUSE,
+    Kind.NEVER_USED,
+    Kind.DEFINES,
+    Kind.DEFINES_ENTRIES,
+    Kind.DEFINES_WITHOUT_VALUE,
+}
 _NO_ARM = "no arm is known: name it in the front matter (arm: …), or print its DH table"
 _ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
 
