@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 
 from armproof.verification.conditions.implication import (
     Implication,
@@ -17,7 +17,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
-from armproof.verification.equations.outcome import Outcome, with_role, without_misreading
+from armproof.verification.equations.outcome import Outcome, sizes_of_convention, with_role, without_misreading
 from armproof.verification.equations.readings import counted
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
@@ -88,6 +88,7 @@ class Statements:
                 equation += len(statement.relations)
                 index += 1
                 continue
+            implication = implication.with_each(self.checker.rows.choose)
             self.checker.redefinitions.enabled = False
             steps = [self._chain(chain, equation, line, define) for chain in implication.premises]
             self.checker.redefinitions.enabled = True
@@ -173,6 +174,22 @@ class Statements:
     def _implication(
         self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
     ) -> tuple[Outcome, dict[str, float]] | None:
+        """Return what `_judged` does; what holds with other rows of J, and nothing tells these, is left open."""
+        judged = self._judged(implication, steps, equation, links)
+        if judged is None:
+            return None
+        if (left_open := self.checker.angles.of_condition(implication.chains)) is not None:
+            return judged[0].left_open(left_open), {}
+        sizes = [sizes_of_convention(judged[0], chain, self.names) for chain in implication.chains]
+        if judged[0].verdict is Verdict.REFUTED and any(sizes):
+            return judged[0].left_open(next(filter(None, sizes))), {}
+        again = partial(self._judged, implication, steps, equation, links)
+        doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
+        return (judged[0].left_open(doubt), {}) if doubt is not None else judged
+
+    def _judged(
+        self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
+    ) -> tuple[Outcome, dict[str, float]] | None:
         """Return the verdict of an implication and its counterexample, or None where its premises are claims themselves."""
         premises, conclusions = implication.premises, implication.conclusions
         holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in steps)
@@ -208,6 +225,10 @@ class Statements:
         """Return the outcomes of a chain, each with the definitions that it rests on."""
         self._begin()
         outcomes = self._read_chain(chain, equation, line, define)
+        again = partial(self._read_chain, chain, equation, line, False)
+        outcomes = self.checker.angles.settled(chain, outcomes, define, again)
+        if (doubt := self.checker.rows.others((chain,), outcomes, again)) is not None:
+            outcomes = [outcome.left_open(doubt) for outcome in outcomes]
         if not chain.relations and not outcomes:
             return [] if _is_label(chain) else [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]
         foreign = self.names.state.foreign()

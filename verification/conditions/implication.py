@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from armproof.verification.latex import nodes as n
@@ -24,6 +25,13 @@ class Implication:
     def arrow(self) -> str:
         """The arrow; "if" points from what follows it."""
         return "⇐" if self.kind == "if" else self.kind
+
+    def with_each(self, change: Callable[[n.Chain], n.Chain]) -> Implication:
+        """Return the implication with each of its equations changed."""
+        before, behind = (
+            [[change(chain) for chain in chains] for chains in side] for side in (self.before, self.behind)
+        )
+        return replace(self, before=before, behind=behind)
 
     @property
     def premises(self) -> list[n.Chain]:

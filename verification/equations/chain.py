@@ -13,11 +13,13 @@ from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import Definitions
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
+from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Check, Readings
 from armproof.verification.equations.redefinitions import Redefinitions
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
@@ -41,6 +43,8 @@ class ChainChecker:
         self.route = SecondRoute(self.members)
         self.equality = Equality(self.members, self.route)
         self.readings = Readings(self.equality)
+        self.rows = RowsOfJacobians(self.members)
+        self.angles = TableAngles(names)
         self.conventions = Conventions(self.members, self.route)
         self.redefinitions = Redefinitions(names)
         self.catalogue = Catalogue(self.members)
@@ -72,7 +76,7 @@ class ChainChecker:
         before = self.names.state.definitions.copy()
         chain = self.conventions.read(chain)
         defined = self.redefinitions.before(chain) if define else None
-        self.readings.choose_square_rows(chain)
+        chain = self.rows.choose(chain)
         new = new_name(self.names, chain)
         fresh = new_letters(self.names, chain)
         members = [
@@ -107,7 +111,8 @@ class ChainChecker:
                 continue
             equation = first_equation + max(0, index - 1)
             if member.known:
-                outcomes.append(self.equality.compare(true, member, equation, branches))
+                compared = self.equality.compare(true, member, equation, branches)
+                outcomes.append(self.rows.kept(compared) if define else compared)
             else:
                 outcomes.append(definitions.define(true, member, equation))
         outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
@@ -133,7 +138,7 @@ class ChainChecker:
         made = self.names.state.definitions
         outcomes = first
         if any(outcome.verdict is Verdict.REFUTED for outcome in first):
-            outcomes = self.readings.with_fewer_rows(chain, first, check)
+            outcomes = self.rows.with_fewer(chain, first, check)
         outcomes = self.readings.of_the_tool(chain, outcomes, check)
         if outcomes is first:
             self.names.state.definitions = made

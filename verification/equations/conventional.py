@@ -256,7 +256,7 @@ class Conventions:
             return quantity
         whole = self.members.exact.jacobian(quantity.frame, quantity.reference)
         square = square_rows(whole)
-        rows = self.names.state.shown.get("J") or (tuple(row + 1 for row in square) if square is not None else None)
+        rows = self.names.rows_of("J") or (tuple(row + 1 for row in square) if square is not None else None)
         return replace(quantity, rows=rows) if rows is not None and len(rows) <= MOST_ROWS else None
 
     def _closest(self, tried: Member, other: Member) -> Pair | None:

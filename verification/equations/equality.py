@@ -69,8 +69,6 @@ class Equality:
                 wrong = different_entries(pair, exactly_equal)
             if not wrong:
                 outcome.verdict, outcome.pair, outcome.findings = Verdict.PROVED, pair, _noted(pair)
-                if pair.true_rows is not None and (name := self.members.jacobian_name(true.node)) is not None:
-                    self.names.state.shown[name.key] = tuple(row + 1 for row in pair.true_rows)
                 return self.route.confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
                 best = (pair, wrong)
@@ -79,10 +77,6 @@ class Equality:
         assert best is not None
         outcome.pair, outcome.wrong = best
         outcome.findings = _noted(best[0])
-        if self._holds_of_table_angles(outcome):
-            outcome.verdict, outcome.wrong = Verdict.PROVED, []
-            outcome.findings = (say(Kind.TABLE_ANGLES),)
-            return outcome
         decimals = self.members.decimals(true.node, printed.node)
         if decimals is not None and holds_to_its_decimals(self.route, outcome, branches, decimals):
             return outcome
@@ -127,24 +121,6 @@ class Equality:
             return pair
         last = self.exact.ring.one if quantity.kind == "origin" else self.exact.ring.zero
         return replace(pair, true=Matrix((*pair.true.rows[:3], (last,))))
-
-    def _holds_of_table_angles(self, outcome: Outcome) -> bool:
-        """Whether the equation holds where θ_i means the table's angle and not the variable it is offset from."""
-        arm = self.names.arm
-        assert outcome.pair is not None and outcome.true is not None
-        if arm is None or arm.dh is None or outcome.true.rank < 3 or self.members.is_symbol(outcome.true.node):
-            return False
-        pi, rational = self.exact.pi(), self.exact.rational
-        shifts = {
-            row.joint: (self.exact.symbol(row.joint) - pi * rational(row.theta.pi) - rational(row.theta.number))
-            * row.sign
-            for row in arm.dh.rows
-            if row.kind == "revolute" and (row.theta.pi or row.theta.number)
-        }
-        if not shifts:
-            return False
-        shifted = self.exact.substitute(outcome.pair.true, shifts)
-        return not different_entries(replace(outcome.pair, true=shifted), exactly_equal)
 
     def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
         """With ±, an equation is right as a whole where on every configuration all its entries are on one branch."""

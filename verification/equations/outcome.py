@@ -13,7 +13,9 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import EquationResult, Role, Verdict
+from armproof.verification.verdict import DECIDED, EquationResult, Role, Verdict
+
+HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
 
 DEFINES = {Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.NUMBER_HERE, Kind.SIGN}
 SIZES = (
@@ -136,11 +138,14 @@ def _is_of_kinematics(node: n.Node, names: Names) -> bool:
     )
 
 
+def hold(outcomes: list[Outcome]) -> bool:
+    """Whether all of what is decided holds."""
+    return all(outcome.verdict in HOLDS for outcome in outcomes if outcome.verdict in DECIDED)
+
+
 def without_misreading(outcome: Outcome, chain: n.Chain, names: Names) -> Outcome:
     """Return a refuted outcome, or an unchecked one where it was not understood."""
-    reason = (
-        _rotation_for_pose(outcome, names) or _own_name(chain, names) or _sizes_of_convention(outcome, chain, names)
-    )
+    reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or sizes_of_convention(outcome, chain, names)
     reason = reason or _nothing_to_compare(outcome, chain, names)
     return outcome if reason is None else outcome.left_open(reason)
 
@@ -177,7 +182,7 @@ def _own_name(chain: n.Chain, names: Names) -> Finding | None:
     return None
 
 
-def _sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
+def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
     """Sizes that do not fit tell a slip where the front matter or explicit frames say what the names are, on both sides."""
     if not outcome.findings or outcome.findings[0].kind not in SIZES:
         return None

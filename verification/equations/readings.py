@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.alignment import square_rows
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
@@ -33,21 +32,6 @@ class Readings:
         self.equality = equality
         self.members = equality.members
         self.names = equality.names
-
-    def choose_square_rows(self, chain: n.Chain) -> None:
-        """Before det J or J^{-1} of a Jacobian that only notation implies: the rows that make it square, if not printed yet."""
-        for below in n.walk(chain):
-            inverted = isinstance(below, n.Postfix) and below.operator == "-1"
-            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
-                continue
-            name = self.members.jacobian_name(below.base if isinstance(below, n.Postfix) else below.arguments[0], True)  # type: ignore[attr-defined]
-            if name is None:
-                continue
-            value, shown = self.members.evaluate(name).value, self.names.state.shown
-            if not isinstance(value, Matrix) or value.shape[1] in (len(shown.get(name.key, ())), value.shape[0]):
-                continue
-            if (rows := square_rows(value)) is not None:
-                shown[name.key] = tuple(row + 1 for row in rows)
 
     def part(self, member: Member, known: list[Member]) -> Member:
         """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
@@ -100,39 +84,6 @@ class Readings:
         ):
             return outcome
         return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VECTOR_HERE, name=rate.key),))
-
-    def with_fewer_rows(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
-        """A product with the implied Jacobian that only fits with its rows of v, or those printed before, is read so."""
-        whole = [(below, name) for below in n.walk(chain) if (name := self.members.jacobian_name(below, True)) is below]
-        fixed = any(name.sub.startswith("rows") for name, _ in whole)  # these are read so already
-        if not whole or fixed or any(member is name for member in chain.members for name, _ in whole):
-            return outcomes
-        mismatch = any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes)
-        fitting: list[Outcome] | None = None
-        printed = self.names.state.shown.get(whole[0][1].key) or self.names.state.shown.get("J")
-        value = self.members.evaluate(whole[0][0]).value
-        if mismatch and isinstance(value, Matrix) and len(value.rows) == 6:
-            possible = _jacobian_rows(value, printed)
-        elif printed is None and isinstance(value, Matrix) and any(map(_is_gram, n.walk(chain))):
-            possible = iter([tuple(row + 1 for row in square_rows(value) or ())])
-        else:
-            possible = iter([printed or ()])
-        for rows in filter(None, possible):
-            read = chain
-            for below, name in whole:
-                quantity = self.names.quantity(replace(name, dots=0))
-                assert quantity is not None
-                part = replace(name, sub=f"rows {rows}")
-                self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
-                read = n.substitute(read, below, part)  # type: ignore[assignment]
-            tried = check(read)
-            if not any(outcome.is_mismatch for outcome in tried):
-                for outcome in tried:
-                    outcome.findings = outcome.findings or (say(Kind.READ_AS_ROWS, rows=list(rows)),)
-                if all(outcome.verdict is not Verdict.REFUTED for outcome in tried):
-                    return tried
-                fitting = fitting or tried
-        return fitting or outcomes
 
     def of_the_tool(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
         """A Jacobian that names no frame is that of the last one, or of the tool behind it: as the first equation says."""
@@ -245,18 +196,10 @@ def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | No
             return replace(whole, rows=(1, 2, 3) if part in LINEAR else (4, 5, 6), columns=columns)
         return replace(whole, columns=columns) if not part and value.shape[0] in (2, 3, 4, 6) else None  # 4: [z; 0]
     if len(digits) == 2 and not part and not isinstance(value, Matrix | list):
-        rows = whole.rows or names.state.shown.get("J") or (1, 2, 3, 4, 5, 6)
+        rows = whole.rows or names.rows_of("J") or (1, 2, 3, 4, 5, 6)
         row = int(digits[0])
         return replace(whole, rows=(rows[row - 1],), columns=columns, scalar=True) if 1 <= row <= len(rows) else None
     return None
-
-
-def _jacobian_rows(value: Value, printed: tuple[int, ...] | None) -> Iterator[tuple[int, ...]]:
-    """Yield the rows (from 1) that a shorter Jacobian is likely to hold: as printed before, v, the plane's, all that move."""
-    if not isinstance(value, Matrix):
-        return
-    moving = tuple(i for i, row in enumerate(value.rows, 1) if not all(cell.is_zero() for cell in row))
-    yield from dict.fromkeys(rows for rows in (printed, (1, 2, 3), (1, 2), moving, (4, 5, 6)) if rows)
 
 
 def _whole_jacobian(names: Names, reference: str) -> Quantity | None:
@@ -270,11 +213,3 @@ def _whole_jacobian(names: Names, reference: str) -> Quantity | None:
         return None
     frames = numbered_frames(names.arm)
     return Quantity("jacobian", frames[-1], reference or frames[0])
-
-
-def _is_gram(node: n.Node) -> bool:
-    """Whether a tree is J J^T, which has no inverse for a Jacobian of six rows with fewer columns."""
-    if not isinstance(node, n.Product) or len(node.factors) != 2:
-        return False
-    first, second = (n.ungrouped(factor) for factor in node.factors)
-    return isinstance(second, n.Postfix) and second.operator == "T" and n.ungrouped(second.base) == first

@@ -202,8 +202,6 @@ def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
     if node.operator in UNITS:
         return evaluator.scalar(node.base) / evaluator.algebra.rational(Fraction(UNITS[node.operator]))
     value = as_scalar(evaluator.evaluate(node.base))
-    if node.operator == "-1":
-        value = printed_rows(evaluator, node.base, value)
     if isinstance(value, list):
         value = Matrix((tuple(value),))
     if isinstance(value, Identity):
@@ -246,18 +244,3 @@ def _pseudo_inverse(evaluator: Evaluating, matrix: Matrix) -> Matrix:
     if size < width:
         return transposed @ inverse(evaluator, matrix @ transposed)
     return inverse(evaluator, transposed @ matrix) @ transposed
-
-
-def printed_rows(evaluator: Evaluating, node: n.Node, value: Value) -> Value:
-    """The determinant and the inverse of a Jacobian are of the square part that the document prints."""
-    node = n.ungrouped(node)
-    if isinstance(node, n.Call) and node.function == "name":
-        node = node.arguments[0]
-    rows = (
-        evaluator.names.state.shown.get(node.key)
-        if isinstance(node, n.Name) and node.key not in evaluator.names.quantities
-        else None
-    )
-    if rows is None or not isinstance(value, Matrix) or value.shape[0] < max(rows) or len(rows) != value.shape[1]:
-        return value
-    return value.block([row - 1 for row in rows], range(value.shape[1]))

@@ -11,7 +11,7 @@ from armproof.verification.algebra.matrix import Identity, Matrix, column
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value, elementary, identity
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
-from armproof.verification.evaluation.arithmetic import multiply, printed_rows
+from armproof.verification.evaluation.arithmetic import multiply
 from armproof.verification.evaluation.differentiation import time_derivative
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say
@@ -47,7 +47,7 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
         return algebra.rational(Fraction(sign))
     symbol = names.known_symbol(node.key)
     if symbol is not None:
-        return algebra.symbol(symbol)
+        return _symbol_value(evaluator, symbol)
     if node.key in names.state.definitions:
         return names.defined_value(node.key, algebra)
     if (quantity := names.quantity(node)) is not None:
@@ -72,6 +72,11 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     raise UnboundName(node.key)
 
 
+def _symbol_value(evaluator: Evaluating, symbol: str) -> Any:
+    value, offset = evaluator.algebra.symbol(symbol), evaluator.names.angle_offset(symbol, evaluator.algebra)
+    return value if offset is None else value + offset
+
+
 def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
     """Return the θ_1 + θ_2 of c_{12}."""
     total = evaluator.algebra.rational(Fraction(0))
@@ -79,7 +84,7 @@ def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
         symbol = evaluator.names.joint_angle(index)
         if symbol is None:
             raise ShapeError(say(Kind.NO_SUCH_ANGLE, index=index))
-        angle = evaluator.algebra.symbol(symbol)
+        angle = _symbol_value(evaluator, symbol)
         total = total + angle if sign > 0 else total - angle
     return total
 
@@ -132,9 +137,9 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
     if function == "abs" and isinstance(matrix := evaluator.evaluate(node.arguments[0]), Matrix):  # |J|, |p|
         if matrix.shape[1] == 1:
             return evaluator.algebra.sqrt((matrix.transpose @ matrix).rows[0][0])
-        return printed_rows(evaluator, node.arguments[0], matrix).determinant()
+        return matrix.determinant()
     if function in _MATRIX_CALLS:
-        value = printed_rows(evaluator, node.arguments[0], evaluator.evaluate(node.arguments[0]))
+        value = evaluator.evaluate(node.arguments[0])
         if not isinstance(value, Matrix):
             if function in ("det", "tr"):
                 return value

@@ -27,7 +27,8 @@ def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
 def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Value:
     if evaluator.names.arm is not None and isinstance(variable, n.Name) and variable.key == "t":
         return _in_time(evaluator, value)
-    by = sized(evaluator.evaluate(variable))
+    symbol = evaluator.names.known_symbol(variable.key) if isinstance(variable, n.Name) else None
+    by = evaluator.algebra.symbol(symbol) if symbol is not None else sized(evaluator.evaluate(variable))
     if isinstance(by, Matrix):  # ∂P/∂q: one column a variable
         cells = by.vector()
         value = value if isinstance(value, Matrix) else column([value])

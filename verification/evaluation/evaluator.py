@@ -93,7 +93,8 @@ class Evaluator:
                 symbol = left.key
             if symbol is None:
                 raise EvaluationError(say(Kind.NO_CONFIGURATION))
-            values[symbol] = self.scalar(right)
+            offset = self.names.angle_offset(symbol, self.algebra)
+            values[symbol] = self.scalar(right) if offset is None else self.scalar(right) - offset
         return self.at_values(values, node.inner)
 
     def at_values(self, values: dict[str, Any], node: n.Node) -> Value:

@@ -205,8 +205,12 @@ class Kind(MessageKind):
     PLANAR_VECTOR = "planar_vector", "the plane's two components"
     PLANAR_ROWS = "planar_rows", "the plane's two rows"
     JACOBIAN_ROWS = "jacobian_rows", "rows {rows} of the geometric Jacobian"
+    ROWS_NOT_TOLD = "rows_not_told", "holds only if `{name}` means the rows {rows}, and nothing tells which: print its matrix before, or bind `{name}` in the front matter"
+    ROWS_TOLD_OTHERWISE = "rows_told_otherwise", "`{name}` was printed in this section with the rows {rows}: give the two matrices two names"
     READ_AS_ROWS = "read_as_rows", "J is read as its rows {rows}"
-    TABLE_ANGLES = "table_angles", "with the joint angles read as those of the DH table, offsets included"
+    TABLE_ANGLES = "table_angles", "with the joint angles read as those of the DH table, offsets included; so they are read from here on"
+    ANGLES_TOLD_OTHERWISE = "angles_told_otherwise", "holds only with the joint angles read as the {other} angles, and an equation before shows the other reading: of variables, or of the DH table's angles with their offsets"
+    CONDITION_ON_TABLE_ANGLE = "condition_on_table_angle", "the joint angles are those of the DH table here, and a condition on one that has an offset is not decided: state it for the joint variable"
     LINK_MATRIX = "link_matrix", "the {convention} link matrix"
 
     # -- samples, relations, conditions ---------------------------------------------------------------------------------

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
 from armproof.models.arm import Arm
+from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.document import Document
@@ -89,6 +90,20 @@ class Names:
             return named[0]
         return self.arm.joints[index - 1] if not named and 1 <= index <= len(self.arm.joints) else None
 
+    @property
+    def offset_joints(self) -> dict[str, DHRow]:
+        """The revolute joints whose angle in the DH table is their variable and an offset, by symbol."""
+        rows = self.arm.dh.rows if self.arm is not None and self.arm.dh is not None else ()
+        offset = (row for row in rows if row.kind == "revolute" and (row.theta.pi or row.theta.number))
+        return {row.joint: row for row in offset if row.sign > 0 and not row.theta.without(row.joint).symbols}
+
+    def angle_offset(self, symbol: str, algebra: Algebra) -> Any:
+        """Return what a joint's letter holds beside its variable: the offset, where it is the table's angle; else None."""
+        row = self.offset_joints.get(symbol) if self.state.angles == "table" else None
+        if row is None:
+            return None
+        return algebra.pi() * algebra.rational(row.theta.pi) + algebra.rational(row.theta.number)
+
     def joint_angle(self, index: int) -> str | None:
         """Return the symbol of the angle that the digit in c_{12} names."""
         for key in (f"theta_{index}", f"q_{index}"):
@@ -148,9 +163,15 @@ class Names:
             return self.quantities[name.key]
         if self.arm is None or name.key in self.state.definitions:
             return None
-        if name.key in self.state.inferred:
-            return self.state.inferred[name.key]
-        return implied_quantity(name, self.arm, self.transforms)
+        found = self.state.inferred.get(name.key) or implied_quantity(name, self.arm, self.transforms)
+        rows = self.rows_of(name.key)
+        fewer = rows is not None and len(rows) < 6 and found is not None and found.kind == "jacobian"
+        return replace(found, rows=rows) if fewer and found is not None else found
+
+    def rows_of(self, key: str) -> tuple[int, ...] | None:
+        """Return the rows (from 1) in which the document shows the Jacobian of a name, or None where it has not."""
+        shown = self.state.shown.get(key)
+        return shown.rows if shown is not None else None
 
     def is_free(self, name: n.Name) -> bool:
         """Whether an unbound name is a free scalar: in a document of general statements, a letter with indices."""

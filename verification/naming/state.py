@@ -88,12 +88,22 @@ class NamedSigns:
         self.values.update(dict.fromkeys(met, 1))
 
 
+@dataclass(frozen=True)
+class JacobianRows:
+    """The rows (from 1) in which a Jacobian is read: since which section, and whether a matrix printed there shows them."""
+
+    rows: tuple[int, ...]
+    section: str = ""
+    printed: bool = True
+
+
 @dataclass
 class DocumentState:
     """What the displays of a document have changed so far; two documents go on alike where it is equal.
 
     Attributes:
         transforms: which index of T^i_j names the reference, where a link matrix of the document shows it.
+        angles: what the letter of a joint with an offset in the DH table means, "variable" or "table", once that is shown.
         section: the heading under which the display stands that is being checked.
         exercise: that of the exercise to which it belongs.
         subject: the first member of the last display: one that begins with a relation goes on about it.
@@ -106,7 +116,7 @@ class DocumentState:
         configuration: joint variables, rates and lengths → the value that a display gave them.
         compares_lengths: whether a display says which lengths are larger.
         rounded: names made of rounded numbers → to how many decimals.
-        shown: the rows (from 1) in which a Jacobian was printed.
+        shown: the rows in which a Jacobian is read that only convention binds.
         signs: the named signs.
         errors: the refuted equations.
         consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
@@ -114,6 +124,7 @@ class DocumentState:
     """
 
     transforms: str = ""
+    angles: str = ""
     section: str = ""
     exercise: str = ""
     subject: n.Node | None = None
@@ -127,7 +138,7 @@ class DocumentState:
     configuration: dict[str, Stated] = field(default_factory=dict)
     compares_lengths: bool = False
     rounded: dict[str, int] = field(default_factory=dict)
-    shown: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    shown: dict[str, JacobianRows] = field(default_factory=dict)
     signs: NamedSigns = field(default_factory=NamedSigns)
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)

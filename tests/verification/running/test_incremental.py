@@ -16,7 +16,7 @@ from armproof.verification.document import Display, Document, find_documents, pa
 from armproof.verification.errors import DocumentError
 from armproof.verification.latex.nodes import Name
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.state import Definition, DocumentState, PrintedError, Stated
+from armproof.verification.naming.state import Definition, DocumentState, JacobianRows, PrintedError, Stated
 from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Verdict
 
@@ -35,6 +35,7 @@ PARTS = [
 
 CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "transforms": lambda state: setattr(state, "transforms", "lower"),
+    "angles": lambda state: setattr(state, "angles", "table"),
     "section": lambda state: setattr(state, "section", "A title"),
     "exercise": lambda state: setattr(state, "exercise", "Exercise 1"),
     "subject": lambda state: setattr(state, "subject", Name("a")),
@@ -47,7 +48,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
     "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
     "rounded": lambda state: state.rounded.update(a=2),
-    "shown": lambda state: state.shown.update(J=(1, 2)),
+    "shown": lambda state: state.shown.update(J=JacobianRows((1, 2))),
     "signs": lambda state: state.signs.values.update(sigma=1),
     "errors": lambda state: state.errors.append(PrintedError(1, "a", Name("a"), {(1, 1): "b"})),
     "compares_lengths": lambda state: setattr(state, "compares_lengths", True),

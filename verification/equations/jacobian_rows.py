@@ -1,0 +1,175 @@
+"""In which rows a Jacobian is read that only convention binds: decided once a section, by the matrix printed for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
+from armproof.verification.equations.alignment import square_rows
+from armproof.verification.equations.outcome import Outcome, hold
+from armproof.verification.equations.sides import Members
+from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.state import JacobianRows
+from armproof.verification.verdict import DECIDED, Verdict
+
+WHOLE = (1, 2, 3, 4, 5, 6)
+
+
+class RowsOfJacobians:
+    """Decides the rows of J, and remembers them: those of its matrix, else those that make it square."""
+
+    def __init__(self, members: Members) -> None:
+        self.members = members
+        self.names = members.names
+
+    def choose(self, chain: n.Chain) -> n.Chain:
+        """Return a chain in which J of det J and J^{-1} is square; a matrix printed for J decides its rows anew."""
+        shown = self.names.state.shown
+        for printed in [*self._printed(chain)]:
+            if not shown[printed.key].printed or shown[printed.key].section != self.names.state.section:
+                del shown[printed.key]
+        for below in [*n.walk(chain)]:
+            inverted = isinstance(below, n.Postfix) and below.operator == "-1"
+            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
+                continue
+            inner = below.base if isinstance(below, n.Postfix) else below.arguments[0]  # type: ignore[attr-defined]
+            name = self.members.jacobian_name(inner, True)
+            rows = self._square(name) if name is not None and name.key not in shown else None
+            if name is None or rows is None:
+                continue
+            if self.members.jacobian_name(name) is not None:
+                shown[name.key] = JacobianRows(rows, self.names.state.section, printed=False)
+            else:  # J_v has three rows elsewhere
+                chain = n.substitute(chain, below, n.substitute(below, inner, self._part(name, rows)))  # type: ignore[assignment]
+        return chain
+
+    def kept(self, outcome: Outcome) -> Outcome:
+        """Remember the rows in which J is printed; what prints others than before in its section is left open."""
+        pair, true, printed = outcome.pair, outcome.true, outcome.printed
+        name = self.members.jacobian_name(true.node) if true is not None else None
+        if outcome.verdict not in DECIDED or pair is None or name is None or printed is None:
+            return outcome
+        if pair.true_rows is None and len(pair.true.rows) != len(WHOLE):
+            return outcome
+        rows = tuple(row + 1 for row in pair.true_rows) if pair.true_rows is not None else WHOLE
+        before = self.names.rows_of(name.key)
+        if before not in (None, rows):
+            return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
+        is_matrix = isinstance(bare(printed.node), n.Matrix)
+        self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix))
+        return outcome
+
+    def with_fewer(
+        self, chain: n.Chain, outcomes: list[Outcome], check: Callable[[n.Chain], list[Outcome]]
+    ) -> list[Outcome]:
+        """A product with J, whose rows nothing has told, that only fits with fewer of them is read so; J Jᵀ with square ones."""
+        whole = [below for below in n.walk(chain) if isinstance(below, n.Name) and self._is_open(below)]
+        if not whole or any(member is below for member in chain.members for below in whole):
+            return outcomes
+        fitting: list[Outcome] | None = None
+        possible: Iterable[tuple[int, ...]] = ()
+        if any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes):
+            possible = _likely_rows(self.members.evaluate(whole[0]).value)
+        elif any(map(_is_gram, n.walk(chain))):
+            possible = [self._square(whole[0]) or ()]
+        for rows in filter(None, possible):
+            read = chain
+            for below in whole:
+                read = n.substitute(read, below, self._part(below, rows))  # type: ignore[assignment]
+            tried = check(read)
+            if not any(outcome.is_mismatch for outcome in tried):
+                for outcome in tried:
+                    outcome.findings = outcome.findings or (say(Kind.READ_AS_ROWS, rows=list(rows)),)
+                if all(outcome.verdict is not Verdict.REFUTED for outcome in tried):
+                    return tried
+                fitting = fitting or tried
+        return fitting or outcomes
+
+    def others(
+        self, chains: Iterable[n.Chain], outcomes: list[Outcome], again: Callable[[], list[Outcome]]
+    ) -> Finding | None:
+        """Say with which rows of J alone an equation holds, where nothing tells them, or where J is printed again."""
+        if not any(outcome.verdict in DECIDED for outcome in outcomes):
+            return None
+        if hold(outcomes) and not any("=" in chain.relations for chain in chains):
+            return None  # J ∈ ℝ^{6×4} tells them itself
+        for name in self._open(chains):
+            rows = self.names.rows_of(name.key)
+            with self._read_in(name.key, self._square(name) if rows is None else None) as other:
+                if other == rows:
+                    continue
+                holding = [hold(outcomes), hold(again())]
+            if holding[0] != holding[1] and rows is None:
+                return say(Kind.ROWS_NOT_TOLD, name=name.text, rows=list(WHOLE if holding[0] else other or ()))
+            if holding == [False, True]:
+                return say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(rows or ()))
+        return None
+
+    def _open(self, chains: Iterable[n.Chain]) -> Iterator[n.Name]:
+        """Yield the names of Jacobians whose rows are not told, or told by another matrix than the one beside them."""
+        for chain in chains:
+            again = [name.key for name in self._printed(chain)]
+            for below in n.walk(chain):
+                name = self.members.jacobian_name(below, True)
+                if name is below and name is not None and (self._is_open(name) or name.key in again):
+                    yield name
+
+    def _is_open(self, node: n.Node) -> bool:
+        name = self.members.jacobian_name(node)
+        return name is not None and name.key not in self.names.state.shown
+
+    @contextmanager
+    def _read_in(self, key: str, rows: tuple[int, ...] | None) -> Iterator[tuple[int, ...] | None]:
+        shown, before = self.names.state.shown, self.names.state.shown.copy()
+        shown.pop(key, None)
+        if rows is not None:
+            shown[key] = JacobianRows(rows, self.names.state.section, printed=False)
+        try:
+            yield rows
+        finally:
+            shown.clear()
+            shown.update(before)
+
+    def _printed(self, chain: n.Chain) -> Iterator[n.Name]:
+        """Yield the names of Jacobians for which a chain prints a matrix."""
+        if any(isinstance(bare(member), n.Matrix) for member in chain.members):
+            for member in chain.members:
+                name = self.members.jacobian_name(member, True)
+                if name is not None and name.key in self.names.state.shown:
+                    yield name
+
+    def _square(self, name: n.Name) -> tuple[int, ...] | None:
+        value = self.members.evaluate(replace(name, dots=0)).value
+        if not isinstance(value, Matrix) or value.shape[0] == value.shape[1]:
+            return None
+        rows = square_rows(value)
+        return tuple(row + 1 for row in rows) if rows is not None else None
+
+    def _part(self, name: n.Name, rows: tuple[int, ...]) -> n.Name:
+        """Return the name of some rows of a Jacobian, which stands for it in a tree."""
+        quantity = self.names.quantity(replace(name, dots=0))
+        assert quantity is not None
+        part = replace(name, sub=f"rows {rows}")
+        self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
+        return part
+
+
+def _likely_rows(value: Value) -> Iterator[tuple[int, ...]]:
+    """Yield the rows (from 1) that a shorter Jacobian is likely to hold: v, the plane's, all that move, ω."""
+    if not isinstance(value, Matrix):
+        return
+    moving = tuple(i for i, row in enumerate(value.rows, 1) if not all(cell.is_zero() for cell in row))
+    yield from dict.fromkeys(rows for rows in ((1, 2, 3), (1, 2), moving, (4, 5, 6)) if rows)
+
+
+def _is_gram(node: n.Node) -> bool:
+    """Whether a tree is J J^T, which has no inverse for a Jacobian of six rows with fewer columns."""
+    if not isinstance(node, n.Product) or len(node.factors) != 2:
+        return False
+    first, second = (n.ungrouped(factor) for factor in node.factors)
+    return isinstance(second, n.Postfix) and second.operator == "T" and n.ungrouped(second.base) == first

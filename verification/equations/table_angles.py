@@ -1,0 +1,72 @@
+"""What the letter of a joint means whose angle in the DH table has an offset: decided once, by the first equation that tells."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+
+from armproof.verification.equations.outcome import Outcome, hold
+from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.verdict import DECIDED
+
+VARIABLE, TABLE = "variable", "table"
+
+
+class TableAngles:
+    """Tells whether θ_i is the variable of joint i or the angle in row i of the table."""
+
+    def __init__(self, names: Names) -> None:
+        self.names = names
+
+    def settled(
+        self, chain: n.Chain, outcomes: list[Outcome], define: bool, again: Callable[[], list[Outcome]]
+    ) -> list[Outcome]:
+        """Return the outcomes in the reading of the document, which an equation decides that holds in one of the two only."""
+        told = self.names.state.angles
+        if not any(each.verdict in DECIDED for each in outcomes) or (told and hold(outcomes)):
+            return outcomes
+        if not self.holds_offset((chain,)):
+            return outcomes
+        with self._read_as(VARIABLE if told == TABLE else TABLE) as other:
+            second = again()
+        if hold(outcomes) == hold(second):
+            return outcomes
+        if told:
+            return [outcome.left_open(say(Kind.ANGLES_TOLD_OTHERWISE, other=other)) for outcome in outcomes]
+        if define:
+            self.names.state.angles = VARIABLE if hold(outcomes) else TABLE
+        if hold(outcomes):
+            return outcomes
+        for outcome in second:
+            outcome.also(say(Kind.TABLE_ANGLES))
+        return second
+
+    def of_condition(self, chains: Iterable[n.Chain]) -> Finding | None:
+        """Say that a condition on a table's angle is not decided: conditions are solved for the variables."""
+        return (
+            say(Kind.CONDITION_ON_TABLE_ANGLE)
+            if self.names.state.angles == TABLE and self.holds_offset(chains)
+            else None
+        )
+
+    def holds_offset(self, chains: Iterable[n.Chain]) -> bool:
+        """Whether the letter of a joint with an offset stands in an equation."""
+        joints = self.names.offset_joints
+        return bool(joints) and any(symbol in joints for chain in chains for symbol in self._letters(chain))
+
+    def _letters(self, chain: n.Chain) -> Iterator[str | None]:
+        for below in n.walk(chain):
+            if isinstance(below, n.Name):
+                yield self.names.known_symbol(below.key)
+            elif isinstance(below, n.JointAngles):
+                yield from (self.names.joint_angle(index) for _, index in below.terms)
+
+    @contextmanager
+    def _read_as(self, meaning: str) -> Iterator[str]:
+        before, self.names.state.angles = self.names.state.angles, meaning
+        try:
+            yield meaning
+        finally:
+            self.names.state.angles = before
