@@ -134,7 +134,8 @@ def left_open() -> list[list[object]]:
 
 @pytest.mark.parametrize("number", range(len(SAMPLED)), ids=SAMPLED)
 def test_what_only_samples_decide_is_left_open(number: int) -> None:
-    assert left_open()[number] == ["unchecked", ["not_sampled"], []]
+    kind = "numbers_of_nowhere" if "bmatrix" in SAMPLED[number] else "not_sampled"  # where it holds is found by samples
+    assert left_open()[number] == ["unchecked", [kind], []]
 
 
 def test_a_solution_of_the_inverse_kinematics_is_left_open() -> None:
