@@ -83,7 +83,9 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
         value = Evaluator(bound, algebra).evaluate(printed[0])
     except (EvaluationError, RecursionError):
         return
-    if isinstance(value, Matrix) and value.shape == (4, 4) and letters:  # one of numbers alone is an example
+    if not isinstance(value, Matrix) or value.shape != (4, 4):
+        return
+    if any(cell.as_fraction() is None for row in value.rows for cell in row):  # one of numbers alone is an example
         yield _Link(indices[0], value, letters, display)
 
 

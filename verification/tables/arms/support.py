@@ -130,7 +130,9 @@ class _Settled:
         if result.verdict in _HOLDS and _is_data(self.taken, record, result.links):
             return result if result.links <= self.confirmed else self._data(result.index)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
-        is_sure = self.taken.source == "matrices" or links <= self.confirmed
+        has_entry = any(entry.equation == result.index for entry in record.entries)
+        has_sides = bool(links) or has_entry  # else a shape, or an inverse that this arm's Jacobian does not have
+        is_sure = has_sides and (self.taken.source == "matrices" or links <= self.confirmed)
         if result.verdict is not Verdict.REFUTED or is_sure or record.erratum:
             return result
         doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)

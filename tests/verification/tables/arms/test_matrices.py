@@ -109,3 +109,14 @@ def test_one_display_may_hold_them_all() -> None:
     wrong = (link(1, FIRST) + link(2, SECOND) + whole(y="l_1 s_1")).replace(" $$\n\n$$ ", r", \quad ")
     result = verify_text(wrong)
     assert verdicts(result) == ["refuted"] and roles(result) == [Role.DATA, Role.DATA, Role.CLAIM]
+
+
+def test_a_law_that_only_this_arm_cannot_have_is_not_refuted() -> None:
+    law = r"$$ \dot{x} = J \dot{q} $$" + "\n\n" + r"$$ \dot{q} = J^{-1} \dot{x} $$" + "\n\n"
+    slide = (
+        r"$$ A_3 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & d_3 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+        + "\n\n"
+    )
+    stuck = link(1, "A_1").replace("l_1 c_1", "0").replace("l_1 s_1", "0") + link(2, "A_2") + slide
+    result = verify_text(law + stuck)
+    assert len(result.arms) == 1 and "refuted" not in verdicts(result)
