@@ -105,7 +105,7 @@ def test_a_good_lesson_has_no_problems(lesson):
             ("lesson.joints.check(joints)", "if False:\n    lesson.links.check(joints)"),
             "    lesson.links.check(joints)", "no task 'links'; the tasks are area, root, joints",
         ),
-        (("+ \\sin^2\\theta_1 = 1", "- \\sin^2\\theta_1 = 1"), "# $$ \\cos^2\\theta_1 - \\sin^2\\theta_1 = 1 $$", "refuted: "),
+        (("+ \\sin^2\\theta_1 = 1", "+ \\sin^2\\theta_1 = 2"), "# $$ \\cos^2\\theta_1 + \\sin^2\\theta_1 = 2 $$", "refuted: "),
         (("= 1 $$", "= \\Psi + \\Xi $$"), None, "unchecked: 'Psi' is not bound"),
         (("= 1 $$", "= \\Chi $$"), None, "unreadable: "),
         (("= \\sin\\theta_1 $$", "= -\\sin\\theta_1 $$"), None, "an erratum that is not refuted"),
