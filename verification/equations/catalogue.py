@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
@@ -19,17 +19,15 @@ PARTS = (None, (1, 2, 3), (4, 5, 6), (1, 2), (1, 2, 6))  # of the rows of a Jaco
 MOST_WRONG = 2  # entries of what is meant to be a quantity
 
 
+@dataclass(frozen=True)
 class Catalogue:
     """Compares matrices that define a name, and are written out, with the quantities of the arm."""
 
-    def __init__(self, members: Members) -> None:
-        self.members = members
+    members: Members
 
     def judge(self, outcome: Outcome) -> Outcome:
-        """Say what a defined matrix is on the arm; one that is nearly a quantity, or is several, is not decided."""
-        value = outcome.true.value if outcome.true is not None and outcome.true.rank == 1 else None
-        if outcome.verdict is not Verdict.DEFINED or len(outcome.defines) != 1:
-            return outcome
+        """Say what a matrix that is given a name is on the arm; one that is nearly a quantity, or is several, is not decided."""
+        value = outcome.true.value if outcome.true is not None else None
         if self.members.names.arm is None or not isinstance(value, Matrix) or is_constant(value):
             return outcome
         (name,) = outcome.defines

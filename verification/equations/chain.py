@@ -10,13 +10,12 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.catalogue import Catalogue
 from armproof.verification.equations.conventional import Conventions
-from armproof.verification.equations.definitions import Definitions
+from armproof.verification.equations.definitions import Definitions, Redefinitions
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Check, Readings
-from armproof.verification.equations.redefinitions import Redefinitions
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.table_angles import TableAngles
@@ -75,7 +74,8 @@ class ChainChecker:
         self.names.state.signs.read.clear()
         before = self.names.state.definitions.copy()
         chain = self.conventions.read(chain)
-        defined = self.redefinitions.before(chain) if define else None
+        is_again = define and bare_key(chain.members[0]) in self.names.state.definitions
+        defined = self.redefinitions.before(chain) if is_again else None
         chain = self.rows.choose(chain)
         new = new_name(self.names, chain)
         fresh = new_letters(self.names, chain)
@@ -117,7 +117,8 @@ class ChainChecker:
                 outcomes.append(definitions.define(true, member, equation))
         outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
-        outcomes = [self.catalogue.judge(self.conventions.judge(outcome)) for outcome in outcomes]
+        outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
+        outcomes = [self.catalogue.judge(outcome) if outcome.names_matrix else outcome for outcome in outcomes]
         if defined is not None:
             check = partial(self.check, first_equation=first_equation, line=line)
             outcomes = self.redefinitions.judge(chain, outcomes, defined, check)

@@ -77,6 +77,12 @@ class Outcome:
         return self.verdict is Verdict.REFUTED and known and self.pair is None and not self.wrong
 
     @property
+    def names_matrix(self) -> bool:
+        """Whether a matrix that is written out is given one name."""
+        written = self.true is not None and self.true.rank == 1 and isinstance(self.true.value, Matrix)
+        return self.verdict is Verdict.DEFINED and len(self.defines) == 1 and written
+
+    @property
     def is_overloaded(self) -> bool:
         """Whether a formula without a value, for the sizes in it, stands in the equation."""
         return (
