@@ -9,6 +9,8 @@ from armproof.verification.latex import nodes as n
 
 WHOLE_NUMBERS = ("k", "n", "m")
 Alternatives = list[list[n.Chain]]  # "and" binds closer than "or"
+# what a comma between values of one subject says
+_JOINED_VALUES: dict[tuple[str, ...], str] = {("=",): "or", ("≠",): "and"}
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ def _if_then(statements: list[n.Statement], index: int) -> Implication | None:
 def _alternatives(statements: list[n.Statement], index: int, *, given: bool) -> tuple[Alternatives, int]:
     """Return the chains joined by "or" and "and" from here on; "θ_2 = 0 or π" repeats its subject.
 
-    A comma between values of one subject is "or"; between conditions that are `given` it is "and".
+    A comma between values that one subject has is "or"; between those that it has not, and conditions that are `given`, "and".
     """
     found: Alternatives = []
     joined = "or"
@@ -90,7 +92,7 @@ def _alternatives(statements: list[n.Statement], index: int, *, given: bool) -> 
             joined = joined or _comma(before, statement, given)
             if not joined:
                 break
-            chain = _with_subject(statement, before)
+            chain = _with_subject(statement, before, joined)
             if joined == "and":
                 found[-1].append(chain)
             else:
@@ -105,12 +107,12 @@ def _alternatives(statements: list[n.Statement], index: int, *, given: bool) -> 
 
 
 def _comma(before: n.Chain | None, chain: n.Chain, given: bool) -> str:
-    """How a comma joins two chains: θ_2 = 0, π and θ_2 = 0, θ_2 = π are alternatives; "" where they are not joined."""
+    """How a comma joins two chains: θ_2 = 0, π are alternatives, θ_2 ≠ 0, π hold together; "" where they are not joined."""
     if before is None or not (is_condition(before) or _equates_names(before)):
         return ""
-    values = _is_constant(chain.members[-1]) and before.relations == ("=",)
-    if values and (not chain.relations or (chain.relations == ("=",) and chain.members[0] == before.members[0])):
-        return "or"
+    again = not chain.relations or (chain.relations == before.relations and chain.members[0] == before.members[0])
+    if again and before.relations in _JOINED_VALUES and _is_constant(chain.members[-1]):
+        return _JOINED_VALUES[before.relations]
     return "and" if given and chain.relations and (is_condition(chain) or _equates_names(chain)) else ""
 
 
@@ -120,11 +122,13 @@ def _equates_names(chain: n.Chain) -> bool:
     return len(chain.members) > 1 and all(isinstance(side, n.Name) for side in sides)
 
 
-def _with_subject(chain: n.Chain, before: n.Chain | None) -> n.Chain:
-    """Return the π of "θ_2 = 0 or π" as θ_2 = π."""
-    if chain.relations or before is None or before.relations != ("=",):
+def _with_subject(chain: n.Chain, before: n.Chain | None, joined: str) -> n.Chain:
+    """Return the π of "θ_2 = 0 or π" as θ_2 = π, that of "θ_2 ≠ 0, π" as θ_2 ≠ π; what "θ_2 ≠ 0 or π" means is not known."""
+    if chain.relations or before is None or before.relations not in _JOINED_VALUES:
         return chain
-    return replace(chain, members=(before.members[0], *chain.members), relations=("=",))
+    if before.relations == ("≠",) and joined == "or":
+        return chain
+    return replace(chain, members=(before.members[0], *chain.members), relations=before.relations)
 
 
 def is_rank_condition(chain: n.Chain) -> bool:

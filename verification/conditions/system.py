@@ -71,13 +71,14 @@ def read_condition(checker: ChainChecker, alternatives: Sequence[Sequence[n.Chai
 
 
 def _of_chain(checker: ChainChecker, chain: n.Chain) -> list[System]:
-    """The alternatives of one chain; one with ± holds on either branch."""
+    """The alternatives of one chain; one with ± holds on either branch, θ ≠ ±α on both."""
     branches = (1, -1) if has_branches(chain) else (1,)
-    return [
+    found = [
         system
         for branch in branches
         for system in _of_branch(checker, chain, Evaluator(checker.names, checker.exact, branch))
     ]
+    return [reduce(System.and_, found)] if chain.relations == ("≠",) else found
 
 
 def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> Iterator[System]:
