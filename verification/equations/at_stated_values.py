@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import inf, remainder, tau
+from typing import Any
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.matrix import Matrix
@@ -78,8 +79,12 @@ class StatedValues:
         }
 
     def _at(self, scalar: Scalar, stated: dict[str, Stated]) -> Scalar:
-        values = {name: self.members.evaluate(value.node).value for name, value in stated.items()}
-        return substitute(scalar, values)
+        return substitute(scalar, {name: self._of_variable(name, value.node) for name, value in stated.items()})
+
+    def _of_variable(self, name: str, node: n.Node) -> Any:
+        """Return the value of a variable; what is stated of a joint's letter is the table's angle where that is read so."""
+        value, offset = self.members.evaluate(node).value, self.names.angle_offset(name, self.members.exact)
+        return value if offset is None else value - offset
 
     def _rest_on(self, stated: dict[str, Stated]) -> None:
         """Remember the displays that stated the values: they count as used, with all the values that they state."""

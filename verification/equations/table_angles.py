@@ -27,7 +27,8 @@ class TableAngles:
         told = self.names.state.angles
         if not any(each.verdict in DECIDED for each in outcomes) or (told and hold(outcomes)):
             return outcomes
-        if not self.holds_offset((chain,)):
+        by_values = not self.holds_offset((chain,))
+        if by_values and self.names.offset_joints.keys().isdisjoint(self.names.state.configuration):
             return outcomes
         with self._read_as(VARIABLE if told == TABLE else TABLE) as other:
             second = again()
@@ -35,6 +36,8 @@ class TableAngles:
             return outcomes
         if told:
             return [outcome.left_open(say(Kind.ANGLES_TOLD_OTHERWISE, other=other)) for outcome in outcomes]
+        if by_values:  # a number is no evidence of what the letters mean
+            return outcomes if hold(outcomes) else [outcome.left_open(say(Kind.ANGLES_UNTOLD)) for outcome in outcomes]
         if define:
             self.names.state.angles = VARIABLE if hold(outcomes) else TABLE
         if hold(outcomes):

@@ -210,6 +210,7 @@ class Kind(MessageKind):
     READ_AS_ROWS = "read_as_rows", "J is read as its rows {rows}"
     TABLE_ANGLES = "table_angles", "with the joint angles read as those of the DH table, offsets included; so they are read from here on"
     ANGLES_TOLD_OTHERWISE = "angles_told_otherwise", "holds only with the joint angles read as the {other} angles, and an equation before shows the other reading: of variables, or of the DH table's angles with their offsets"
+    ANGLES_UNTOLD = "angles_untold", "holds only if the values given before are those of the DH table's angles, offsets included: which are meant?"
     CONDITION_ON_TABLE_ANGLE = "condition_on_table_angle", "the joint angles are those of the DH table here, and a condition on one that has an offset is not decided: state it for the joint variable"
     LINK_MATRIX = "link_matrix", "the {convention} link matrix"
 

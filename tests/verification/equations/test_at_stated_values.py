@@ -65,3 +65,31 @@ def test_a_length_may_be_said_in_centimetres(judge: Judge) -> None:
     stated = (r"l_1 = 50\,\text{cm}", r"l_2 = 300\,\text{mm}", r"\theta_1 = \theta_2 = 0")
     assert judge(*stated, r"P_x = 80\,\text{cm}", **PLANAR).verdict is Verdict.CONFIRMED
     assert judge(*stated, r"P_x = 80", **PLANAR).verdict is Verdict.UNCHECKED  # of which unit?
+
+
+OFFSET: dict[str, Any] = {
+    "arm": {
+        "dh": "classic",
+        "rows": [
+            {"a": "a_1", "alpha": 0, "d": 0, "theta": "theta_1 + pi/2"},
+            {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"},
+        ],
+    }
+}
+
+
+@pytest.mark.parametrize(
+    ("place", "numbers", "verdict"),
+    [
+        (r"a_1 c_1 \\ a_1 s_1 \\ 0", r"0.5 \\ 0 \\ 0", Verdict.CONFIRMED),
+        (r"a_1 c_1 \\ a_1 s_1 \\ 0", r"-0.5 \\ 0 \\ 0", Verdict.REFUTED),
+        (r"-a_1 s_1 \\ a_1 c_1 \\ 0", r"0 \\ 0.5 \\ 0", Verdict.CONFIRMED),
+        (r"-a_1 s_1 \\ a_1 c_1 \\ 0", r"0 \\ -0.5 \\ 0", Verdict.REFUTED),
+        (r"0 \\ 0 \\ 0", r"0.5 \\ 0 \\ 0", Verdict.UNCHECKED),
+    ],
+)
+def test_a_value_is_that_of_the_angle_that_the_document_means(
+    judge: Judge, place: str, numbers: str, verdict: Verdict
+) -> None:
+    p_1 = r"p_1 = \begin{bmatrix} %s \end{bmatrix}"
+    assert judge(p_1 % place, r"a_1 = 0.5, \; \theta_1 = 0", p_1 % numbers, **OFFSET).verdict is verdict
