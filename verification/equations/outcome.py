@@ -190,7 +190,7 @@ def _own_name(chain: n.Chain, names: Names) -> Finding | None:
 
 def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
     """Sizes that do not fit tell a slip where the front matter or explicit frames say what the names are, on both sides."""
-    if not outcome.findings or outcome.findings[0].kind not in SIZES:
+    if not _tells_sizes(outcome):
         return None
     held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
     held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
@@ -202,6 +202,10 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     if not by_convention or (explicit and not points and understood):
         return None
     return say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
+
+
+def _tells_sizes(outcome: Outcome) -> bool:
+    return bool(outcome.findings) and outcome.findings[0].kind in SIZES
 
 
 def _quantity(name: n.Name, names: Names) -> bool:
@@ -226,16 +230,28 @@ def _are_columns(outcome: Outcome) -> bool:
 
 
 def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
-    """Without an arm, only trigonometry, identities, sizes and what the document has defined can be wrong."""
-    if names.arm is not None or names.state.consulted or (outcome.findings[:1] and outcome.findings[0].kind in SIZES):
+    """Without an arm, only identities, sizes and what the document has defined can be wrong.
+
+    Letters that the other side lacks make an equation a definition or a law of letters that nothing else binds.
+    """
+    if names.arm is not None or outcome.role is Role.LAW or names.state.consulted or _tells_sizes(outcome):
         return None
     below = [each for member in chain.members for each in n.walk(member)]
+    if any(isinstance(b, n.Name) and (b.pre_sup or b.key in names.quantities) for b in below):  # a law of link matrices
+        return None
+    first, *others = [_letters(member) for member in chain.members]
     if any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below):
-        return None
-    if any(isinstance(b, n.Name) and b.pre_sup for b in below):  # a law of link matrices
-        return None
-    letters = [{b.key for b in n.walk(m) if isinstance(b, n.Name) and b.key not in ("pi", "I")} for m in chain.members]
-    return say(Kind.NO_ARM_TO_COMPARE) if any(found != letters[0] for found in letters) else None
+        bound = all(found <= first or first <= found for found in others)  # an identity of angles, or a slip in one
+    else:
+        bound = all(found == first for found in others)
+    return None if bound else say(Kind.NO_ARM_TO_COMPARE)
+
+
+def _letters(member: n.Node) -> set[str]:
+    """Return the letters of a side, and the joint angles that it holds."""
+    below = list(n.walk(member))
+    names = {b.key for b in below if isinstance(b, n.Name) and b.key not in ("pi", "I")}
+    return names | {f"theta_{index}" for b in below if isinstance(b, n.JointAngles) for _, index in b.terms}
 
 
 def _is_bound(name: n.Name, names: Names) -> bool:
