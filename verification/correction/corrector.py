@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.conditions.implication import is_condition
-from armproof.verification.correction.alternatives import IDENTITY, Corrections, alternatives, trimmed, true_value
+from armproof.verification.correction.alternatives import Corrections, alternatives, trimmed, true_value
+from armproof.verification.correction.kept import keeps, quantities, tautologies
 from armproof.verification.correction.record import applied
 from armproof.verification.correction.rephrasings import rephrasings
 from armproof.verification.diagnosis.diagnosis import Diagnostician
 from armproof.verification.diagnosis.slips import single_edits
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import NoValue
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import normalise_unicode, original_offset
 from armproof.verification.latex.writer import Notation, Writer
@@ -40,7 +39,8 @@ class Corrector:
         """Return the corrections that mend a refuted display, at places of its LaTeX as the author wrote it, or none."""
         latex = normalise_unicode(record.latex)
         budget = self.checker.exact.budget
-        kept = self._quantities(statements, outcomes)
+        kept = quantities(self.checker.names, statements, outcomes)
+        before = tautologies(latex, statements)
         confirm, self.checker.confirm = self.checker.confirm, False
         try:
             with budget.of(SECONDS_TO_CORRECT):
@@ -48,9 +48,10 @@ class Corrector:
                     if count > MOST_TRIALS or budget.is_spent:
                         break
                     corrections = spaced(latex, corrections)
-                    if not keeps(latex, corrections, kept):
+                    if not corrections or not keeps(latex, corrections, kept):
                         continue
-                    if corrections and self._left(latex, corrections, outcomes) == set():
+                    left = self._left(latex, corrections, outcomes)
+                    if left == set() and self._tautologies(latex, corrections) <= before:
                         return _in_original(record.latex, latex, corrections)
         except ArmproofError:  # no time left
             return ()
@@ -58,31 +59,10 @@ class Corrector:
             self.checker.confirm = confirm
         return ()
 
-    def _quantities(self, statements: list[n.Statement], outcomes: Sequence[Outcome]) -> list[n.Name]:
-        """Return the names that say what an equation is about: a correction changes what is said of them, not them.
-
-        A condition, with its arrow, may name another matrix; a cell of a matrix is an entry whatever stands in it.
-        """
-        if any(isinstance(statement, n.Connective) for statement in statements):
-            return []
-        names = self.checker.names
-        found = [
-            each
-            for each in _outside_matrices(statements)
-            if isinstance(each, n.Name)
-            and names.known_symbol(each.key) is None
-            and not names.is_free(each)
-            and not IDENTITY.fullmatch(each.key)
-        ]
-        said = [  # of another quantity, by a formula that has a value
-            outcome.printed.node.span
-            for outcome in outcomes
-            if outcome.pair is not None
-            and outcome.printed is not None
-            and outcome.true is not None
-            and any(_within(each, outcome.true.node.span) for each in found)
-        ]
-        return [each for each in found if not any(_within(each, span) for span in said)]
+    def _tautologies(self, latex: str, corrections: Corrections) -> int:
+        """Return how many members the corrected display repeats; it has been read before."""
+        after = applied(latex, corrections)
+        return tautologies(after, self.checker.names.reader.read(after))
 
     def _left(self, latex: str, corrections: Corrections, before: Sequence[Outcome]) -> set[int] | None:
         """Return the equations that the corrections leave without a proof; None where they leave no display."""
@@ -107,7 +87,7 @@ class Corrector:
             refuted = self._equation_by_equation(statements) or refuted
         options = [list(alternatives(latex, outcome, record.entries)) for outcome in refuted]
         yield from self._combined(latex, outcomes, refuted, options)
-        yield from rephrasings(latex, statements, self.checker, any(map(_has_no_value, refuted)))
+        yield from rephrasings(latex, statements, self.checker)
         for choices, outcome in zip(options, refuted, strict=True):
             choices.extend(true_value(latex, outcome, notation))
         yield from self._combined(latex, outcomes, refuted, options)
@@ -164,37 +144,8 @@ class Corrector:
         return notation
 
 
-def _outside_matrices(nodes: Iterable[object]) -> Iterator[n.Node]:
-    for node in nodes:
-        if isinstance(node, n.Node) and not isinstance(node, n.Matrix):
-            yield node
-            yield from _outside_matrices(n.children(node))
-
-
-def _within(name: n.Name, span: tuple[int, int]) -> bool:
-    return span[0] <= name.span[0] and name.span[1] <= span[1]
-
-
-def keeps(latex: str, corrections: Corrections, names: Sequence[n.Name]) -> bool:
-    """Whether corrections leave names where they stand, or write them again as often."""
-    for change in corrections:
-        over = [
-            latex[slice(*name.span)].strip()
-            for name in names
-            if change.start < name.span[1] and name.span[0] < change.end
-        ]
-        if any(change.text.count(name) < number for name, number in Counter(over).items()):
-            return False
-    return True
-
-
 def _number(outcomes: Sequence[Outcome], verdict: Verdict) -> int:
     return sum(outcome.verdict is verdict for outcome in outcomes)
-
-
-def _has_no_value(outcome: Outcome) -> bool:
-    """Whether a formula in the equation has no value, for the sizes in it."""
-    return outcome.printed is None or isinstance(outcome.printed.problem, NoValue)
 
 
 def spaced(latex: str, corrections: Corrections) -> Corrections:

@@ -1,4 +1,4 @@
-"""What may mend a display that has no wrong entry: another relation, size, label, name, or the square of a matrix."""
+"""What may mend a display that has no wrong entry: another relation, size or label, or the square of a matrix."""
 
 from __future__ import annotations
 
@@ -10,23 +10,16 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.correction.alternatives import Corrections
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, bare_key
-from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.latex.nodes import bare
 from armproof.verification.verdict import Correction
 
 _RELATIONS = re.compile(r"\\(?:neq|ne|leq?|geq?|l[te]|g[te])(?![A-Za-z])|[<>]|\\not\s*=")
 _OTHER = {"le": r"\geq", "leq": r"\geq", "lt": ">", "<": ">", "ge": r"\leq", "geq": r"\leq", "gt": "<", ">": "<"}
 _SIZE = re.compile(r"\d+(?=\s*\\times)|(?<=\\times)\s*\d+")
-MOST_NAMES = 12
 
 
-def rephrasings(
-    latex: str, statements: list[n.Statement], checker: ChainChecker, without_value: bool
-) -> Iterator[Corrections]:
-    """Yield what may mend a display as a whole, the smallest change first; places count in the normalised LaTeX.
-
-    `without_value` tells that a formula in it has no value, for the sizes in it: then another matrix may be meant.
-    """
+def rephrasings(latex: str, statements: list[n.Statement], checker: ChainChecker) -> Iterator[Corrections]:
+    """Yield what may mend a display as a whole, the smallest change first; places count in the normalised LaTeX."""
     yield from _other_relation(latex)
     for statement in statements:
         for below in n.walk(statement):
@@ -34,8 +27,6 @@ def rephrasings(
                 yield from _other_label(latex, below, checker)
     yield from _other_size(latex, statements, checker)
     yield from _coordinates(latex, statements, checker)
-    if without_value:
-        yield from _other_name(statements, checker)
     if any(isinstance(statement, n.Connective) for statement in statements):  # elsewhere another determinant is meant
         yield from _gram(latex, statements, checker)
     yield from _left_inverse(latex, statements)
@@ -103,32 +94,6 @@ def _sized(latex: str, start: int, end: int, value: Matrix) -> Corrections:
         for place, size in zip(places, value.shape, strict=True)
         if place.group().strip() != str(size)
     )
-
-
-# -- names -------------------------------------------------------------------------------------------------------------
-
-
-def _other_name(statements: list[n.Statement], checker: ChainChecker) -> Iterator[Corrections]:
-    """Another name of the document with the same letter, throughout: J_L for J."""
-    names = [below for s in statements for below in n.walk(s) if isinstance(below, n.Name)]
-    known = dict.fromkeys((*checker.names.quantities, *checker.names.state.definitions))
-    for key in dict.fromkeys(name.key for name in names if name.key in known):
-        places = [name for name in names if name.key == key]
-        others = [other for other in known if other != key and _letter(other) == _letter(key)]
-        for other in others[:MOST_NAMES]:
-            if _reads_as(key_as_latex(other), other, checker):
-                yield tuple(Correction(*place.span, key_as_latex(other)) for place in places)
-
-
-def _reads_as(latex: str, key: str, checker: ChainChecker) -> bool:
-    try:
-        return bare_key(checker.names.reader.read_expression(latex)) == key
-    except ArmproofError:
-        return False
-
-
-def _letter(key: str) -> str:
-    return re.sub(r"[_^'({].*", "", key)
 
 
 # -- matrices that are not square --------------------------------------------------------------------------------------

@@ -21,6 +21,9 @@ quantities:
   J_v: {jacobian: 2, rows: [1, 2]}
   J_L: {jacobian: 2, rows: [1, 2]}
   J_W: {jacobian: 2, rows: [1, 2, 6]}
+  J_T: {jacobian: 2, rows: [1, 2, 3]}
+  x: {origin: 2, component: x}
+  y: {origin: 2, component: y}
 ---
 """
 J = r"\begin{bmatrix} -l_1 S_1 - l_2 S_{12} & -l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} & l_2 C_{12} \end{bmatrix}"
@@ -41,14 +44,14 @@ def record(display: str) -> Record:
 SLIPS = {
     "a sign in a cell": (f"J_v = {WRONG_J}", f"J_v = {J}"),
     "a scalar": (r"\det J_v = l_1 l_2 \cos\theta_2", r"\det J_v = l_1 l_2 \sin\theta_2"),
-    "two equations": (r"l_1 C_1 = l_2 C_1, \quad S_{12} = C_{12}", None),
+    "two equations": (r"l_1 + C_1^2 = l_1 + S_1^2 + 1, \quad S_2^2 = 1 + C_2^2", None),
     "a dot for a cross": (r"p_1 \cdot p_2 = \begin{bmatrix} 0 \\ 0 \\ l_1 l_2 S_2 \end{bmatrix}",
                           r"p_1 \times p_2 = \begin{bmatrix} 0 \\ 0 \\ l_1 l_2 S_2 \end{bmatrix}"),
     "an identity of another size": (r"J_v J_v^{-1} = I_3", r"J_v J_v^{-1} = I_2"),
-    "unequal though equal": (r"C_{12} \neq C_{12}", r"C_{12} = C_{12}"),
+    "unequal though equal": (r"C_{12}^2 + S_{12}^2 \neq 1", r"C_{12}^2 + S_{12}^2 = 1"),
     "the wrong way round": (r"C_1^2 \geq 2", None),
     "a coordinate too few": (rf"p_2 = {P[:-13]} \\ 0 \end{{bmatrix}}", None),
-    "a determinant of no square": (r"\det J_W = 0 \iff \sin\theta_2 = 0", r"\det (J_L) = 0 \iff \sin\theta_2 = 0"),
+    "a determinant of no square": (r"\det J_T = 0 \iff \sin\theta_2 = 0", r"\det (J_T^T J_T) = 0 \iff \sin\theta_2 = 0"),
     "a size under a brace": (rf"\underbrace{{{J}}}_{{2 \times 3}} = J_v", rf"\underbrace{{{J}}}_{{2 \times 2}} = J_v"),
     "a transpose": (rf"J_v^T = {J}", None),
     "a Unicode letter": ("det J_v = l_1 l_2 · cos θ_2", None),
@@ -65,7 +68,7 @@ def test_a_slip_is_mended_and_what_is_offered_verifies(name: str) -> None:
     assert latex is not None and latex != found.latex, found.message
     again = record(latex)
     assert again.verdict in (Verdict.PROVED, Verdict.CONFIRMED), (latex, again.verdict, again.message)
-    if right is not None and name != "a determinant of no square":
+    if right is not None:
         assert latex.split() == right.split()
 
 
@@ -89,6 +92,46 @@ def test_the_quantity_itself_is_never_changed(display: str) -> None:
     kept = next(side for side in (left, right) if "J" in side or "p_" in side)
     new = latex.split(" = ")
     assert kept in (each.strip() for each in new) and new[0].strip() != new[1].strip()
+
+
+@pytest.mark.parametrize(
+    "display",
+    [
+        r"l_1 l_2 S_2 = l_1 l_2 C_2",
+        r"S_1 = C_1",
+        "1 = 0",
+        r"\det J_v \neq \det(J_v)",
+        r"\det J_v = l_1 l_2 \sin\theta_2 = l_1 l_2 \cos\theta_2",
+        rf"J_v = {WRONG_J} = {J}",
+    ],
+)
+def test_no_tautology_is_offered(display: str) -> None:
+    found = record(display)
+    assert found.verdict is Verdict.REFUTED
+    assert found.corrections == ()
+
+
+def test_what_would_become_the_left_side_itself_is_mended_otherwise() -> None:
+    latex = corrected_latex(record(r"\det(J_v) = \det(J_v^T J_v)"))
+    assert latex is not None
+    left, right = (side.strip() for side in latex.split(" = "))
+    assert left == r"\det(J_v)" != right
+
+
+@pytest.mark.parametrize(
+    "display",
+    [
+        r"J_v J_v^{-1} = J_v",
+        r"z_0 \times p_2 = p_2",
+        r"\left. p_2 \right|_{\theta_1 = 0} = p_2",
+        r"\begin{bmatrix} \dot x \\ \dot y \end{bmatrix} = J_v \begin{bmatrix} \dot\theta_2 \\ \dot\theta_1 \end{bmatrix}",
+        r"\det J_W = 0 \iff \sin\theta_2 = 0",
+    ],
+)
+def test_what_is_on_the_left_of_another_quantity_is_not_replaced_by_its_value(display: str) -> None:
+    found = record(display)
+    assert found.verdict is Verdict.REFUTED, found.message
+    assert found.corrections == ()
 
 
 def test_only_the_wrong_cell_changes() -> None:
