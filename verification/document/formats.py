@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.front_matter import read_text
 from armproof.verification.document.markdown import read_markdown_file
-from armproof.verification.document.model import Document
+from armproof.verification.document.model import INLINE, Display, Document
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
@@ -41,7 +42,20 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if format and f".{format}" not in _READERS:
         formats = ", ".join(suffix.removeprefix(".") for suffix in SUFFIXES)
         raise DocumentError(say(Kind.UNKNOWN_FORMAT, format=format, formats=formats), path=path)
-    return _READERS.get(f".{format}" if format else path.suffix, read_markdown_file)(path, text)
+    return _with_what_is_said(_READERS.get(f".{format}" if format else path.suffix, read_markdown_file)(path, text))
+
+
+def _with_what_is_said(document: Document) -> Document:
+    """Give each display the equations of the text before it, which are no displays."""
+    displays: list[Display] = []
+    said: list[str] = []
+    for display in document.displays:
+        if display.opening != INLINE:
+            displays.append(replace(display, said=tuple(said)))
+            said = []
+        elif "=" in display.latex:
+            said.append(display.latex)
+    return replace(document, displays=tuple(displays))
 
 
 def find_documents(paths: list[Path]) -> list[Path]:

@@ -15,7 +15,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from armproof.verification.document.front_matter import split_front_matter
 from armproof.verification.document.html_tables import read_html_tables
-from armproof.verification.document.model import Display, Document, Piece, Table
+from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
 
 _BAR = re.compile(r"(?<!\\)\|")
 _BLANK = re.compile(r"[\s>]*")
@@ -41,6 +41,9 @@ def place_displays(displays: Sequence[Display], lines: Sequence[str], first: int
     placed: list[Display] = []
     row, column = 0, 0
     for display in displays:
+        if display.opening == INLINE:
+            placed.append(display)
+            continue
         if display.line - first > row:
             row, column = display.line - first, 0
         mark = display.opening
@@ -241,6 +244,8 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
             at = token.content.find("$$" + child.content, cursor)
             cursor = at + len(child.content) + 4
             yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
+        elif child.type == "math_inline":
+            yield Display(base, child.content, cell=cell, section=section, opening=INLINE)
         elif child.type == "text" and "$$" in child.content and (at := token.content.find("$$", cursor)) >= 0:
             yield Display(
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False

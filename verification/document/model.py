@@ -41,7 +41,11 @@ class Display:
     section: str = ""
     closed: bool = True
     opening: str = "$$"  # what it begins with in the file
+    said: tuple[str, ...] = ()  # the equations in the text between the display before and this one
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
+
+
+INLINE = "$"  # the opening of what stands in the text: readers hand it over in its place among the displays
 
 
 @dataclass(frozen=True)

@@ -17,13 +17,14 @@ from pathlib import Path
 from typing import Any
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
-from armproof.verification.document.model import Display, Document, Piece
+from armproof.verification.document.model import INLINE, Display, Document, Piece
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
 _ERRATUM = re.compile(
     r"\s*(?:\.\. (?:errat(?:um|a)|[\w-]+::\s*errat(?:um|a))\b|\s[*_\s]*errat(?:um|a)\b)", re.IGNORECASE
 )
 _OPTION = re.compile(r"\s*:[\w-]+:")
+_ROLE = re.compile(r":math:`([^`]*)`")
 _RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
 
 
@@ -99,6 +100,8 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         hidden = None
         if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
             erratum = None
+        for latex in _ROLE.findall(line):
+            yield Display(row + 1, latex, section=section, opening=INLINE)
         if (found := _MATH.match(line)) is not None:
             yield from _block(lines, row, found, erratum is not None, section)
             hidden = len(found.group("margin"))

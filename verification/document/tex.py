@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
-from armproof.verification.document.model import Display, Document, Table
+from armproof.verification.document.model import INLINE, Display, Document, Table
 from armproof.verification.document.tex_macros import blank, closing_brace, find_macros
 from armproof.verification.document.tex_tables import read_tabular
 
@@ -122,8 +122,11 @@ class _Scanner:
                 position = token.end() if close < 0 else close + 1
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
-                if token.group("dollars") != "$":
+                if token.group() not in ("$", "\\("):
                     yield self._display(token, begin, end)
+                elif end >= 0:
+                    latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
+                    yield Display(self.line(token.start()), latex, section=self.section, opening=INLINE)
                 position = after
             elif token.group("begin"):
                 position = self._enter(token)
@@ -136,6 +139,9 @@ class _Scanner:
         if dollars:
             end = _find(self.visible, r"(?<!\\)" + re.escape(dollars), token.end(), self.stop)
             return (token.end(), end, token.end() if end < 0 else end + len(dollars))
+        if token.group() == "\\(":
+            end = _find(self.visible, r"(?<!\\)\\\)", token.end(), self.stop)
+            return (token.end(), end, token.end() if end < 0 else end + 2)
         if token.group("bracket"):
             closing, again = r"(?<!\\)\\\]", r"(?<!\\)\\\["
         elif name and _DISPLAY.fullmatch(name):

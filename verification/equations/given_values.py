@@ -11,7 +11,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
-from armproof.verification.errors import UnboundName
+from armproof.verification.errors import ReadError, UnboundName
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
@@ -59,6 +59,26 @@ class GivenValues:
         for name, node in values.items():
             if (value := self._number(node)) is not None:
                 before[name] = Stated(node, value, line, self.names.state.section)
+
+    def forget(self, said: Iterable[str]) -> None:
+        """The text between two displays gives a joint or a length a value: which configuration follows is not known."""
+        given = self.names.state.configuration
+        for latex in said if given else ():
+            names = {self.names.known_symbol(key) or key for key in self._said_equal(latex)}
+            moves = not names.isdisjoint((*self._joints, "q", "theta"))
+            for name in [name for name in given if name in names or (moves and name not in self._lengths)]:
+                del given[name]
+
+    def _said_equal(self, latex: str) -> set[str]:
+        """The names that stand as a side of an equation in the text, alone or in a list; all names of what is unreadable."""
+        try:
+            chains = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+        except ReadError:
+            return {*self._joints, *self._lengths}
+        sides = [
+            cell for chain in chains if chain.relations for side in chain.members for cell in (side, *_cells(side))
+        ]
+        return {replace(side, dots=0).key for side in sides if isinstance(side, n.Name)}
 
     @property
     def _joints(self) -> list[str]:

@@ -338,3 +338,33 @@ def test_the_places_of_a_display_are_those_of_the_file() -> None:
     assert places(display) == [(2, 16), (3, 0)]
     [display] = parse_document(Path("page.md"), "> > So $$ a\n> > = 1 $$ here").displays
     assert places(display) == [(1, 10), (2, 4)]
+
+
+# -- what the text between displays says -----------------------------------------------------------------------------------
+
+STATED = r"l_1 = 0.4, \quad l_2 = 0.3, \quad \theta_1 = 0, \quad \theta_2 = 0"
+PLACE = r"p_2 = \begin{bmatrix} 0.9 \\ 0 \\ 0 \end{bmatrix}"
+SAID_IN = {
+    ".md": "---\narm: planar_2r\n---\n$$ %s $$\n\nFor $%s$:\n\n$$ %s $$\n",
+    ".tex": "%% arm: planar_2r\n\\[ %s \\]\nFor \\(%s\\):\n\\[ %s \\]\n",
+    ".rst": ":arm: planar_2r\n\n.. math:: %s\n\nFor :math:`%s`:\n\n.. math:: %s\n",
+    ".py": "# %%%% [markdown]\n# ---\n# arm: planar_2r\n# ---\n# $$ %s $$\n#\n# For $%s$:\n\n# %%%% [markdown]\n# $$ %s $$\n",
+}
+
+
+@pytest.mark.parametrize("suffix", SAID_IN)
+@pytest.mark.parametrize(
+    ("said", "verdict"),
+    [
+        (r"\theta_1 = \frac{\pi}{2}", Verdict.UNCHECKED),
+        (r"q = (\frac{\pi}{2}, 0)", Verdict.UNCHECKED),
+        (r"l_1 = 0.6", Verdict.UNCHECKED),
+        (r"\theta_1 = }", Verdict.UNCHECKED),
+        (r"P_x = l_1 c_1", Verdict.REFUTED),
+        (r"\theta_1", Verdict.REFUTED),
+    ],
+)
+def test_numbers_are_not_judged_at_values_that_the_text_replaces(suffix: str, said: str, verdict: Verdict) -> None:
+    document = parse_document(Path(f"page{suffix}"), SAID_IN[suffix] % (STATED, said, PLACE))
+    assert [display.said for display in document.displays] == [(), (said,) if "=" in said else ()]
+    assert check_document(document).equations[-1].verdict is verdict
