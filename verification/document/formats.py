@@ -29,6 +29,7 @@ _MARKS = {
     ".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)),
     ".rst": (".. math::",),
 }
+_EQUATES = re.compile(r"=|≈|\\(?:approx|simeq|equiv)(?![A-Za-z])")
 SUFFIXES = tuple(_READERS)
 
 
@@ -53,7 +54,7 @@ def _with_what_is_said(document: Document) -> Document:
         if display.opening != INLINE:
             displays.append(replace(display, said=tuple(said)))
             said = []
-        elif "=" in display.latex:
+        elif _EQUATES.search(display.latex):
             said.append(display.latex)
     return replace(document, displays=tuple(displays))
 
