@@ -254,7 +254,7 @@ class DocumentChecker:
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
-                self.statements.given.forget(display.said)
+                self.statements.given.heed(display.said, display.line)
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 return self._judge(record, display, self.names.reader.read(display.latex))

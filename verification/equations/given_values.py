@@ -60,25 +60,31 @@ class GivenValues:
             if (value := self._number(node)) is not None:
                 before[name] = Stated(node, value, line, self.names.state.section)
 
-    def forget(self, said: Iterable[str]) -> None:
+    def heed(self, said: Iterable[str], line: int) -> None:
         """The text between two displays gives a joint or a length a value: which configuration follows is not known."""
-        given = self.names.state.configuration
-        for latex in said if given else ():
-            names = {self.names.known_symbol(key) or key for key in self._said_equal(latex)}
+        given, told, section = self.names.state.configuration, self.names.state.told, self.names.state.section
+        for latex in said if self.names.arm is not None else ():
+            names, values = self._said_equal(latex)
             moves = not names.isdisjoint((*self._joints, "q", "theta"))
             for name in [name for name in given if name in names or (moves and name not in self._lengths)]:
                 del given[name]
+            for name in [name for name, value in told.items() if moves and value.line != line]:
+                del told[name]
+            told.update({name: Stated(node, 0.0, line, section) for name, node in values.items()})
 
-    def _said_equal(self, latex: str) -> set[str]:
-        """The names that stand as a side of an equation in the text, alone or in a list; all names of what is unreadable."""
+    def _said_equal(self, latex: str) -> tuple[set[str], Values]:
+        """The names that the text equates to something, alone or in a list, all where it is unreadable; and their values."""
         try:
             chains = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
         except ReadError:
-            return {*self._joints, *self._lengths}
+            return {*self._joints, *self._lengths}, {}
+        values: Values = {}
+        for chain in chains:
+            values |= (self._values(*chain.members) or {}) if len(chain.members) == 2 else {}
         sides = [
             cell for chain in chains if chain.relations for side in chain.members for cell in (side, *_cells(side))
         ]
-        return {replace(side, dots=0).key for side in sides if isinstance(side, n.Name)}
+        return {replace(side, dots=0).key for side in sides if isinstance(side, n.Name)}, values
 
     @property
     def _joints(self) -> list[str]:

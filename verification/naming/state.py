@@ -114,6 +114,7 @@ class DocumentState:
         adopted: letters that only a frame the document adds brings in: a tool's length.
         beyond: a frame the document adds → (on which of the arm's, name).
         configuration: joint variables, rates and lengths → the value that a display gave them.
+        told: the same of the text between displays: no display is judged at these values, but what holds there is not refuted.
         compares_lengths: whether a display says which lengths are larger.
         rounded: names made of rounded numbers → to how many decimals.
         shown: the rows in which a Jacobian is read that only convention binds.
@@ -136,6 +137,7 @@ class DocumentState:
     adopted: set[str] = field(default_factory=set)
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)
     configuration: dict[str, Stated] = field(default_factory=dict)
+    told: dict[str, Stated] = field(default_factory=dict)
     compares_lengths: bool = False
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, JacobianRows] = field(default_factory=dict)

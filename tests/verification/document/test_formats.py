@@ -369,3 +369,21 @@ def test_numbers_are_not_judged_at_values_that_the_text_replaces(suffix: str, sa
     document = parse_document(Path(f"page{suffix}"), SAID_IN[suffix] % (STATED, said, PLACE))
     assert [display.said for display in document.displays] == [(), (said,) if said != r"\theta_1" else ()]
     assert check_document(document).equations[-1].verdict is verdict
+
+
+@pytest.mark.parametrize("suffix", SAID_IN)
+@pytest.mark.parametrize(
+    ("said", "claim", "verdict"),
+    [
+        (r"\theta_2 = \frac{\pi}{2}", r"\det J = l_1 l_2", Verdict.UNCHECKED),
+        (r"\theta_2 = \frac{\pi}{2}", r"\det J = -l_1 l_2", Verdict.REFUTED),
+        (r"\theta_2 = 0", r"\det J = l_1 l_2", Verdict.REFUTED),
+        (r"P_x = 0.5", r"\det J = l_1 l_2", Verdict.REFUTED),
+        (r"\theta_2 = \frac{\pi}{2}", r"\det J = l_1 l_2 s_2", Verdict.PROVED),
+    ],
+)
+def test_what_holds_at_the_values_of_the_text_is_not_refuted(
+    suffix: str, said: str, claim: str, verdict: Verdict
+) -> None:
+    document = parse_document(Path(f"page{suffix}"), SAID_IN[suffix] % (r"s_{12} = s_{12}", said, claim))
+    assert check_document(document).equations[-1].verdict is verdict
