@@ -25,7 +25,6 @@ ENGLISH = re.compile(r"\b(?:wrong|should|missing|swapped|printed)\b")
 
 def replaced(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(finding, "_", lambda sentence: NAMES.get(sentence, ""))
-    monkeypatch.setattr(finding, "_PARSED", {})
 
 
 def checked(path: Path) -> dict[str, Any]:

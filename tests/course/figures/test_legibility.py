@@ -2,8 +2,8 @@
 
 import pytest
 
-from armproof.course.figures.drawing.labels import LANGUAGES
 from armproof.course.figures.registry import KINDS, caption_kind, draw_kind, figures_for, find_kind
+from armproof.course.words import LANGUAGES
 from armproof.models.arm import Arm
 from tests.course.figures.legibility import illegible
 
