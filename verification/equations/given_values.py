@@ -70,7 +70,9 @@ class GivenValues:
                 del given[name]
             for name in [name for name, value in told.items() if moves and value.line != line]:
                 del told[name]
-            told.update({name: Stated(node, 0.0, line, section) for name, node in values.items()})
+            for name, node in values.items():
+                if (value := self._number(node)) is not None:  # θ_2 = kπ gives none
+                    told[name] = Stated(node, value, line, section)
 
     def _said_equal(self, latex: str) -> tuple[set[str], Values]:
         """The names that the text equates to something, alone or in a list, all where it is unreadable; and their values."""

@@ -379,6 +379,7 @@ def test_numbers_are_not_judged_at_values_that_the_text_replaces(suffix: str, sa
         (r"\theta_2 = \frac{\pi}{2}", r"\det J = -l_1 l_2", Verdict.REFUTED),
         (r"\theta_2 = 0", r"\det J = l_1 l_2", Verdict.REFUTED),
         (r"P_x = 0.5", r"\det J = l_1 l_2", Verdict.REFUTED),
+        (r"\theta_2 = k\pi", r"\det J = l_1 l_2", Verdict.REFUTED),
         (r"\theta_2 = \frac{\pi}{2}", r"\det J = l_1 l_2 s_2", Verdict.PROVED),
     ],
 )
