@@ -226,8 +226,10 @@ class Statements:
         self._begin()
         outcomes = self._read_chain(chain, equation, line, define)
         again = partial(self._read_chain, chain, equation, line, False)
-        outcomes = self.checker.angles.settled(chain, outcomes, define, again)
-        if (doubt := self.checker.rows.others((chain,), outcomes, again)) is not None:
+        if self.names.offset_joints:
+            outcomes = self.checker.angles.settled(chain, outcomes, define, again)
+        of_jacobian = self.checker.members.speaks_of_jacobian(chain)
+        if of_jacobian and (doubt := self.checker.rows.others((chain,), outcomes, again)) is not None:
             outcomes = [outcome.left_open(doubt) for outcome in outcomes]
         if not chain.relations and not outcomes:
             return [] if _is_label(chain) else [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.protocol import Value
@@ -42,11 +42,19 @@ class ChainChecker:
         self.route = SecondRoute(self.members)
         self.equality = Equality(self.members, self.route)
         self.readings = Readings(self.equality)
-        self.rows = RowsOfJacobians(self.members)
-        self.angles = TableAngles(names)
         self.conventions = Conventions(self.members, self.route)
         self.redefinitions = Redefinitions(names)
         self.catalogue = Catalogue(self.members)
+
+    @cached_property
+    def rows(self) -> RowsOfJacobians:
+        """The rows in which Jacobians are read; asked only where one is named."""
+        return RowsOfJacobians(self.members)
+
+    @cached_property
+    def angles(self) -> TableAngles:
+        """What the letters of joints with an offset mean; asked only of an arm that has one."""
+        return TableAngles(self.names)
 
     @property
     def confirm(self) -> bool:
@@ -76,7 +84,8 @@ class ChainChecker:
         chain = self.conventions.read(chain)
         is_again = define and bare_key(chain.members[0]) in self.names.state.definitions
         defined = self.redefinitions.before(chain) if is_again else None
-        chain = self.rows.choose(chain)
+        of_jacobian = self.members.speaks_of_jacobian(chain)
+        chain = self.rows.choose(chain) if of_jacobian else chain
         new = new_name(self.names, chain)
         fresh = new_letters(self.names, chain)
         members = [
@@ -112,7 +121,7 @@ class ChainChecker:
             equation = first_equation + max(0, index - 1)
             if member.known:
                 compared = self.equality.compare(true, member, equation, branches)
-                outcomes.append(self.rows.kept(compared) if define else compared)
+                outcomes.append(self.rows.kept(compared) if define and of_jacobian else compared)
             else:
                 outcomes.append(definitions.define(true, member, equation))
         outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
@@ -138,7 +147,7 @@ class ChainChecker:
         """Return the outcomes under another reading of the Jacobian where the first one refutes the chain."""
         made = self.names.state.definitions
         outcomes = first
-        if any(outcome.verdict is Verdict.REFUTED for outcome in first):
+        if any(outcome.verdict is Verdict.REFUTED for outcome in first) and self.members.speaks_of_jacobian(chain):
             outcomes = self.rows.with_fewer(chain, first, check)
         outcomes = self.readings.of_the_tool(chain, outcomes, check)
         if outcomes is first:

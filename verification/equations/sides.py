@@ -121,6 +121,10 @@ class Members:
             node if quantity is not None and quantity.kind == "jacobian" and (parts or quantity.rows is None) else None
         )
 
+    def speaks_of_jacobian(self, *chains: n.Chain) -> bool:
+        """Whether the name of a Jacobian that notation implies stands in chains."""
+        return any(self.jacobian_name(below, True) is not None for chain in chains for below in n.walk(chain))
+
     def decimals(self, *nodes: n.Node) -> int | None:
         """Return the fewest decimals, from three on, of the numbers in trees and of the names made of such; None without."""
         places = []
