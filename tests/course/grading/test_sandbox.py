@@ -91,9 +91,10 @@ def test_a_sandbox_that_does_not_protect_is_refused(base, bwrap, monkeypatch, dr
         monkeypatch.setattr(bubblewrap, "_arguments", lambda own: ["--unshare-pid", "--unshare-ipc", "--unshare-uts",
                                                                    "--unshare-net", "--bind", "/", "/"])  # fmt: skip
         monkeypatch.setattr(bubblewrap.Sandbox, "enter", lambda sandbox: None)
-    with pytest.raises(
-        SandboxError, match=rf"does not protect on this system; not so: .*{ATTEMPTS[failing]}.*--unprotected"
-    ):
+    refused = rf"does not protect on this system; not so: .*{ATTEMPTS[failing]}"
+    if dropped == "--remount-ro":  # a run that joins half of the sandbox may also end before it tries anything (EINVAL)
+        refused = rf"(?:{refused}|does not work on this system: OSError: )"
+    with pytest.raises(SandboxError, match=rf"{refused}.*--unprotected"):
         try_out(bwrap, base)
 
 
