@@ -6,6 +6,7 @@ The keeper is a process of its own, made for one submission; it knows of no othe
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import json
 import os
 import secrets
@@ -147,7 +148,9 @@ def _environment(own: Path) -> dict[str, str]:
 def _arrange(pipes: tuple[int, int]) -> int:
     """Leave nothing open but an empty standard input, the two outputs, and the reports; returns where these go."""
     output, reports = pipes
-    kept = os.dup2(reports, 20 + secrets.randbelow(40), inheritable=False)
+    kept = fcntl.fcntl(
+        reports, fcntl.F_DUPFD_CLOEXEC, 20 + secrets.randbelow(40)
+    )  # a free one: neither output nor itself
     nothing = os.open(os.devnull, os.O_RDONLY)
     for source, target in ((nothing, 0), (output, 1), (output, 2)):
         os.dup2(source, target)
