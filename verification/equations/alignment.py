@@ -182,6 +182,11 @@ def different_entries(pair: Pair, equal: Callable[[Any, Any], bool]) -> list[tup
     ]
 
 
+def agree_exactly(pair: Pair) -> bool:
+    """Whether all entries of a pair are exactly equal."""
+    return not different_entries(pair, exactly_equal)
+
+
 def angle_places(pair: Pair) -> set[tuple[int, int]]:
     """Return the places (from 0) whose exact values hold an arc function: angles, equal up to whole turns."""
     return {

@@ -8,7 +8,14 @@ from dataclasses import dataclass, replace
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
-from armproof.verification.equations.alignment import Pair, different_entries, exactly_equal, is_constant, is_near
+from armproof.verification.equations.alignment import (
+    Pair,
+    agree_exactly,
+    different_entries,
+    exactly_equal,
+    is_constant,
+    is_near,
+)
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Kind, say
@@ -32,7 +39,7 @@ class Catalogue:
             return outcome
         (name,) = outcome.defines
         pairs = [(quantity, Pair(true, value)) for quantity, true in self._alike(value)]
-        exact = [quantity for quantity, pair in pairs if not different_entries(pair, exactly_equal)]
+        exact = [quantity for quantity, pair in pairs if agree_exactly(pair)]
         if len(exact) == 1:
             outcome.read_as = kind_of(exact[0]).tell(exact[0])
             return outcome

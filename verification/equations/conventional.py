@@ -15,6 +15,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
 from armproof.verification.equations.alignment import (
     Pair,
+    agree_exactly,
     align,
     different_entries,
     exactly_equal,
@@ -272,7 +273,7 @@ class Conventions:
         return min(pairs, key=lambda pair: len(different_entries(pair, exactly_equal)), default=None)
 
     def _agree(self, tried: Member, other: Member, pair: Pair | None) -> bool:
-        if pair is not None and not different_entries(pair, exactly_equal):
+        if pair is not None and agree_exactly(pair):
             return True
         if pair is not None and not has_branches(other.node) and not self.members.exact.ring.signs_chosen:
             return False
@@ -295,7 +296,7 @@ class Conventions:
     def _equals(self, quantity: Quantity, value: Matrix) -> bool:
         whole = self.members.exact.quantity(quantity)
         same = isinstance(whole, Matrix) and whole.shape == value.shape
-        return same and not different_entries(Pair(whole, value), exactly_equal)
+        return same and agree_exactly(Pair(whole, value))
 
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit."""
@@ -305,18 +306,16 @@ class Conventions:
         if outcome.verdict is not Verdict.REFUTED or (outcome.pair is not None and is_near(outcome.pair)):
             return outcome
         if self._holds_numbers_for_lengths(outcome):
-            return replace(
-                outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.NUMBERS_FOR_LENGTHS),), pair=None, wrong=[]
-            )
+            return outcome.left_open(say(Kind.NUMBERS_FOR_LENGTHS))
         if outcome.true is not None and _is_placed_above(outcome.true.node):  # p_0^2 may place frame 2 in frame 0
-            return replace(outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.WHICH_INDEX),), pair=None, wrong=[])
+            return outcome.left_open(say(Kind.WHICH_INDEX))
         if not self.weak:
             return outcome
         key = min(self.weak)
         quantity = self.names.state.inferred.get(key)
         self._forget(self.weak)
         finding = self._finding(key, quantity) if quantity is not None else say(Kind.NOT_BOUND, name=key)
-        return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), pair=None, wrong=[])
+        return outcome.left_open(finding)
 
     def _holds_numbers_for_lengths(self, outcome: Outcome) -> bool:
         """Whether decimals stand where the arm has lengths to which the document gives no values: det J_v = 0.15 s_2."""

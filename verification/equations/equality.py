@@ -16,6 +16,7 @@ from armproof.verification.equations.alignment import (
     ROTATION,
     Pair,
     ShapeMismatch,
+    agree_exactly,
     align,
     different_entries,
     exactly_equal,
@@ -85,10 +86,7 @@ class Equality:
     def equals_block(self, true: Value, printed: Value) -> bool:
         """Whether a block of a matrix has the value printed for it."""
         try:
-            return any(
-                not pair.note and not different_entries(pair, exactly_equal)
-                for pair in align(true, printed, self.exact)
-            )
+            return any(not pair.note and agree_exactly(pair) for pair in align(true, printed, self.exact))
         except EvaluationError:
             return False
 

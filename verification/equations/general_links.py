@@ -9,7 +9,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import align, different_entries, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import ELEMENTARY, Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import greek
@@ -22,7 +22,6 @@ NEARLY = 6  # a matrix with at most so many wrong entries is meant to be that li
 
 
 LINKS = {convention: n.Name("link", sub=convention) for convention in ("classic", "modified")}
-ELEMENTARY = ("Rot", "Rot3", "Trans")
 ANGLES = frozenset([*greek.ANGLES, "q", "pi"])
 LENGTHS = frozenset(["a", "d", "l", "b", "r"])
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display
-from armproof.verification.equations.alignment import align, different_entries, exactly_equal
+from armproof.verification.equations.alignment import agree_exactly, align
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import EvaluationError, ReadError
@@ -72,4 +72,4 @@ def _equal(checker: ChainChecker, true: Member, printed: Member) -> bool:
         return False
     cells = [cell for pair in pairs for row in pair.printed.rows for cell in row]
     telling = any(isinstance(cell, Scalar) and cell.as_fraction() is None for cell in cells)
-    return telling and any(not different_entries(pair, exactly_equal) for pair in pairs)
+    return telling and any(agree_exactly(pair) for pair in pairs)

@@ -7,14 +7,12 @@ from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.document import Document
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import EquationResult, Record, Role, TakenArm, Verdict, worst
-
-_HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
 
 
 @dataclass(frozen=True)
@@ -57,7 +55,7 @@ def settle_data(
     claims = [each for record in equations for each in record.outcomes if not _is_data(taken, record, each.links)]
     settled = _Settled(
         taken,
-        frozenset(link for each in claims if each.verdict in _HOLDS for link in each.links),
+        frozenset(link for each in claims if each.verdict in HOLDS for link in each.links),
         any(each.is_decided and each.links for each in claims),
         {key: each.links for each in claims for key in each.defines},
     )
@@ -114,7 +112,7 @@ class _Settled:
     def display(self, record: Record) -> Record:
         """Return the record of a display."""
         if not record.outcomes:  # a table that is set as an array, or what was not read
-            return self.table(record) if record.verdict in (*_HOLDS, Verdict.REFUTED) else record
+            return self.table(record) if record.verdict in (*HOLDS, Verdict.REFUTED) else record
         outcomes = tuple(self._outcome(each, record) for each in record.outcomes)
         verdict = worst([each.verdict for each in outcomes])
         findings = list(record.findings)
@@ -127,7 +125,7 @@ class _Settled:
 
     def _outcome(self, result: EquationResult, record: Record) -> EquationResult:
         """Return an equation's result; unchecked where it differs from the source in what nothing else confirms."""
-        if result.verdict in _HOLDS and _is_data(self.taken, record, result.links):
+        if result.verdict in HOLDS and _is_data(self.taken, record, result.links):
             return result if result.links <= self.confirmed else self._data(result.index)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
         has_entry = any(entry.equation == result.index for entry in record.entries)
