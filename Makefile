@@ -14,7 +14,7 @@ READY := $(VENV)/.installed
 READY_TO_LINT := $(VENV)/.installed-lint
 READY_TO_LAB := $(VENV)/.installed-lab
 
-.PHONY: report lab lessons site figures test lint format mutation benchmark sweep clean
+.PHONY: report lab lessons site figures translations test lint format mutation benchmark sweep clean
 
 # Exit code 2 of the command means that it could not run: then the report of the last run stays.
 report: $(READY)
@@ -73,6 +73,10 @@ sweep: $(READY)
 
 figures: $(READY)
 	$(VENV)/bin/armproof figures --out $(BUILD)/figures
+
+# Writes what is new into the catalogues, and lists what is to translate.
+translations: $(READY)
+	$(VENV)/bin/python -m tests.translations
 
 # Leaves the environment, which takes minutes to build; `rm -rf .venv` removes it.
 clean:

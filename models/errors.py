@@ -7,11 +7,10 @@ written when it is asked for, so that it can be translated.
 from __future__ import annotations
 
 from enum import StrEnum, unique
-from gettext import NullTranslations
 from string import Formatter
 from typing import Any
 
-look_up = NullTranslations().gettext  # the one look-up of a sentence: a catalogue is bound here
+from armproof.models.language import look_up, look_up_plural, number_text, separator
 
 
 class MessageKind(StrEnum):
@@ -51,7 +50,10 @@ class ArmproofError(Exception):
 class _Writer(Formatter):
     def format_field(self, value: Any, format_spec: str) -> str:
         """Return a term in words: the items of a list one after the other."""
-        return ", ".join(map(str, value)) if isinstance(value, list) else format(value, format_spec)
+        if isinstance(value, list):
+            texts = [number_text(item) for item in value]
+            return separator(texts).join(texts)
+        return number_text(value, format_spec)
 
 
 _WRITER = _Writer()
@@ -60,6 +62,11 @@ _WRITER = _Writer()
 def written(template: str, /, **terms: Any) -> str:
     """Return a sentence of the look-up with its terms; one without terms is no template, but stands as it is."""
     return _WRITER.vformat(look_up(template), (), terms) if terms else look_up(template)
+
+
+def counted(one: str, many: str, number: int, /, **terms: Any) -> str:
+    """Return the sentence for a number of things, which both templates may name as {number}."""
+    return _WRITER.vformat(look_up_plural(one, many, number), (), {"number": number, **terms})
 
 
 def _plain(term: object) -> object:

@@ -70,7 +70,7 @@ def undeclared_imports(place: str, source: str) -> set[str]:
     found = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     found |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0 and node.module}
     foreign = {name.partition(".")[0] for name in found} - {*sys.stdlib_module_names, "armproof"}
-    return {name for name in foreign if not distributions().get(name, set()) & declared}
+    return {name for name in foreign if not distributions().get(name, {name}) & declared}
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from string import Formatter
 from typing import Any
 
 from armproof.models.errors import ArmproofError, MessageKind
-from armproof.models.errors import look_up as _
+from armproof.models.language import look_up, number_text, separator
 from armproof.verification.findings.kinds import WORDS, Kind
 
 
@@ -119,12 +119,12 @@ def distinct(findings: Iterable[Finding], audience: Audience = Audience.REPORT) 
 def pieces(finding: Finding, audience: Audience = Audience.REPORT) -> Iterator[tuple[str, Piece]]:
     """Yield a finding in words: the only place where a sentence is made, so that formulas are told from words."""
     own = finding.kind.student if audience is Audience.STUDENT else None
-    template = _(finding.kind.template if own is None else own)
+    template = look_up(finding.kind.template if own is None else own)
     if not template:
         return
     parsed = _parsed(template)
     if finding.row is not None and finding.column is not None and not any(name == "row" for _, name, _ in parsed):
-        yield _("entry ({row}, {column}): ").format(row=finding.row, column=finding.column), Piece.WORDS
+        yield look_up("entry ({row}, {column}): ").format(row=finding.row, column=finding.column), Piece.WORDS
     terms = {"row": finding.row, "column": finding.column, **finding.terms}
     inside = Piece.WORDS
     for literal, name, form in parsed:
@@ -151,20 +151,21 @@ def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[t
     if isinstance(term, Finding):
         yield from pieces(term, audience)
     elif isinstance(term, list | tuple):
-        for index, item in enumerate(term):
-            if index:
-                yield ", ", Piece.WORDS
-            yield from _term(item, form, inside, audience)
+        items = [list(_term(item, form, inside, audience)) for item in term]
+        between = separator([text for item in items for text, kind in item if kind is Piece.WORDS])
+        for index, item in enumerate(items):
+            yield from [(between, Piece.WORDS), *item] if index else item
     elif form == "nth":
         yield _nth(term), inside
     else:
-        yield format(_(term) if isinstance(term, str) and term in WORDS else term, form), inside
+        term = look_up(term) if isinstance(term, str) and term in WORDS else term
+        yield number_text(term, form) if inside is Piece.WORDS else format(term, form), inside
 
 
 def _nth(number: int) -> str:
     """Return 1 as "first": "factor 2" would be read as the number."""
     names = ("first", "second", "third", "fourth", "fifth", "sixth")
-    return _(names[number - 1]) if number <= len(names) else f"{number}th"
+    return look_up(names[number - 1]) if number <= len(names) else look_up("{number}th").format(number=number)
 
 
 def _plain(term: Any) -> Any:

@@ -1,0 +1,123 @@
+"""What Armproof says to people, found in its sources: kinds of messages, sentences of commands and errors, helps, pages, arms."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from inspect import cleandoc
+from pathlib import Path
+from typing import Any
+
+import yaml
+from babel.messages.extract import extract_from_dir
+from typer.main import get_command
+
+from armproof.models.language import FOLDER
+from armproof.verification.cli.application import app, as_command, commands
+from armproof.verification.findings.kinds import WORDS
+from tests.models.test_errors import errors_of
+from tests.translations.catalogues import Message
+
+ROOT = Path(__file__).resolve().parents[2]
+ROOMS = ("models", "verification", "course")
+SAYS = {"tell", "written", "look_up", "noted"}
+PLURALS = {"counted", "look_up_plural"}
+
+
+def catalogue_of_messages(lang: str) -> Path:
+    return FOLDER / lang / "messages.po"
+
+
+def said() -> Iterator[Message]:
+    """Yield all that the catalogue of messages translates."""
+    for message in (*of_modules(), *of_templates(), *of_commands(), *of_arms(), *of_words()):
+        if re.search(r"[^\W\d_]", re.sub(r"\{[^{}]*\}|\$[^$]*\$|`[^`]*`", "", message.text)):
+            yield message
+
+
+def of_modules() -> Iterator[Message]:
+    """Yield what the modules say: the templates of kinds, of errors, and of what commands write."""
+    trees = {path: ast.parse(path.read_text(encoding="utf-8")) for path in sources(".py")}
+    errors = errors_of([node for tree in trees.values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef)])
+    for path, tree in trees.items():
+        for texts in (found for node in ast.walk(tree) for found in _said_by(node, SAYS | errors)):
+            yield Message(texts[0], place(path), *texts[1:])
+
+
+def of_templates() -> Iterator[Message]:
+    """Yield what the templates of pages say."""
+    for room in ROOMS:
+        found = extract_from_dir(
+            str(ROOT / room), [("**/templates/**.html", "jinja2")], keywords={"_": None, "counted": (1, 2)}
+        )
+        for file, _, texts, _, _ in found:
+            yield Message(
+                (texts if isinstance(texts, str) else texts[0]),
+                f"{room}/{file}",
+                *texts[1:] if isinstance(texts, tuple) else (),
+            )
+
+
+def of_commands() -> Iterator[Message]:
+    """Yield the helps of all commands, of their options and arguments."""
+    yield from _helps(get_command(app), "armproof")
+    for name, found in commands().items():
+        yield from _helps(as_command(name, found.load()), f"armproof {name}")
+
+
+def of_arms() -> Iterator[Message]:
+    """Yield what the cards of the arms tell of them."""
+    for path in sorted((ROOT / "models").glob("*/arm.yaml")):
+        card = yaml.safe_load(path.read_text(encoding="utf-8"))
+        yield from (Message(card[key], place(path)) for key in ("title", "zero") if isinstance(card.get(key), str))
+
+
+def of_words() -> Iterator[Message]:
+    """Yield the terms of findings that are words."""
+    yield from (Message(word, "verification/findings/kinds.py") for word in sorted(WORDS))
+
+
+def sources(suffix: str) -> list[Path]:
+    """Return the files of the rooms that are ours: lessons and tasks have catalogues of their own."""
+    found = [path for room in ROOMS for path in sorted((ROOT / room).rglob(f"*{suffix}"))]
+    return [path for path in found if not {"lessons", "tasks", "handouts"} & set(path.relative_to(ROOT).parts)]
+
+
+def place(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+def _said_by(node: ast.AST, names: set[str]) -> Iterator[tuple[str, ...]]:
+    if isinstance(node, ast.ClassDef) and "MessageKind" in {ast.unparse(base) for base in node.bases}:
+        members = [
+            each.value.elts[1:]
+            for each in node.body
+            if isinstance(each, ast.Assign) and isinstance(each.value, ast.Tuple)
+        ]
+        yield from ((text,) for member in members for text in map(_constant, member) if text)
+    elif isinstance(node, ast.Call):
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        if name in PLURALS:
+            yield from [texts for texts in [tuple(map(_constant, node.args[:2]))] if all(texts)]
+        elif name in names:
+            yield from ((text,) for argument in node.args for text in _constants(argument))
+
+
+def _constants(node: ast.expr) -> Iterator[str]:
+    """Yield the sentences of an argument: one, or one of two."""
+    if isinstance(node, ast.IfExp):
+        yield from (text for branch in (node.body, node.orelse) for text in _constants(branch))
+    elif text := _constant(node):
+        yield text
+
+
+def _constant(node: ast.expr) -> str:
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
+
+
+def _helps(command: Any, name: str) -> Iterator[Message]:
+    texts = [command.help, *(getattr(each, "help", None) for each in command.params)]
+    yield from (Message(cleandoc(text), name) for text in texts if text)
+    for inner in getattr(command, "commands", {}).values():
+        yield from _helps(inner, f"{name} {inner.name}")
