@@ -24,7 +24,7 @@ ENGLISH = re.compile(r"\b(?:wrong|should|missing|swapped|printed)\b")
 
 
 def replaced(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(finding, "_", lambda sentence: NAMES.get(sentence, ""))
+    monkeypatch.setattr(finding, "look_up", lambda sentence: NAMES.get(sentence, ""))
 
 
 def checked(path: Path) -> dict[str, Any]:
