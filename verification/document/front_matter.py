@@ -171,7 +171,7 @@ def _read_key_by_key(path: Path, block: str, first_line: int) -> Iterator[tuple[
     """Yield the keys of a block that is no YAML as a whole, each read alone: a broken one of another tool has no value."""
     lines = block.split("\n")
     starts = [number for number, line in enumerate(lines) if _KEY.match(line)]
-    for start, end in zip(starts, [*starts[1:], len(lines)], strict=True):
+    for start, end in zip(starts, [*starts[1:], len(lines)], strict=False):  # there may be none
         key = (_KEY.match(lines[start]) or [""] * 2)[1]
         try:
             yield key, _load(path, "\n".join(lines[start:end]), first_line + start)[key]
