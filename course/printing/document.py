@@ -81,9 +81,9 @@ def _bodies(path: Path) -> Sequence[tuple[str, int, int | None]]:
             path=path, suffix=path.suffix, printed=list(PRINTED))  # fmt: skip
     text = read_text(path)
     if path.suffix != ".ipynb":
-        _, body, first = split_front_matter(path, text)
+        _, _, body, first = split_front_matter(path, text)
         return [(body, first, None)]
-    return split_cells(path, read_cells(path, text))[1]
+    return split_cells(path, read_cells(path, text))[2]
 
 
 def _titled(document: Document, blocks: list[Block], inline: InlineReader) -> tuple[tuple[Inline, ...], list[Block]]:

@@ -20,6 +20,7 @@ from armproof.course.printing.mathematics import quoted, typst_mathematics
 from armproof.course.sheet import model as s
 from armproof.course.sheet.proof import proof_line, remark
 from armproof.course.words import say
+from armproof.verification.latex.mathml.box import Box
 from armproof.verification.latex.mathml.display import Line
 
 _SPECIAL = re.compile(r"[!#$%&*+\-./:;<=>?@\[\\\]^_`{|}~]")
@@ -58,7 +59,7 @@ class TypstWriter:
             "source": self._content(sheet.source) if sheet.source else "none",
             "lang": quoted(sheet.lang),
             "draft": quoted(say("draft", sheet.lang)) if sheet.draft else "none",
-            "proof": quoted(proof_line(sheet.records, sheet.lang, sheet.arm)),
+            "proof": quoted(sheet.foot or proof_line(sheet.records, sheet.lang, sheet.arm)),
             "edition": quoted(say("edition", sheet.lang)) if sheet.solutions else "none",
         }
         arguments = ", ".join(f"{name}: {value}" for name, value in settings.items())
@@ -121,11 +122,18 @@ class TypstWriter:
             return f"#raw({quoted(part.text)});"
         if isinstance(part, s.Formula):
             whole = sum(piece.width for piece in part.pieces) < _WHOLE
-            written = " ".join(f"${typst_mathematics(piece.markup)}$" for piece in part.pieces)
+            written = " ".join(map(_within_words, part.pieces))
             return f"#box[{written}];" if whole else written
         if isinstance(part, s.Link):
             return f"#link({quoted(part.target)}){self._content(part.parts)};"
         return "#linebreak();"
+
+
+def _within_words(piece: Box) -> str:
+    mathematics = f"${typst_mathematics(piece.markup)}$"
+    if "<mtable" not in piece.markup:
+        return mathematics
+    return f"#box[#set par(leading: 0pt)\n{mathematics}]"  # a line is as high as a matrix in it
 
 
 def _line(line: Line) -> str:

@@ -155,6 +155,7 @@ class Sheet:
         draft: whether DRAFT is printed across it.
         solutions: whether it is the edition with solutions and errata.
         warnings: what of the document is not on it, and why.
+        foot: what stands at its foot; empty: how many of its equations are proved.
     """
 
     title: tuple[Inline, ...]
@@ -165,6 +166,7 @@ class Sheet:
     draft: bool = False
     solutions: bool = False
     warnings: tuple[str, ...] = ()
+    foot: str = ""
 
     @property
     def records(self) -> tuple[Record, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, NoReturn
@@ -16,6 +16,8 @@ from armproof.verification.cli.documents import check_and_report, check_each_pat
 from armproof.verification.report.text import text_report, write_lines
 from armproof.verification.report.totals import Totals
 from armproof.verification.verdict import DocumentResult, Failure
+
+Result = DocumentResult | Failure
 
 
 class Format(StrEnum):
@@ -39,6 +41,10 @@ Verbose = Annotated[bool, typer.Option("--verbose", help="Tell of every equation
 Report = Annotated[
     Path | None, typer.Option("--report", metavar="DIR", help="Write web pages as well, into a folder of their own.")
 ]
+Errata = Annotated[
+    Path | None,
+    typer.Option("--errata", metavar="FILE", help="Write one sheet of all mistakes as well: .md, .tex or .pdf."),
+]
 Jobs = Annotated[
     int | None,
     typer.Option(
@@ -54,6 +60,7 @@ def verify(
     strict: Strict = False,
     verbose: Verbose = False,
     report: Report = None,
+    errata: Errata = None,
     watch: Watching = False,
     jobs: Jobs = None,
 ) -> None:
@@ -63,41 +70,52 @@ def verify(
     """
     documents = paths or [find_course()]
     if watch:
-        _watch(documents, report_format, report, strict)
+        _watch(documents, report_format, report or errata, strict)
     totals = Totals(strict)
+    takers = [totals.add]
     try:
+        if errata is not None:
+            from armproof.verification.cli.errata import ErrataSheet
+
+            sheet = ErrataSheet(errata, _files(documents))
+            takers.append(sheet.add)
         if report is None:
-            results: Iterable[DocumentResult | Failure] = check_each_path(documents, jobs=jobs)
+            results: Iterable[Result] = check_each_path(documents, jobs=jobs, correct=errata is not None)
         else:
             results = check_and_report(documents, report, strict=strict, jobs=jobs)
-        write_report(_counted(results, totals), report_format, strict, verbose)
+        write_report(_taken(results, takers), report_format, strict, verbose)
+        if errata is not None:
+            sheet.write()
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
-    except ArmproofError as error:  # of the report's folder: what is wrong with a document is in its result
+    except ArmproofError as error:  # of what is written: what is wrong with a document is in its result
         give_up(error)
     complain(totals.messages)
     raise typer.Exit(exit_code(totals))
 
 
-def _counted(results: Iterable[DocumentResult | Failure], totals: Totals) -> Iterator[DocumentResult | Failure]:
-    """Yield the results, each counted: none is kept."""
+def _files(paths: Sequence[Path]) -> list[Path]:
+    return [each for each in named_documents(paths) if isinstance(each, Path)]
+
+
+def _taken(results: Iterable[Result], takers: Sequence[Callable[[Result], None]]) -> Iterator[Result]:
+    """Yield the results, each given to those that count it: none is kept."""
     for result in results:
-        totals.add(result)
+        for take in takers:
+            take(result)
         yield result
 
 
 def _watch(paths: Sequence[Path], report_format: Format, report: Path | None, strict: bool) -> NoReturn:
     """Watch the documents until the user ends it; the exit code is that of their last verdicts."""
     if report_format is not Format.text or report is not None:
-        tell("--watch writes text for people: give it neither --format nor --report")
+        tell("--watch writes text for people: give it none of --format, --report and --errata")
         raise typer.Exit(CANNOT_RUN)
     from armproof.verification.cli.watching import watch_documents
 
     try:
         failures = [each for each in named_documents(paths) if isinstance(each, Failure)]
-        results = watch_documents(
-            lambda: [each for each in named_documents(paths) if isinstance(each, Path)], failures, strict=strict
-        )
+        results = watch_documents(lambda: _files(paths), failures, strict=strict)
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
     totals = Totals(strict)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from armproof.verification.document.cells import percent_cells
-from armproof.verification.document.front_matter import read_any_text
+from armproof.verification.document.front_matter import read_text
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import INLINE, Display, Document
 from armproof.verification.document.notebook import read_notebook, read_percent
@@ -35,9 +35,7 @@ SUFFIXES = tuple(_READERS)
 
 def read_document(path: Path) -> Document:
     """Return the document of a file; raises DocumentError with file and line where it is not one."""
-    text, remarks = read_any_text(path)
-    document = parse_document(path, text)
-    return replace(document, remarks=(*remarks, *document.remarks))
+    return parse_document(path, read_text(path))
 
 
 def parse_document(path: Path, text: str, format: str = "") -> Document:
@@ -95,7 +93,7 @@ def _files_below(folder: Path) -> list[Path]:
 
 def _is_document(path: Path) -> bool:
     try:
-        text, _ = read_any_text(path)
+        text = read_text(path)
     except DocumentError:
         return path.suffix != ".py"
     return _has_displays(path.suffix, text) or _names_an_arm(text)

@@ -606,9 +606,8 @@ class Kind(MessageKind):
     FRONT_MATTER_NOT_YAML = "front_matter_not_yaml", "the front matter is not YAML: {reason}"
     FRONT_MATTER_NO_MAPPING = "front_matter_no_mapping", "the front matter must be a mapping of keys such as 'arm: scara'"
     KEY_TWICE = "key_twice", "the front-matter key '{key}' stands twice, first in line {first}"
-    FOREIGN_KEYS = "foreign_keys", "front-matter keys of other tools are left alone: {keys}; those that are read are {ours}"
-    FOREIGN_FRONT_MATTER = "foreign_front_matter", "the front matter between '+++' is left alone; what is read stands between '---'"
-    READ_AS_WESTERN = "read_as_western", "it is not in UTF-8: the letters with accents are read as those of Windows-1252"
+    UNKNOWN_KEY = "unknown_key", "unknown front-matter key '{key}'; the keys are {keys}"
+    KEY_NOT_TEXT = "key_not_text", "'{key}' must be text, not {value}"
     ARM_EMPTY = "arm_empty", "'arm' is empty; name an arm, a model file or a DH table, or leave the key out"
 
     # -- what the front matter says -------------------------------------------------------------------------------------
@@ -658,3 +657,18 @@ class Kind(MessageKind):
     THE_COLUMN = "the_column", "column {number}"
     THE_COLUMNS = "the_columns", "columns {numbers}"
     BOTH = "both", "{one} and {other}"
+
+    # -- an errata sheet ------------------------------------------------------------------------------------------------
+    ERRATA_COUNT = "errata_count", "Mistakes: {mistakes}; documents: {documents}. The gravest stand first."
+    NO_ERRATA = "no_errata", "No mistake was found."
+    ERRATA_PLACE = "errata_place", "{index}. {path}, line {line}"
+    ERRATA_PLACE_IN_CELL = "errata_place_in_cell", "{index}. {path}, cell {cell}, line {line}"
+    PRINTED = "printed", "printed: ${printed}$"
+    RIGHT = "right", "right: ${correct}$"
+    IN_FORMULA = "in_formula", "in the formula of ${name}$"
+    PRINTED_WHOLE = "printed_whole", "the derivation as a whole"
+    PRINTED_RIGHT = "printed_right", "printed: ${printed}$, right: ${correct}$"
+    PRINTED_BECAUSE = "printed_because", "printed: ${printed}$, right: ${correct}$ ({change})"
+    WHY = "why", "why: {reason}"
+    FOR_EXAMPLE = "for_example", "for example at `{values}`"
+    ALSO_IN = "also_in", "the same error stands in line {lines}"

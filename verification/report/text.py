@@ -123,7 +123,6 @@ def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
         (arm, FAINT),
         (f"  {Tally('display', result.equations)}{tables}", ""),
     )
-    yield from (((f"    {remark}", FAINT),) for remark in result.remarks)
     if result.inverse is not None and result.inverse.passes and result.inverse.verdict is not Verdict.UNCHECKED:
         words = f"inverse kinematics {result.inverse.verdict.value}: {_short(result.inverse.message)}"
         yield ((f"    {words}", FAINT),)

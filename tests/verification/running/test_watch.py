@@ -163,10 +163,10 @@ def test_a_watch_that_is_ended_before_its_first_report_was_interrupted(
     assert (end.value.code, capsys.readouterr()) == (130, ("", ""))
 
 
-@pytest.mark.parametrize("options", [["--format", "json"], ["--report", "out"]])
+@pytest.mark.parametrize("options", [["--format", "json"], ["--report", "out"], ["--errata", "errata.md"]])
 def test_a_watch_writes_text_alone(folder: Path, options: list[str]) -> None:
     run = subprocess.run(
         [ARMPROOF, "verify", "--watch", *options, folder], capture_output=True, text=True, timeout=60, cwd=folder
     )
     assert (run.returncode, run.stdout) == (2, "")
-    assert run.stderr == "armproof: --watch writes text for people: give it neither --format nor --report\n"
+    assert run.stderr == "armproof: --watch writes text for people: give it none of --format, --report and --errata\n"
