@@ -58,9 +58,10 @@ class Conventions:
         if self.names.arm is None:
             return chain
         self.weak, self.open = set(), {}
-        for key in [key for member in chain.members if (key := _plain_key(member)) in self.names.state.conventional]:
-            self.names.state.conventional.discard(key)
-            self.names.state.inferred.pop(key, None)
+        keys = {_plain_key(member) for member in chain.members}
+        self._forget(keys & self.names.state.conventional)
+        for key in filter(self._usual, keys):
+            self.names.state.definitions.pop(key, None)
         members = (self._as_name(self._with_arrows(member)) for member in chain.members)
         return replace(chain, members=tuple(members)) if len(chain.members) > 1 else chain
 
@@ -188,7 +189,7 @@ class Conventions:
             return member
         if name is None:
             return self._with_entries(member, known)
-        near: Quantity | None = None
+        near, usual = None, self._usual(name.key)
         for quantity in self._candidates(member.node, name):
             tried = self._tried(member.node, name, quantity)
             for other in known if tried.known else ():
@@ -196,12 +197,14 @@ class Conventions:
                 if pair is None and not isinstance(other.problem, OutsideAlgebra):
                     continue
                 if self._agree(tried, other, pair):
+                    self.names.state.usual[name.key, self.names.state.section] = quantity
                     return tried
                 if pair is not None and is_usual(name) and not is_constant(pair.printed):
                     self.open.setdefault(name.key, quantity)
-                    near = near or (quantity if quantity.kind != "angle" and is_near(pair) else None)
+                    may_be_near = quantity == usual or quantity.kind != "angle"
+                    near = near or (quantity if may_be_near and is_near(pair) else None)
         self._forget({name.key})
-        if near is None or self._is_of_another(known):
+        if near is None or (near != usual and self._is_of_another(known)):
             return member
         self.open.pop(name.key, None)
         return self._tried(member.node, name, near)
@@ -236,6 +239,10 @@ class Conventions:
         for key in keys:
             self.names.state.inferred.pop(key, None)
             self.names.state.conventional.discard(key)
+
+    def _usual(self, key: str) -> Quantity | None:
+        """Return what an equation under this heading has shown a name to be, as convention says."""
+        return self.names.state.usual.get((key, self.names.state.section))
 
     def _is_open(self, node: n.Node, name: n.Name) -> bool:
         state = self.names.state
@@ -303,7 +310,11 @@ class Conventions:
         if outcome.verdict is Verdict.DEFINED and (named := set(outcome.defines) & set(self.open)):
             key = min(named)
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(self._finding(key, self.open[key]),))
-        if outcome.verdict is not Verdict.REFUTED or (outcome.pair is not None and is_near(outcome.pair)):
+        if outcome.verdict is not Verdict.REFUTED:
+            return outcome
+        if (meant := self._defined_otherwise(outcome)) is not None:
+            return outcome.left_open(meant)
+        if outcome.pair is not None and is_near(outcome.pair):
             return outcome
         if self._holds_numbers_for_lengths(outcome):
             return outcome.left_open(say(Kind.NUMBERS_FOR_LENGTHS))
@@ -316,6 +327,19 @@ class Conventions:
         self._forget(self.weak)
         finding = self._finding(key, quantity) if quantity is not None else say(Kind.NOT_BOUND, name=key)
         return outcome.left_open(finding)
+
+    def _defined_otherwise(self, outcome: Outcome) -> Finding | None:
+        """A name that the document gave another meaning is exactly what it usually is: nobody can tell which is meant."""
+        name = _plain(outcome.true.node) if outcome.true is not None else None
+        definition = self.names.state.definitions.get(name.key) if name is not None else None
+        arm = self.names.arm
+        if name is None or definition is None or arm is None or outcome.printed is None:
+            return None
+        for quantity in filter(None, map(self._with_rows, conventional(name, arm, self.names.transforms))):
+            usual = Member(name, self.members.exact.quantity(quantity))
+            if (pair := self._closest(usual, outcome.printed)) is not None and agree_exactly(pair):
+                return say(Kind.SECOND_MEANING, name=name.key, line=definition.line)
+        return None
 
     def _holds_numbers_for_lengths(self, outcome: Outcome) -> bool:
         """Whether decimals stand where the arm has lengths to which the document gives no values: det J_v = 0.15 s_2."""

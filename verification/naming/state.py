@@ -110,6 +110,7 @@ class DocumentState:
         definitions: what names mean.
         inferred: names whose meaning the other side of an equation told.
         conventional: those of them that only convention binds.
+        usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
         beyond: a frame the document adds → (on which of the arm's, name).
@@ -132,6 +133,7 @@ class DocumentState:
     definitions: dict[str, Definition] = field(default_factory=dict)
     inferred: dict[str, Quantity] = field(default_factory=dict)
     conventional: set[str] = field(default_factory=set)
+    usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
     adopted: set[str] = field(default_factory=set)

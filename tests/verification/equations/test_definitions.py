@@ -57,3 +57,23 @@ def test_a_wrong_entry_is_marked_and_a_wrong_block_is_said(check: Callable[..., 
     assert [(e.row, e.column, e.correct) for e in entry.entries] == [(3, 1, "0")]
     assert [(e.row, e.column, e.printed) for e in twice.entries] == [(2, 1, "G")]
     assert block.message == "a block differs" and not block.entries
+
+
+PHI, TWICE, FIRST = (rf"\varphi = {angle}" for angle in (r"\theta_1 + \theta_2", r"2\theta_1 + \theta_2", r"\theta_1"))
+
+
+@pytest.mark.parametrize(
+    ("displays", "verdicts"),
+    [
+        ([PHI, TWICE, PHI], "proved refuted proved"),
+        ([PHI, FIRST, PHI], "proved unchecked proved"),
+        ([PHI, r"\varphi = l_1 \theta_1", PHI, TWICE], "proved unchecked proved refuted"),
+        ([TWICE, PHI], "unchecked unchecked"),  # nobody can tell which is meant
+        ([f"x = {X[4:]}", f"x = {Y[4:]}", f"x = {X[4:]}"], "proved unchecked proved"),
+    ],
+    ids=" ; ".join,
+)
+def test_a_usual_name_keeps_under_its_heading_what_an_equation_showed_it_to_be(
+    check: Callable[..., DocumentResult], displays: list[str], verdicts: str
+) -> None:
+    assert " ".join(record.verdict.value for record in check(*displays, **FRONT).equations) == verdicts
