@@ -1,0 +1,1 @@
+"""Documents in another language: their prose from catalogues of gettext, everything else from the one source, by place."""
