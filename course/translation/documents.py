@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from io import StringIO
 from pathlib import Path
 from tokenize import COMMENT, DEDENT, INDENT, NEWLINE, STRING, TokenInfo, generate_tokens
 
+from armproof.course.translation.catalogue import Translate
 from armproof.course.translation.markdown import segments, translated_markdown
 from armproof.course.translation.prose import Prose
 from armproof.verification.document.cells import Cell, percent_cells
 from armproof.verification.document.front_matter import split_front_matter
 
-Translate = Callable[[str], str]  # Markdown in, Markdown out, on as many lines
+Change = Callable[[str], str]  # Markdown in, Markdown out, on as many lines
 
 _NAMED = re.compile(r"^(?P<key>title|source): +(?P<value>\S.*)$", re.MULTILINE)
 _OPENING = re.compile(r'(?P<call>open_lesson\("\w+")(?=[,)])')
@@ -36,13 +37,13 @@ def prose_of(path: Path, text: str) -> list[Prose]:
     return list(found.values())
 
 
-def translated(path: Path, text: str, catalogue: Mapping[str, str], lang: str) -> str:
+def translated(path: Path, text: str, translate: Translate, lang: str) -> str:
     """Return a document's text with its prose in another language, on as many lines; a lesson is opened in it."""
-    made = _changed(path, text, lambda markdown: translated_markdown(markdown, catalogue))
+    made = _changed(path, text, lambda markdown: translated_markdown(markdown, translate))
     return _OPENING.sub(rf'\g<call>, lang="{lang}"', made) if path.suffix == ".py" else made
 
 
-def _changed(path: Path, text: str, change: Translate) -> str:
+def _changed(path: Path, text: str, change: Change) -> str:
     """Return a document's text with each of its Markdown texts changed."""
     if path.suffix != ".py":
         return _changed_markdown(path, text, change)
@@ -54,13 +55,13 @@ def _changed(path: Path, text: str, change: Translate) -> str:
     return "\n".join(lines)
 
 
-def _changed_markdown(path: Path, text: str, change: Translate) -> str:
-    front, _, body, _ = split_front_matter(path, text)
+def _changed_markdown(path: Path, text: str, change: Change) -> str:
+    front, body, _ = split_front_matter(path, text)
     head = text.replace("\r\n", "\n")[: -len(body) or None] if front is not None else ""
     return _NAMED.sub(lambda found: _changed_value(found, change), head) + change(body)
 
 
-def _changed_value(found: re.Match[str], change: Translate) -> str:
+def _changed_value(found: re.Match[str], change: Change) -> str:
     """Return a line of front matter with its value changed, quoted where it is another one."""
     value = found["value"].strip()
     value = json.loads(value) if value.startswith('"') else value
@@ -68,7 +69,7 @@ def _changed_value(found: re.Match[str], change: Translate) -> str:
     return found[0] if other == value else f"{found['key']}: {json.dumps(other, ensure_ascii=False)}"
 
 
-def _changed_code(cell: Cell, change: Translate) -> str:
+def _changed_code(cell: Cell, change: Change) -> str:
     """Return a code cell with its comments, the docstrings of its functions and the documents in its strings changed."""
     lines = cell.text.split("\n")
     for token, found in reversed(list(_told(cell.text))):

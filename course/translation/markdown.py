@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from markdown_it.token import Token
@@ -40,11 +40,11 @@ def segments(text: str) -> list[Segment]:
     return [segment for segment in _segments(lines, 0, len(lines)) if segment.prose.has_words]
 
 
-def translated_markdown(text: str, catalogue: Mapping[str, str]) -> str:
+def translated_markdown(text: str, translate: Callable[[str], str]) -> str:
     """Return a Markdown text with its prose translated, on as many lines."""
     lines = text.split("\n")
     for segment in reversed(segments(text)):
-        if translation := catalogue.get(segment.prose.text):
+        if (translation := translate(segment.prose.text)) != segment.prose.text:
             _put(lines, segment, translation)
     return "\n".join(lines)
 

@@ -32,10 +32,6 @@ class Prose:
         """Return a translation with what stands for its placeholders."""
         return _PLACE.sub(lambda found: self.kept[int(found[1]) - 1], translation)
 
-    def translated(self, catalogue: dict[str, str]) -> str:
-        """Return the prose as the catalogue has it; in the language of the source where that has it not."""
-        return self.filled(catalogue.get(self.text) or self.text)
-
 
 def read_prose(source: str) -> Prose:
     """Return a piece of prose with placeholders; its lines are one."""
@@ -47,9 +43,3 @@ def read_prose(source: str) -> Prose:
 
     text = KEPT.sub(put, " ".join(source.split()))
     return Prose(text, tuple(kept))
-
-
-def misplaced(text: str, translation: str) -> list[str]:
-    """Return the placeholders that do not stand exactly once in a translation, or not in the text."""
-    expected, found = ([int(number) for number in _PLACE.findall(each)] for each in (text, translation))
-    return [f"{{{number}}}" for number in sorted({*expected, *found}) if expected.count(number) != found.count(number)]

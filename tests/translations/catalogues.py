@@ -26,12 +26,14 @@ class Message:
         place: where it is said, a file; in a lesson, with the cell.
         many: the words for several things, where they have words of their own.
         context: what tells it from equal words that are translated otherwise.
+        remarks: what a translator should know: what stands for each field.
     """
 
     text: str
     place: str
     many: str = ""
     context: str = ""
+    remarks: tuple[str, ...] = ()
 
     @property
     def ids(self) -> str | tuple[str, str]:
@@ -103,7 +105,8 @@ def _lost(source: Sequence[str], forms: Sequence[str]) -> set[str]:
 def _wanted(lang: str, messages: Iterable[Message]) -> Catalog:
     catalog = _new(lang)
     for message in messages:
-        catalog.add(message.ids, locations=[(message.place, 0)], context=message.context or None)
+        place, told = [(message.place, 0)], message.remarks
+        catalog.add(message.ids, locations=place, auto_comments=told, context=message.context or None)
     return catalog
 
 

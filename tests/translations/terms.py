@@ -6,9 +6,12 @@ import csv
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from unicodedata import combining, normalize
+
+from armproof.course.sources.places import COURSE
+from tests.translations.catalogues import entries
 
 _ASIDE = re.compile(r"\*[^*]*\*|\([^()]*\)|\"[^\"]*\"")  # what is foreign, an aside or quoted may be said otherwise
 
@@ -40,6 +43,18 @@ class Term:
         return next((each for each in self.never if re.search(rf"\b{re.escape(_plain(each))}s?\b", _plain(own))), "")
 
 
+def terms_file(lang: str) -> Path:
+    return COURSE.root / "translations" / lang / "terms.csv"
+
+
+def misused_in(catalogue: Path, lang: str) -> list[str]:
+    """Return where the entries of a catalogue do not use the listed terms."""
+    terms = read_terms(terms_file(lang))
+    found = [each for source, forms in entries(catalogue, lang) for each in misused(terms, source[-1], forms[-1])]
+    return [f"another term: {catalogue.name}: {each}" for each in found]
+
+
+@cache
 def read_terms(file: Path) -> tuple[Term, ...]:
     """Return the terms of a list, the longest first: `forward kinematics` is found before `kinematics`."""
     with file.open(encoding="utf-8", newline="") as rows:
