@@ -56,7 +56,8 @@ def _changed(path: Path, text: str, change: Change) -> str:
 
 
 def _changed_markdown(path: Path, text: str, change: Change) -> str:
-    front, body, _ = split_front_matter(path, text)
+    split = split_front_matter(path, text)
+    front, body = split[0], split[-2]
     head = text.replace("\r\n", "\n")[: -len(body) or None] if front is not None else ""
     return _NAMED.sub(lambda found: _changed_value(found, change), head) + change(body)
 
