@@ -13,7 +13,9 @@ from unicodedata import combining, normalize
 from armproof.course.sources.places import COURSE
 from tests.translations.catalogues import entries
 
-_ASIDE = re.compile(r"\*[^*]*\*|\([^()]*\)|\"[^\"]*\"|[\w-]+\.md")  # what is foreign, an aside, quoted or a file may be said otherwise
+_ASIDE = re.compile(
+    r"\*[^*]*\*|\([^()]*\)|\"[^\"]*\"|[\w-]+\.md"
+)  # what is foreign, an aside, quoted or a file may be said otherwise
 
 
 @dataclass(frozen=True)
