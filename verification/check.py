@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
+from armproof.verification.accepted import with_accepted
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
@@ -81,7 +82,7 @@ def check_document(
     parts = [infer_arm(part) for part in scopes(document)] if seeks else [Inference(document)]
     options = confirm and samples, correct and samples, samples
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
-    return results[0] if len(results) == 1 else joined(document, results)
+    return with_accepted(document, results[0] if len(results) == 1 else joined(document, results))
 
 
 def joined(document: Document, results: Sequence[DocumentResult]) -> DocumentResult:

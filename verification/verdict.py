@@ -35,6 +35,7 @@ class Role(StrEnum):
     REMARK = "remark"  # nothing of the arm's or the document's kinematics in it
 
 
+_ACCEPTS = (Kind.ACCEPTED, Kind.ACCEPTED_WITHOUT_REASON, Kind.ACCEPTS_NOTHING, Kind.ACCEPTS_NO_DISPLAY)
 DECIDED = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.REFUTED)
 
 
@@ -208,8 +209,20 @@ class Record:
         return any(finding.kind is kind for finding in self.findings)
 
     @property
+    def accept(self) -> Finding | None:
+        """What became of its author's comment that accepts a finding; None where there is none."""
+        return next((finding for finding in self.findings if finding.kind in _ACCEPTS), None)
+
+    @property
+    def is_accepted(self) -> bool:
+        """Whether its author accepts, with a reason, what was found: it is counted apart."""
+        return self.says(Kind.ACCEPTED)
+
+    @property
     def passes(self) -> bool:
         """Whether the display does not fail its document: an erratum must be refuted, everything else must not."""
+        if self.is_accepted:
+            return True
         if self.erratum:
             return self.verdict is Verdict.REFUTED
         return self.verdict not in (Verdict.REFUTED, Verdict.UNREADABLE)
@@ -307,8 +320,8 @@ class DocumentResult:
 
     @property
     def claims(self) -> bool:
-        """Whether anything in it was decided."""
-        return any(record.is_decided for record in self.records)
+        """Whether anything in it was decided, beside what is accepted."""
+        return any(record.is_decided and not record.is_accepted for record in self.records)
 
     @property
     def records(self) -> tuple[Record, ...]:
@@ -316,8 +329,11 @@ class DocumentResult:
         return (*self.equations, *self.tables, *([self.inverse] if self.inverse is not None else []))
 
     def passed_strictly(self) -> bool:
-        """As `passed`, with something decided and nothing unchecked but remarks."""
-        unchecked = any(record.verdict is Verdict.UNCHECKED and not record.is_remark for record in self.records)
+        """As `passed`, with something decided and nothing unchecked but remarks and what is accepted."""
+        unchecked = any(
+            record.verdict is Verdict.UNCHECKED and not (record.is_remark or record.is_accepted)
+            for record in self.records
+        )
         return self.passed and not unchecked and self.claims
 
     def as_json(self) -> dict[str, Any]:
@@ -367,11 +383,13 @@ class Failure:
 
 
 def summary(results: list[DocumentResult]) -> dict[str, int]:
-    """Count the verdicts of all displays; `beyond` counts those of the unchecked ones that are remarks."""
+    """Count the verdicts of all displays; `beyond` counts remarks among the unchecked ones, `accepted`, if any, what authors accept."""
     counts = {verdict.value: 0 for verdict in (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED,
                                                Verdict.UNCHECKED, Verdict.UNREADABLE)} | {"beyond": 0}  # fmt: skip
     for result in results:
         for record in result.equations:
             counts[record.verdict.value] += 1
             counts["beyond"] += record.is_remark
+            if record.is_accepted:
+                counts["accepted"] = counts.get("accepted", 0) + 1
     return counts

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from armproof.verification.document.accepts import with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.front_matter import read_text
 from armproof.verification.document.markdown import read_markdown_file
@@ -43,7 +44,9 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if format and f".{format}" not in _READERS:
         formats = ", ".join(suffix.removeprefix(".") for suffix in SUFFIXES)
         raise DocumentError(say(Kind.UNKNOWN_FORMAT, format=format, formats=formats), path=path)
-    return _with_what_is_said(_READERS.get(f".{format}" if format else path.suffix, read_markdown_file)(path, text))
+    suffix = f".{format}" if format else path.suffix
+    document = _with_what_is_said(_READERS.get(suffix, read_markdown_file)(path, text))
+    return with_accepts(document, text.replace("\r\n", "\n"), suffix)
 
 
 def _with_what_is_said(document: Document) -> Document:

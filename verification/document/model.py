@@ -65,6 +65,16 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Accept:
+    """A comment by which the author accepts a finding, on its last line; `target` is the place of what it is about."""
+
+    line: int
+    cell: int | None
+    reason: str
+    target: tuple[int | None, int] | None = None
+
+
+@dataclass(frozen=True)
 class Document:
     """A document as read; `front` is its front matter, `lines` the line of each key in it."""
 
@@ -73,6 +83,7 @@ class Document:
     displays: tuple[Display, ...]
     tables: tuple[Table, ...]
     lines: dict[str, int] = field(default_factory=dict)
+    accepts: tuple[Accept, ...] = ()
 
     def at(self, key: str) -> str:
         """Return `file:line` of a front-matter key, for messages."""

@@ -610,6 +610,12 @@ class Kind(MessageKind):
     KEY_NOT_TEXT = "key_not_text", "'{key}' must be text, not {value}"
     ARM_EMPTY = "arm_empty", "'arm' is empty; name an arm, a model file or a DH table, or leave the key out"
 
+    # -- what the author accepts ----------------------------------------------------------------------------------------
+    ACCEPTED = "accepted", "accepted: {reason}", ""
+    ACCEPTED_WITHOUT_REASON = "accepted_without_reason", "nothing is accepted without a reason: armproof: accept: the reason", ""
+    ACCEPTS_NOTHING = "accepts_nothing", "there is nothing to accept any more ({reason}): take the comment away", ""
+    ACCEPTS_NO_DISPLAY = "accepts_no_display", "the comment in line {line} accepts nothing: no display or table follows it", ""
+
     # -- what the front matter says -------------------------------------------------------------------------------------
     NO_MAPPING = "no_mapping", "'{key}' must be a mapping from names to meanings, not {value}"
     UNKNOWN_TRANSFORMS = "unknown_transforms", "'transforms' must be upper or lower, not {value}"

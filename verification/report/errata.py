@@ -59,8 +59,14 @@ class Mistake:
 
     @property
     def gravity(self) -> tuple[int, ...]:
-        """What sorts it: a table, of which all else is computed; what is carried on; what no entry mends; many entries."""
-        return (self.kind != "table", -len(self.again), bool(self.record.entries), -len(self.record.entries))
+        """What sorts it: whether it is accepted; a table, of which all else is computed; what is carried on; what no entry mends; many entries."""
+        return (
+            self.record.is_accepted,
+            self.kind != "table",
+            -len(self.again),
+            bool(self.record.entries),
+            -len(self.record.entries),
+        )
 
 
 def mistakes(result: DocumentResult) -> list[Mistake]:

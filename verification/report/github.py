@@ -23,10 +23,12 @@ def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool =
             yield _command("error", result.path, result.line, "cannot be checked", result.reason)
             continue
         for record, kind in ordered_records(result):
-            if record.is_remark and not record.erratum:
+            if record.is_remark and not record.erratum and record.accept is None:
                 continue
-            if not record.passes or (strict and record.verdict is Verdict.UNCHECKED):
+            if not record.passes or (strict and record.verdict is Verdict.UNCHECKED and not record.is_accepted):
                 yield _annotate("error", result.path, record, kind)
+            elif record.accept is not None:
+                yield _annotate("notice", result.path, record, kind)
             elif record.verdict is Verdict.UNCHECKED:
                 yield _annotate("warning", result.path, record, kind)
     yield from totals.describe()

@@ -128,9 +128,9 @@ def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
         yield ((f"    {words}", FAINT),)
     records = ordered_records(result)
     for record, kind in records:
-        if not record.passes or record.verdict is Verdict.UNCHECKED:
+        if not record.passes or record.verdict is Verdict.UNCHECKED or record.accept is not None:
             yield from describe_record(record, kind)
-    errata = [record for record, _ in records if record.erratum and record.passes]
+    errata = [record for record, _ in records if record.erratum and record.passes and not record.is_accepted]
     if errata:
         yield ((f"    errata refuted, as they must be: {_places(errata)}", FAINT),)
 

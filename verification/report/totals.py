@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from operator import itemgetter
 
-from armproof.models.errors import MessageKind
+from armproof.models.errors import MessageKind, counted, written
 from armproof.verification.findings import Finding, Kind
 from armproof.verification.verdict import DocumentResult, EquationResult, Failure, Record, Verdict
 
@@ -99,13 +99,15 @@ class Tally:
     def __init__(self, noun: str, records: Iterable[Record] = ()) -> None:
         self.noun = noun
         self.verdicts: Counter[Verdict] = Counter()
-        self.errata = self.remarks = 0
+        self.errata = self.remarks = self.accepted = 0
         for record in records:
             self.add(record)
 
     def add(self, record: Record) -> None:
         """Count a record."""
-        if record.erratum and record.passes:
+        if record.is_accepted:
+            self.accepted += 1
+        elif record.erratum and record.passes:
             self.errata += 1
         elif record.is_remark:
             self.remarks += 1
@@ -113,7 +115,7 @@ class Tally:
             self.verdicts[record.verdict] += 1
 
     def __len__(self) -> int:
-        return self.verdicts.total() + self.errata + self.remarks
+        return self.verdicts.total() + self.errata + self.remarks + self.accepted
 
     def __str__(self) -> str:
         """Return "12 displays: 8 proved, 1 refuted, 3 errata refuted"."""
@@ -122,6 +124,8 @@ class Tally:
             words.append(count(self.remarks, "remark"))
         if self.errata:
             words.append(f"{'1 erratum' if self.errata == 1 else f'{self.errata} errata'} refuted")
+        if self.accepted:
+            words.append(written("{number} accepted", number=self.accepted))
         return count(len(self), self.noun) + (f": {', '.join(words)}" if words else "")
 
 
@@ -216,10 +220,19 @@ class Totals:
     @property
     def decides_all(self) -> bool:
         """Whether there are claims, and each is decided."""
-        return self.claims and not self.undecided
+        return self.claims and not self.undecided and not self.accepted
+
+    @property
+    def accepted(self) -> int:
+        """How many findings the authors accept: they are not right."""
+        return self.displays.accepted + self.tables.accepted
 
     @property
     def _nothing_wrong(self) -> str:
+        if self.accepted:
+            told = counted("nothing else wrong found; {number} finding is accepted, not right",
+                           "nothing else wrong found; {number} findings are accepted, not right", self.accepted)  # fmt: skip
+            return f"{told}; {self.undecided}" if self.undecided else told
         if self.undecided:
             return f"nothing wrong found; {self.undecided}"
         return "everything passes" if self.decides_all else "no claim was found"

@@ -90,7 +90,7 @@ def correct_text(path: Path, text: str) -> CorrectedCopy:
 def _of_displays(document: Document, result: DocumentResult) -> Iterator[_Mending]:
     notebook = document.path.suffix == ".ipynb"
     for index, (display, record) in enumerate(zip(document.displays, result.equations, strict=True)):
-        if record.erratum or record.verdict is not Verdict.REFUTED or not record.corrections:
+        if record.erratum or record.passes or record.verdict is not Verdict.REFUTED or not record.corrections:
             continue
         changes = [change_of(display, c.start, c.end, c.text, in_notebook=notebook) for c in record.corrections]
         known = tuple(change for change in changes if change is not None)
@@ -103,7 +103,7 @@ def _of_tables(document: Document, result: DocumentResult) -> Iterator[_Mending]
     notebook = document.path.suffix == ".ipynb"
     for index, table in enumerate(document.tables):
         record = records.get((table.cell, table.line))
-        if record is None or record.erratum or not record.corrections:
+        if record is None or record.erratum or record.is_accepted or not record.corrections:
             continue
         places = {span: place for place, span in cell_spans(table).items()}
         changes = [

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from armproof.verification.accepted import accepted, with_accepted
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document
 from armproof.verification.naming.names import spelling_of
@@ -93,8 +94,8 @@ class IncrementalChecker:
             record = checker.check_display(display)
             checked.append(_Checked(display, record, checker.names.state.copy()))
             if _key(display) not in known or index == kept:
-                yield record
-        self.result = checker.result_of(tuple(each.record for each in checked))
+                yield accepted(document, record)
+        self.result = with_accepted(document, checker.result_of(tuple(each.record for each in checked)))
 
 
 def _key(display: Display) -> tuple[str, bool]:

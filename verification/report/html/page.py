@@ -53,7 +53,7 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
     wrong = [
         writer.correction(item, record) for item, record in pairs if not record.passes and record.verdict == "refuted"
     ]
-    errata = [writer.correction(item, record) for item, record in pairs if record.erratum and record.passes]
+    errata = [writer.correction(item, record) for item, record in pairs if state_of(record).key == "erratum"]
     name = str(document.path)
     return REPORT.render(
         "document.html",
@@ -89,7 +89,7 @@ def _is_unsettled(record: Record) -> bool:
     """Whether an equation needs its author without being refuted: unread, unchecked, or an erratum that holds."""
     if record.erratum and not record.passes:
         return True
-    return state_of(record).key in ("unreadable", "unchecked")
+    return state_of(record).key in ("unreadable", "unchecked", "accepted") or record.accept is not None
 
 
 def _sections(pairs: Iterable[tuple[Item, Record]]) -> Iterable[Section]:

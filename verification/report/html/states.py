@@ -28,6 +28,7 @@ STATES = {
         State("confirmed", "≈", "confirmed"),
         State("defined", "≔", "defined"),
         State("beyond", "·", "remark"),
+        State("accepted", "~", "accepted"),
         State("erratum", "†", "erratum, refuted"),
     )
 }
@@ -35,6 +36,8 @@ STATES = {
 
 def state_of(record: Record) -> State:
     """Return the state of a record; an erratum that is not refuted does not pass, whatever else it is."""
+    if record.is_accepted:
+        return STATES["accepted"]
     if record.erratum and record.passes:
         return STATES["erratum"]
     if record.erratum and record.verdict not in (Verdict.UNREADABLE, Verdict.UNCHECKED):
