@@ -15,6 +15,7 @@ from typer.main import get_command
 
 from armproof.models.language import FOLDER
 from armproof.verification.cli.application import app, as_command, commands
+from armproof.verification.findings.finding import ORDINALS
 from armproof.verification.findings.kinds import WORDS
 from tests.models.test_errors import errors_of
 from tests.translations.catalogues import Message
@@ -32,7 +33,7 @@ def catalogue_of_messages(lang: str) -> Path:
 def said() -> Iterator[Message]:
     """Yield all that the catalogue of messages translates."""
     for message in (*of_modules(), *of_templates(), *of_commands(), *of_arms(), *of_words()):
-        if re.search(r"[^\W\d_]", re.sub(r"\{[^{}]*\}|\$[^$]*\$|`[^`]*`", "", message.text)):
+        if re.search(r"[^\W\d_]|[:;?!]", re.sub(r"\{[^{}]*\}|\$[^$]*\$|`[^`]*`", "", message.text)):
             yield message
 
 
@@ -75,7 +76,7 @@ def of_arms() -> Iterator[Message]:
 
 def of_words() -> Iterator[Message]:
     """Yield the terms of findings that are words."""
-    yield from (Message(word, "verification/findings/kinds.py") for word in sorted(WORDS))
+    yield from (Message(word, "verification/findings/kinds.py") for word in (*sorted(WORDS), *ORDINALS))
 
 
 def sources(suffix: str) -> list[Path]:
