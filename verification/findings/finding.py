@@ -9,7 +9,7 @@ from functools import cache
 from string import Formatter
 from typing import Any
 
-from armproof.models.errors import ArmproofError, MessageKind, written
+from armproof.models.errors import ArmproofError, MessageKind
 from armproof.models.language import look_up, number_text, separator
 from armproof.verification.findings.kinds import WORDS, Kind
 
@@ -125,7 +125,7 @@ def pieces(finding: Finding, audience: Audience = Audience.REPORT) -> Iterator[t
         return
     parsed = _parsed(template)
     if finding.row is not None and finding.column is not None and not any(name == "row" for _, name, _ in parsed):
-        yield written("entry ({row}, {column}): ", row=finding.row, column=finding.column), Piece.WORDS
+        yield look_up("entry ({row}, {column}): ").format(row=finding.row, column=finding.column), Piece.WORDS
     terms = {"row": finding.row, "column": finding.column, **finding.terms}
     inside = Piece.WORDS
     for literal, name, form in parsed:
@@ -165,7 +165,7 @@ def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[t
 
 def _nth(number: int) -> str:
     """Return 1 as "first": "factor 2" would be read as the number."""
-    return look_up(ORDINALS[number - 1]) if number <= len(ORDINALS) else written("{number}th", number=number)
+    return look_up(ORDINALS[number - 1]) if number <= len(ORDINALS) else look_up("{number}th").format(number=number)
 
 
 def _plain(term: Any) -> Any:
