@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
@@ -15,6 +15,7 @@ from pathlib import Path
 ENGLISH = "en"  # what the sources say; it needs no catalogue, and imports none
 FOLDER = Path(__file__).parent / "translations"
 _SPOKEN = ContextVar("spoken", default=ENGLISH)
+_ASKED = ContextVar("asked", default="")
 
 
 @cache
@@ -28,9 +29,25 @@ def spoken() -> str:
     return _SPOKEN.get()
 
 
-def speak(lang: str) -> None:
-    """Speak a language from here on: what a command does with its `--lang`, and a process that works for it."""
-    _SPOKEN.set(lang)
+def asked() -> str:
+    """Return the language that a command was asked for by `--lang`; "" where it was asked for none."""
+    return _ASKED.get()
+
+
+def speak(lang: str = "", spoken: str = "") -> None:
+    """Speak the language that is asked for from here on, else one that is given, else that of the environment."""
+    _ASKED.set(lang)
+    _SPOKEN.set(lang or spoken or language_of_environment())
+
+
+def of_document(front: Mapping[str, object]) -> AbstractContextManager[None]:
+    """Speak the language of a document's front matter within, where no other is asked for."""
+    return use(asked() or known_language(front.get("lang") or front.get("language")))
+
+
+def of_programs() -> AbstractContextManager[None]:
+    """Speak English within, which programs read, where no other is asked for."""
+    return use(asked() or ENGLISH)
 
 
 @contextmanager
@@ -81,6 +98,11 @@ def look_up_plural(one: str, many: str, number: int) -> str:
 def noted(sentence: str) -> str:
     """Return a sentence as it is: it is extracted for translation here, and looked up where it is said."""
     return sentence
+
+
+def noted_plural(one: str, many: str) -> tuple[str, str]:
+    """Return two templates as they are, for one thing and for several: extracted here, looked up where they are said."""
+    return one, many
 
 
 def number_text(value: object, form: str = "") -> str:

@@ -8,6 +8,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
+from armproof.models.language import look_up
 from armproof.verification.errors import DocumentError, located
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import write_all
@@ -316,7 +317,7 @@ class DocumentResult:
     def told_arm(self) -> str:
         """The arm that it was checked against, in words: its name, or what it was taken from."""
         inferred = [str(arm) for arm in self.arms if arm.source != "front matter"]
-        return "; ".join(inferred) or self.arm
+        return look_up("; ").join(inferred) or self.arm
 
     @property
     def claims(self) -> bool:

@@ -17,13 +17,25 @@ from armproof.models.language import FOLDER
 from armproof.verification.cli.application import app, as_command, commands
 from armproof.verification.findings.finding import ORDINALS
 from armproof.verification.findings.kinds import WORDS
+from armproof.verification.verdict import Role, Verdict
 from tests.models.test_errors import errors_of
 from tests.translations.catalogues import Message
 
 ROOT = Path(__file__).resolve().parents[2]
+OF_TYPER = (
+    "Options",
+    "Commands",
+    "Arguments",
+    "required",
+    "default: {default}",
+    "(dynamic)",
+    "Missing command.",
+    "No such command {name!r}.",
+)
+OF_SINGULARITIES = ("inside", "boundary", "boundary in part", "not decided")  # what a Position is called
 ROOMS = ("models", "verification", "course")
 SAYS = {"tell", "written", "look_up", "noted"}
-PLURALS = {"counted", "look_up_plural"}
+PLURALS = {"counted", "look_up_plural", "noted_plural"}
 
 
 def catalogue_of_messages(lang: str) -> Path:
@@ -62,6 +74,7 @@ def of_templates() -> Iterator[Message]:
 
 def of_commands() -> Iterator[Message]:
     """Yield the helps of all commands, of their options and arguments."""
+    yield from (Message(word, "typer") for word in OF_TYPER)
     yield from _helps(get_command(app), "armproof")
     for name, found in commands().items():
         yield from _helps(as_command(name, found.load()), f"armproof {name}")
@@ -75,8 +88,11 @@ def of_arms() -> Iterator[Message]:
 
 
 def of_words() -> Iterator[Message]:
-    """Yield the terms of findings that are words."""
+    """Yield the terms of findings that are words, and what verdicts and roles are called."""
     yield from (Message(word, "verification/findings/kinds.py") for word in (*sorted(WORDS), *ORDINALS))
+    yield from (Message(word, "verification/verdict.py") for word in (*Verdict, *Role))
+    yield from (Message(word, "verification/singularities/families.py") for word in OF_SINGULARITIES)
+    yield from (Message(f"{{number}} {word}", "verification/verdict.py", f"{{number}} {word}") for word in Verdict)
 
 
 def sources(suffix: str) -> list[Path]:

@@ -6,6 +6,7 @@ a function or a typer.Typer of several, and loaded only when the command is call
 
 from __future__ import annotations
 
+import gettext
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -18,6 +19,7 @@ from typer.core import TyperGroup
 from typer.main import get_command
 
 from armproof.models.errors import ArmproofError, written
+from armproof.models.language import asked, languages, look_up, speak
 from armproof.verification.report.text import write_lines
 
 if TYPE_CHECKING:
@@ -45,8 +47,21 @@ class Group(TyperGroup):
         """Return a command by its name; None if there is none."""
         own = super().get_command(ctx, name)
         if own is not None or (found := commands().get(name)) is None:
-            return own
-        return as_command(name, found.load())
+            return _translated(own)
+        return _translated(as_command(name, found.load()))
+
+    def get_help(self, ctx: Any) -> str:
+        """Return the help of the application."""
+        return super().get_help(_translated(self) and ctx)
+
+
+def _translated(command: Any) -> Any:
+    """Return a command whose helps are in the language that is spoken."""
+    for each in [command, *command.params] if command is not None else ():
+        each.help = look_up(each.help or "")
+    for inner in getattr(command, "commands", {}).values() if command is not None else ():
+        _translated(inner)
+    return command
 
 
 def as_command(name: str, found: Callable[..., Any] | typer.Typer) -> Any:
@@ -69,6 +84,28 @@ app = typer.Typer(
     help="Every equation of a robot-arm course, proved or refuted against Drake.",
 )
 
+
+def heed(lang: str) -> str:
+    """Speak the language that a command is asked for."""
+    if lang and lang not in languages():
+        raise typer.BadParameter(
+            written("no language '{lang}'; the languages are {languages}", lang=lang, languages=list(languages()))
+        )
+    speak(lang or asked())
+    return lang
+
+
+Language = Annotated[
+    str,
+    typer.Option(
+        "--lang",
+        metavar="LANG",
+        callback=heed,
+        is_eager=True,
+        show_default=False,
+        help="The language, en or fr; by default the document's, else that of LANG.",
+    ),
+]
 Version = Annotated[bool, typer.Option("--version", help="Show the version.")]
 
 
@@ -83,7 +120,14 @@ def tell(template: str, /, **terms: object) -> None:
 
 
 def main() -> None:
-    """Run the command line."""
+    """Run the command line, in the language that it is asked for: the help is in it as well, and what typer says."""
+    given = [*sys.argv, ""]
+    speak(
+        next(
+            (given[at + 1] for at, word in enumerate(sys.argv) if word == "--lang" and given[at + 1] in languages()), ""
+        )
+    )
+    gettext.dgettext = lambda domain, message: look_up(message)
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:  # closed by the caller
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - open to the end

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import give_up, load
+from armproof.verification.cli.application import Language, give_up, load
 from armproof.verification.report.text import write_lines
 
 ArmName = Annotated[str, typer.Argument(metavar="ARM", help="An arm, or a path to a model file.", show_default=False)]
@@ -17,7 +17,7 @@ AnyArm = Annotated[
 ]
 
 
-def arms(arm: AnyArm = None) -> None:
+def arms(arm: AnyArm = None, lang: Language = "") -> None:
     """List the arms, or the joints, lengths and frames of one."""
     from armproof.verification.report.arms import describe_arm, list_arms
 
@@ -29,7 +29,7 @@ def arms(arm: AnyArm = None) -> None:
         write_lines(describe_arm(load(arm)))
 
 
-def view(arm: ArmName, browser: Browser = True) -> None:
+def view(arm: ArmName, browser: Browser = True, lang: Language = "") -> None:
     """Show an arm in Drake's visualizer, with its frames and joint sliders."""
     from armproof.models.showing.viewer import view_arm
 

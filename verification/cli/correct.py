@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from armproof.models.errors import ArmproofError, written
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up, tell
+from armproof.models.language import look_up, noted
+from armproof.verification.cli.application import (
+    CANNOT_RUN,
+    FAILS,
+    INTERRUPTED,
+    PASSES,
+    Language,
+    complain,
+    give_up,
+    tell,
+)
 
 if TYPE_CHECKING:
     from armproof.verification.running.corrected_copy import CorrectedCopy
@@ -22,7 +32,9 @@ Output = Annotated[Path | None, typer.Option("--output", metavar="FILE", help="W
 InPlace = Annotated[bool, typer.Option("--in-place", help="Overwrite the document itself.")]
 
 
-def correct(path: Source, diff: Diff = False, output: Output = None, in_place: InPlace = False) -> None:
+def correct(
+    path: Source, diff: Diff = False, output: Output = None, in_place: InPlace = False, lang: Language = ""
+) -> None:
     """Print a document with each refuted term replaced by the right one.
 
     Nothing else changes, errata stay. Exit code 0: the copy passes; 1: something in it does not, as standard error says;
@@ -54,7 +66,7 @@ def correct(path: Source, diff: Diff = False, output: Output = None, in_place: I
 def _conflict(path: Path, diff: bool, output: Path | None, in_place: bool) -> str | None:
     """Return why the options do not go together, or None."""
     if sum((diff, output is not None, in_place)) > 1:
-        return "--diff, --output and --in-place exclude each other; give one of them, or none for standard output"
+        return noted("give one of --diff, --output and --in-place, or none for standard output")
     if output is not None and output.exists() and path.exists() and output.samefile(path):
         return written("{output}: this is the document itself, which only --in-place overwrites", output=output)
     return None
@@ -63,7 +75,7 @@ def _conflict(path: Path, diff: bool, output: Path | None, in_place: bool) -> st
 def _difference(copy: CorrectedCopy) -> str:
     """Return what a correction changes as a unified diff, the lines' own ends kept."""
     before, after = (_lines(text) for text in (copy.before, copy.after))
-    lines = unified_diff(before, after, str(copy.path), f"{copy.path} (corrected)", n=2)
+    lines = unified_diff(before, after, str(copy.path), written("{path} (corrected)", path=copy.path), n=2)
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 
 
@@ -86,7 +98,9 @@ def _what_remains(copy: CorrectedCopy) -> list[str]:
     messages = []
     for record in copy.remaining:
         place = f"{copy.path}: {describe_place(record)}:" if notebook else f"{copy.path}:{record.line}:"
-        template = "not corrected: erratum not refuted but {verdict}" if record.erratum else "not corrected: {verdict}"
+        template = noted("not corrected: {verdict}{reason}")
+        if record.erratum:
+            template = noted("not corrected: erratum not refuted but {verdict}{reason}")
         reason = f", {record.message}" if record.message else ""
-        messages.append(f"{place} {written(template, verdict=record.verdict.value)}{reason}")
+        messages.append(f"{place} {written(template, verdict=look_up(record.verdict), reason=reason)}")
     return messages

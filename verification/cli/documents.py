@@ -10,7 +10,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, written
+from armproof.models.language import look_up, noted
 from armproof.verification.findings import Kind, say
 from armproof.verification.running.processes import check_each
 from armproof.verification.verdict import DocumentResult, Failure
@@ -26,7 +27,7 @@ SILENT = 0.5  # seconds: what takes no longer needs no bar
 class Progress:
     """A bar on standard error that is never left behind; it is cleared before anything else is written."""
 
-    def __init__(self, total: int, noun: str = "documents") -> None:
+    def __init__(self, total: int, noun: str = noted("documents")) -> None:
         self.total = total
         self.noun = noun
         self.done = 0
@@ -48,9 +49,12 @@ class Progress:
         if self._on_terminal and self.done < self.total and time.monotonic() > self._silent_until:
             sys.stdout.flush()
             full = WIDTH * self.done // self.total
-            sys.stderr.write(f"\r\x1b[K[{'#' * full}{'.' * (WIDTH - full)}] {self.done} of {self.total} {self.noun}")
+            sys.stderr.write(f"\r\x1b[K[{'#' * full}{'.' * (WIDTH - full)}] {self._told()}")
             sys.stderr.flush()
             self._shown = True
+
+    def _told(self) -> str:
+        return written("{done} of {total} {things}", done=self.done, total=self.total, things=look_up(self.noun))
 
     def clear(self) -> None:
         """Take the bar away, so that a line may be written where it stood."""

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import sys
+from contextlib import nullcontext
 from enum import StrEnum
 from typing import Annotated
 
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import FAILS, give_up, load
+from armproof.models.language import of_programs
+from armproof.verification.cli.application import FAILS, Language, give_up, load
 from armproof.verification.report.text import write_lines
 
 
@@ -35,6 +37,7 @@ def singularities(
     rows: Rows = None,
     columns: Columns = None,
     report_format: ReportFormat = Format.text,
+    lang: Language = "",
 ) -> None:
     """Say where an arm is singular: conditions, rank, what is lost, boundary or inside.
 
@@ -46,7 +49,8 @@ def singularities(
     model = load(arm)
     try:
         numbers = (read_numbers("--rows", rows), read_numbers("--columns", columns))
-        analysis = analyse_singularities(model, frame, *numbers, axes)
+        with of_programs() if report_format is Format.json else nullcontext():
+            analysis = analyse_singularities(model, frame, *numbers, axes)
     except ArmproofError as error:
         give_up(error)
     if report_format is Format.json:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, give_up, tell
+from armproof.models.language import look_up
+from armproof.verification.cli.application import CANNOT_RUN, Language, give_up, tell
 
 if TYPE_CHECKING:
     from armproof.verification.verdict import TakenArm
@@ -17,7 +18,7 @@ Source = Annotated[Path, typer.Argument(metavar="FILE", help="A document or a no
 Write = Annotated[bool, typer.Option("--write", help="Insert it at the head of the document.")]
 
 
-def start(path: Source, write: Write = False) -> None:
+def start(path: Source, write: Write = False, lang: Language = "") -> None:
     """Print the front matter that fixes which arm a document is taken to be about.
 
     With --write it is inserted; keys that the document has stay as they are. Exit code 2: nothing was inferred.
@@ -56,13 +57,18 @@ def _inferred(path: Path) -> TakenArm:
     found = [infer_arm(part) for part in scopes(read_document(path))]
     arms = [each.arm for each in found if each.arm is not None]
     if len(arms) == 1:
-        tell("{path}: taken from the {source} at line {line}", path=path, source=arms[0].source, line=arms[0].line)
+        tell(
+            "{path}: taken from the {source} at line {line}",
+            path=path,
+            source=look_up(arms[0].source),
+            line=arms[0].line,
+        )
         return arms[0]
     if arms:
         tell("{path}: it shows {count} arms, at lines {lines}; front matter names one", path=path, count=len(arms),
              lines=", ".join(str(arm.line) for arm in arms))  # fmt: skip
     else:
         problems = [each for each in found if each.problem is not None] or found[:1]
-        reason = problems[0].problem or "it has no DH table and no link matrices that give one"
+        reason = problems[0].problem or look_up("it has no DH table and no link matrices that give one")
         tell("{path}: no arm is inferred: {reason}", path=path, reason=reason)
     raise typer.Exit(CANNOT_RUN)

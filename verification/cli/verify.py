@@ -11,7 +11,17 @@ from typing import Annotated, NoReturn
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, INTERRUPTED, PASSES, complain, give_up, tell
+from armproof.models.language import of_programs
+from armproof.verification.cli.application import (
+    CANNOT_RUN,
+    FAILS,
+    INTERRUPTED,
+    PASSES,
+    Language,
+    complain,
+    give_up,
+    tell,
+)
 from armproof.verification.cli.documents import check_and_report, check_each_path, find_course, named_documents
 from armproof.verification.report.text import text_report, write_lines
 from armproof.verification.report.totals import Totals
@@ -63,6 +73,7 @@ def verify(
     errata: Errata = None,
     watch: Watching = False,
     jobs: Jobs = None,
+    lang: Language = "",
 ) -> None:
     """Give the verdict of every equation in the documents named.
 
@@ -138,8 +149,9 @@ def write_report(
     if report_format is Format.json:
         from armproof.verification.report.json_ import json_parts
 
-        for part in json_parts(results, strict=strict):
-            sys.stdout.write(part)
+        with of_programs():
+            for part in json_parts(results, strict=strict):
+                sys.stdout.write(part)
     elif report_format is Format.github:
         from armproof.verification.report.github import github_report
 

@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from armproof.models.errors import counted, written
+from armproof.models.language import look_up
 from armproof.verification.cli.application import complain
 from armproof.verification.report.text import (
     BAD,
@@ -16,6 +18,7 @@ from armproof.verification.report.text import (
     STRONG,
     Line,
     describe_document,
+    describe_place,
     describe_record,
     text_report,
     write_lines,
@@ -39,7 +42,8 @@ def watch_documents(
     write_lines(text_report(results, strict=strict))
     complain(result.message for result in results if isinstance(result, Failure))
     number = len(watch.results)
-    write_lines([((f"watching {number} {'document' if number == 1 else 'documents'}; Ctrl-C ends", FAINT),)])
+    told = counted("watching {number} document; Ctrl-C ends", "watching {number} documents; Ctrl-C ends", number)
+    write_lines([((told, FAINT),)])
     sys.stdout.flush()
     try:
         for event in watch.events():
@@ -54,7 +58,7 @@ def _lines(event: Event, strict: bool) -> Iterator[Line]:
     """Yield the lines of an event, the time of the day before them."""
     clock = (f"{time.strftime('%H:%M:%S')}  ", FAINT)
     if isinstance(event, Gone):
-        yield (clock, (f"{event.path}: it is gone; it is watched should it come back", BAD))
+        yield (clock, (written("{path}: it is gone; it is read again if it comes back", path=event.path), BAD))
     elif isinstance(event, Told):
         yield from _told(event, clock, strict)
     elif isinstance(event.result, Failure):
@@ -66,8 +70,8 @@ def _lines(event: Event, strict: bool) -> Iterator[Line]:
 def _told(event: Told, clock: tuple[str, str], strict: bool) -> Iterator[Line]:
     record, seconds = event.record, (f"  ({event.seconds * 1e3:.0f} ms)", FAINT)
     notebook = event.path.suffix == ".ipynb"
-    place = f"{event.path}: cell {record.cell}, line {record.line}" if notebook else f"{event.path}:{record.line}"
-    what = f"erratum {record.verdict.value}" if record.erratum else record.verdict.value
+    place = f"{event.path}: {describe_place(record)}" if notebook else f"{event.path}:{record.line}"
+    what = written("erratum {verdict}", verdict=look_up(record.verdict)) if record.erratum else look_up(record.verdict)
     yield (clock, (place, STRONG), (f"  {what}", GOOD if record.passes else BAD), seconds)
     if not record.passes:
         _, *rest = describe_record(record if notebook else replace(record, cell=None), "")
@@ -79,12 +83,12 @@ def _settled(event: Settled, result: DocumentResult, clock: tuple[str, str], str
     tables = [record for record in result.records if not record.passes and record not in result.equations]
     yield (clock, *first)
     for record in tables:
-        yield from describe_record(record, "table")
+        yield from describe_record(record, look_up("table"))
     if passes(result, strict):
         return
     wrong = sum(not record.passes for record in result.equations)
     if wrong > 1:
-        yield (("          ", ""), (f"{wrong} displays do not pass", FAINT))
+        yield (("          ", ""), (written("{count} displays do not pass", count=wrong), FAINT))
 
 
 __all__ = ["watch_documents"]

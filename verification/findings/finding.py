@@ -108,7 +108,7 @@ def write(finding: Finding, audience: Audience = Audience.REPORT) -> str:
 
 def write_all(findings: Iterable[Finding], audience: Audience = Audience.REPORT) -> str:
     """Return findings in words, each sentence once."""
-    return "; ".join(write(finding, audience) for finding in distinct(findings, audience))
+    return look_up("; ").join(write(finding, audience) for finding in distinct(findings, audience))
 
 
 def distinct(findings: Iterable[Finding], audience: Audience = Audience.REPORT) -> list[Finding]:

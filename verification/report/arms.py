@@ -6,40 +6,58 @@ from collections.abc import Iterator, Sequence
 from math import degrees, isfinite
 
 from armproof.models.arm import Arm, Joint
-from armproof.verification.report.text import Line
+from armproof.models.errors import written
+from armproof.models.language import look_up, number_text
+from armproof.verification.report.text import Line, Span
 
 
 def list_arms(arms: Sequence[Arm]) -> Iterator[Line]:
     """Return, for each arm, its name and title, then its joints, lengths and frames."""
     for arm in arms:
-        yield ((arm.name, "bold"), (f"  {arm.title}", ""))
+        yield ((arm.name, "bold"), (f"  {look_up(arm.title)}", ""))
         joints = " ".join(joint.symbol for joint in arm.joints)
-        lengths = " ".join(arm.lengths) or "none"
-        yield ((f"    joints {joints};  lengths {lengths};  frames {' '.join(arm.frames)}", "dim"),)
+        lengths = " ".join(arm.lengths) or look_up("none")
+        frames = " ".join(arm.frames)
+        told = written(
+            "joints {joints};  lengths {lengths};  frames {frames}", joints=joints, lengths=lengths, frames=frames
+        )
+        yield (("    " + told, "dim"),)
 
 
 def describe_arm(arm: Arm) -> Iterator[Line]:
     """Return the title, the source, the zero pose, the joints with their limits, the lengths and the frames of an arm."""
-    yield ((arm.name, "bold"), (f"  {arm.title}", ""))
-    for label, text in (("source", arm.source), ("model", str(arm.path or "")), ("zero", arm.zero)):
+    yield ((arm.name, "bold"), (f"  {look_up(arm.title)}", ""))
+    labels = look_up("source"), look_up("model"), look_up("zero")
+    for label, text in zip(labels, (arm.source, str(arm.path or ""), look_up(arm.zero)), strict=True):
         if text:
-            yield ((f"{label:9}", "dim"), (text, ""))
+            yield (_label(label), (text, ""))
     for number, joint in enumerate(arm.joints):
         yield _joint(joint, number)
     for number, (symbol, value) in enumerate(arm.lengths.items()):
-        yield (("lengths  " if not number else " " * 9, "dim"), (f"{symbol:10}", "bold"), (f"{value:.6g} m", ""))
-    yield (("frames   ", "dim"), (", ".join(arm.frames), ""))
+        yield (
+            _label("" if number else look_up("lengths")),
+            (f"{symbol:10}", "bold"),
+            (f"{number_text(value, '.6g')} m", ""),
+        )
+    yield (_label(look_up("frames")), (", ".join(arm.frames), ""))
 
 
 def _joint(joint: Joint, number: int) -> Line:
-    label = "joints   " if not number else " " * 9
-    name = f"  ({joint.name} in the model)" if joint.name != joint.symbol else ""
-    return ((label, "dim"), (f"{joint.symbol:10}", "bold"), (f"{joint.kind:10} {_limits(joint)}{name}", ""))
+    label = _label("" if number else look_up("joints"))
+    name = "  " + written("({name} in the model)", name=joint.name) if joint.name != joint.symbol else ""
+    return (label, (f"{joint.symbol:10}", "bold"), (f"{look_up(joint.kind):10} {limits(joint, 'deg')}{name}", ""))
 
 
-def _limits(joint: Joint) -> str:
+def _label(text: str) -> Span:
+    return (f"{text:{max(9, len(look_up('joints')) + 1)}}", "dim")
+
+
+def limits(joint: Joint, unit: str) -> str:
+    """Return the limits of a joint in words, those of an angle in degrees, with their unit."""
     if not (isfinite(joint.lower) and isfinite(joint.upper)):
-        return "without limits"
+        return look_up("without limits")
     if joint.kind == "revolute":
-        return f"{degrees(joint.lower):.4g} to {degrees(joint.upper):.4g} deg"
-    return f"{joint.lower:.4g} to {joint.upper:.4g} m"
+        return written(
+            "{lower:.4g} to {upper:.4g} {unit}", lower=degrees(joint.lower), upper=degrees(joint.upper), unit=unit
+        )
+    return written("{lower:.4g} to {upper:.4g} {unit}", lower=joint.lower, upper=joint.upper, unit="m")

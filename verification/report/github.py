@@ -6,7 +6,8 @@ import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from armproof.verification.report.text import describe_entry, describe_place, ordered_records
+from armproof.models.language import look_up
+from armproof.verification.report.text import describe_entry, describe_place, describe_verdict, ordered_records
 from armproof.verification.report.totals import Totals
 from armproof.verification.verdict import DocumentResult, Failure, Record, Verdict
 
@@ -20,7 +21,7 @@ def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool =
     for result in results:
         totals.add(result)
         if isinstance(result, Failure):
-            yield _command("error", result.path, result.line, "cannot be checked", result.reason)
+            yield _command("error", result.path, result.line, look_up("cannot be checked"), result.reason)
             continue
         for record, kind in ordered_records(result):
             if record.is_remark and not record.erratum and record.accept is None:
@@ -35,8 +36,7 @@ def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool =
 
 
 def _annotate(level: str, path: str, record: Record, kind: str) -> str:
-    title = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
-    title = f"{kind} {title}".strip()
+    title = describe_verdict(record, kind)
     parts = [record.message, *(describe_entry(entry, record) for entry in record.entries)]
     if record.cell is not None:  # a notebook's line counts within its cell
         return _command(level, path, None, title, "\n".join([describe_place(record), *filter(None, parts)]))

@@ -6,6 +6,8 @@ import json
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.written import write_scalar
 from armproof.verification.latex.plain import plain_text
@@ -19,13 +21,13 @@ MOST_INTERSECTIONS = 12  # as text; a program gets all
 def singularity_lines(analysis: SingularityAnalysis) -> Iterator[Line]:
     """Return what J is, its determinant, each family with what is lost there and where it lies, and the intersections."""
     arm = analysis.arm
-    yield ((arm.name, "bold"), (f"  {arm.title}", ""))
+    yield ((arm.name, "bold"), (f"  {look_up(arm.title)}", ""))
     yield from _about(analysis)
     for family in analysis.families:
         yield from _family(analysis, family)
     yield from _intersections(analysis.intersections)
     if analysis.always_regular:
-        yield (("no configuration is singular", "bold"),)
+        yield ((look_up("no configuration is singular"), "bold"),)
     for message in filter(None, (analysis.message, analysis.left_out)):
         yield ((message, "yellow"),)
 
@@ -33,9 +35,11 @@ def singularity_lines(analysis: SingularityAnalysis) -> Iterator[Line]:
 def _about(analysis: SingularityAnalysis) -> Iterator[Line]:
     rows, columns = ", ".join(map(str, analysis.rows)), ", ".join(map(str, analysis.columns))
     size = f"{len(analysis.rows)}×{len(analysis.columns)}"
-    text = f"{size}, frame {analysis.frame} in the axes of frame {analysis.expressed_in}, rows {rows} of [v; ω], columns {columns}"
-    yield _labelled("Jacobian", text)
-    yield _labelled("rank", f"{analysis.generic_rank}, but for the families below")
+    text = written(
+        "{size}, frame {frame} in the axes of frame {axes}, rows {rows} of [v; ω], columns {columns}",
+        size=size, frame=analysis.frame, axes=analysis.expressed_in, rows=rows, columns=columns)  # fmt: skip
+    yield _labelled(look_up("Jacobian"), text)
+    yield _labelled(look_up("rank"), written("{rank}, except for the families below", rank=analysis.generic_rank))
     if analysis.factored:
         yield _labelled("det J", plain_text(analysis.factored))
 
@@ -45,35 +49,42 @@ def _labelled(label: str, text: str) -> Line:
 
 
 def _family(analysis: SingularityAnalysis, family: Family) -> Iterator[Line]:
-    yield ((plain_text(family.latex), "bold"), (f"   rank {family.rank}", ""))
+    yield ((plain_text(family.latex), "bold"), ("   " + written("rank {rank}", rank=family.rank), ""))
     for solved, condition in zip(family.solved, family.conditions, strict=True):
         if solved != condition:
-            yield _labelled("solved", plain_text(solved))
-    yield _labelled("exists", _existence(family))
+            yield _labelled(look_up("solved"), plain_text(solved))
+    yield _labelled(look_up("exists"), _existence(family))
     for w in family.lost_nearby:
-        yield _labelled(
-            "lost", f"w = ({_vector(w)}), in the axes of frame {analysis.axes} at the origin of frame {analysis.point}"
-        )
-    yield _labelled("kept", f"columns {', '.join(map(str, family.kept_columns))} of J")
+        where = written("w = ({w}), in the axes of frame {axes} at the origin of frame {point}",
+            w=_vector(w), axes=analysis.axes, point=analysis.point)  # fmt: skip
+        yield _labelled(look_up("lost"), where)
+    yield _labelled(look_up("kept"), written("columns {columns} of J", columns=list(family.kept_columns)))
     for motion in family.null_motions:
-        yield _labelled("no motion", f"q̇ = ({_vector(motion)})")
+        yield _labelled(look_up("no motion"), f"q̇ = ({_vector(motion)})")
     if family.position is not None:
-        yield _labelled("lies", _position(family.position))
+        yield _labelled(look_up("lies"), _position(family.position))
     for condition, position in family.special.items():
-        yield _labelled("", f"if {plain_text(condition)}: {_position(position)}")
+        told = written("if {condition}: {position}", condition=plain_text(condition), position=_position(position))
+        yield _labelled("", told)
 
 
 def _existence(family: Family) -> str:
     if family.existence is None:
-        known = "yes" if family.exists else "no"
-        return f"{known}, at the arm's own lengths; not known in closed form"
+        if family.exists:
+            return look_up("yes, at the arm's own lengths; not known in closed form")
+        return look_up("no, at the arm's own lengths; not known in closed form")
     if not family.existence:
-        return "for all lengths"
-    return f"if {plain_text(family.existence)}; {'so' if family.exists else 'not so'} at the arm's own lengths"
+        return look_up("for all lengths")
+    template = noted("if {condition}; this is so at the arm's own lengths")
+    if not family.exists:
+        template = noted("if {condition}; this is not so at the arm's own lengths")
+    return written(template, condition=plain_text(family.existence))
 
 
 def _position(position: Position) -> str:
-    return f"{position.kind} ({position.evidence}): {position.statement}"
+    return written(
+        "{kind} ({evidence}): {statement}",
+        kind=look_up(position.kind), evidence=look_up(position.evidence), statement=position.statement)  # fmt: skip
 
 
 def _vector(vector: Matrix) -> str:
@@ -83,11 +94,12 @@ def _vector(vector: Matrix) -> str:
 def _intersections(families: Sequence[Family]) -> Iterator[Line]:
     if not families:
         return
-    yield (("where the rank is lower still", "bold"),)
+    yield ((look_up("where the rank is lower still"), "bold"),)
     for family in families[:MOST_INTERSECTIONS]:
-        yield _labelled(f"rank {family.rank}", plain_text(family.latex))
+        yield _labelled(written("rank {rank}", rank=family.rank), plain_text(family.latex))
     if len(families) > MOST_INTERSECTIONS:
-        yield _labelled("", f"and {len(families) - MOST_INTERSECTIONS} more (--format json has them)")
+        more = len(families) - MOST_INTERSECTIONS
+        yield _labelled("", written("and {count} more (--format json has them)", count=more))
 
 
 def singularity_json(analysis: SingularityAnalysis) -> str:

@@ -10,6 +10,8 @@ from dataclasses import replace
 from typing import TextIO
 from unicodedata import combining, normalize
 
+from armproof.models.errors import written
+from armproof.models.language import look_up, number_text, of_document
 from armproof.verification.latex.greek import NAMES
 from armproof.verification.report.totals import Tally, Totals, passes
 from armproof.verification.verdict import DocumentResult, EquationResult, Failure, Record, Verdict, WrongEntry
@@ -76,8 +78,9 @@ def text_report(
     for result in results:
         totals.add(result)
         if isinstance(result, DocumentResult):
-            yield from describe_document(result, strict)
-            yield from describe_readings(result) if verbose else ()
+            with of_document(result.front):
+                lines = [*describe_document(result, strict), *(describe_readings(result) if verbose else ())]
+            yield from lines
     if totals.documents:
         yield ()
     yield from (((line, STRONG),) for line in totals.numbers())
@@ -90,8 +93,8 @@ def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
 
     Only a notebook's lines count within their cells: elsewhere `cell` is None.
     """
-    records = [(record, "") for record in result.equations] + [(record, "table") for record in result.tables]
-    records += [(result.inverse, "inverse kinematics")] if result.inverse is not None else []
+    records = [(record, "") for record in result.equations] + [(record, look_up("table")) for record in result.tables]
+    records += [(result.inverse, look_up("inverse kinematics"))] if result.inverse is not None else []
     if not result.path.endswith(".ipynb"):
         records = [(replace(record, cell=None), kind) for record, kind in records]
     return sorted(records, key=lambda item: (-1 if item[0].cell is None else item[0].cell, item[0].line))
@@ -99,14 +102,25 @@ def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
 
 def describe_place(record: Record) -> str:
     """Return where a display stands: "line 41", or "cell 3, line 5" in a notebook."""
-    return f"line {record.line}" if record.cell is None else f"cell {record.cell}, line {record.line}"
+    if record.cell is None:
+        return written("line {line}", line=record.line)
+    return written("cell {cell}, line {line}", cell=record.cell, line=record.line)
+
+
+def describe_verdict(record: Record, kind: str = "") -> str:
+    """Return the verdict of a record: "table refuted", "erratum not refuted but proved"."""
+    verdict = look_up(record.verdict)
+    if record.erratum:
+        return f"{kind} {written('erratum not refuted but {verdict}', verdict=verdict)}".strip()
+    return f"{kind} {verdict}".strip()
 
 
 def describe_entry(entry: WrongEntry, record: Record) -> str:
     """Return a wrong entry of a display on one line."""
     change = f" ({entry.change})" if entry.change else ""
     cell = _cell(entry, record)
-    return f"{cell}{': ' if cell else ''}printed {_short(entry.printed)}, correct {_short(entry.correct)}{change}"
+    told = written("printed {printed}, correct {correct}", printed=_short(entry.printed), correct=_short(entry.correct))
+    return f"{cell}{': ' if cell else ''}{told}{change}"
 
 
 # -- one document ------------------------------------------------------------------------------------------------------
@@ -115,16 +129,17 @@ def describe_entry(entry: WrongEntry, record: Record) -> str:
 def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
     """Yield the lines on a document: whether it passes, what its displays came to, then what does not pass in it."""
     passed = passes(result, strict)
-    tables = f"; {Tally('table', result.tables)}" if result.tables else ""
+    tables = f"{look_up('; ')}{Tally('table', result.tables)}" if result.tables else ""
     arm = f" ({result.told_arm})" if result.told_arm else ""
     yield (
-        ("passes " if passed else "FAILS  ", GOOD if passed else BAD),
+        (look_up("passes ") if passed else look_up("FAILS  "), GOOD if passed else BAD),
         (result.path, STRONG),
         (arm, FAINT),
         (f"  {Tally('display', result.equations)}{tables}", ""),
     )
     if result.inverse is not None and result.inverse.passes and result.inverse.verdict is not Verdict.UNCHECKED:
-        words = f"inverse kinematics {result.inverse.verdict.value}: {_short(result.inverse.message)}"
+        verdict, message = look_up(result.inverse.verdict), _short(result.inverse.message)
+        words = written("inverse kinematics {verdict}: {message}", verdict=verdict, message=message)
         yield ((f"    {words}", FAINT),)
     records = ordered_records(result)
     for record, kind in records:
@@ -132,47 +147,53 @@ def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
             yield from describe_record(record, kind)
     errata = [record for record, _ in records if record.erratum and record.passes and not record.is_accepted]
     if errata:
-        yield ((f"    errata refuted, as they must be: {_places(errata)}", FAINT),)
+        yield (("    " + written("errata refuted, as they must be: {places}", places=_places(errata)), FAINT),)
 
 
 def describe_readings(result: DocumentResult) -> Iterator[Line]:
     """Yield a line an equation: what it is, what its verdict is, and what it was read as."""
     for record, _ in ordered_records(result):
         for each in record.outcomes:
-            number = f", equation {each.index}" if len(record.outcomes) > 1 else ""
-            yield ((f"    {describe_place(record)}{number}: {describe_reading(each)}", FAINT),)
+            place = describe_place(record)
+            if len(record.outcomes) > 1:
+                place += ", " + written("equation {number}", number=each.index)
+            yield (("    " + written("{place}: {reading}", place=place, reading=describe_reading(each)), FAINT),)
 
 
 def describe_reading(result: EquationResult) -> str:
     """Return "claim, proved: origin of frame 2 in frame 0"."""
-    reading = f": {result.read_as}" if result.read_as else ""
-    return f"{result.role.value}, {result.verdict.value}{reading}"
+    verdict = f"{look_up(result.role)}, {look_up(result.verdict)}"
+    return written("{verdict}: {reading}", verdict=verdict, reading=result.read_as) if result.read_as else verdict
 
 
 def describe_record(record: Record, kind: str) -> Iterator[Line]:
     """Yield the lines on a display or a table that does not pass: what is printed, what is correct, for example where."""
     section = f"  {record.section}" if record.section else ""
-    what = f"{kind} " if kind else ""
-    verdict = f"erratum not refuted but {record.verdict.value}" if record.erratum else record.verdict.value
     style = BAD if not record.passes else _STYLES.get(record.verdict, "")
-    yield (("    ", ""), (describe_place(record), STRONG), ("  ", ""), (what + verdict, style), (section, FAINT))
+    yield (
+        ("    ", ""),
+        (describe_place(record), STRONG),
+        ("  ", ""),
+        (describe_verdict(record, kind), style),
+        (section, FAINT),
+    )
     if record.message:
         yield (("        ", ""), (_short(record.message), ""))
     for entry in record.entries:
         cell = f"{_cell(entry, record)}   " if _cell(entry, record) else ""
         change = ((f"   ({entry.change})", FAINT),) if _is_news(entry, record) else ()
-        yield ((f"        {cell}printed  ", ""), (_short(entry.printed), BAD))
-        yield ((f"        {'':{len(cell)}}correct  ", ""), (_short(entry.correct), GOOD), *change)
+        yield ((f"        {cell}{look_up('printed')}  ", ""), (_short(entry.printed), BAD))
+        yield ((f"        {'':{len(cell)}}{look_up('correct')}  ", ""), (_short(entry.correct), GOOD), *change)
     if record.counterexample:
-        values = ", ".join(f"{symbol} = {value:.6g}" for symbol, value in record.counterexample.items())
-        yield (("        ", ""), (f"for example at {values}", FAINT))
+        values = [f"{symbol} = {number_text(value, '.6g')}" for symbol, value in record.counterexample.items()]
+        yield (("        ", ""), (written("for example at {values}", values=values), FAINT))
 
 
 def _cell(entry: WrongEntry, record: Record) -> str:
     """Return where in its display an entry stands: "equation 2, row 1, column 3", as far as there is more than one."""
-    equation = [f"equation {entry.equation}"] if record.latex.count("=") > 1 else []
-    place = [] if entry.row is None else [f"row {entry.row}", f"column {entry.column}"]
-    return ", ".join(equation + place)
+    equation = [written("equation {number}", number=entry.equation)] if record.latex.count("=") > 1 else []
+    place = written("row {row}, column {column}", row=entry.row, column=entry.column)
+    return ", ".join([*equation, *([place] if entry.row is not None else [])])
 
 
 def _is_news(entry: WrongEntry, record: Record) -> bool:
@@ -189,5 +210,5 @@ def _places(records: Sequence[Record]) -> str:
     if len(records) == 1:
         return describe_place(records[0])
     if any(record.cell is not None for record in records):
-        return "; ".join(map(describe_place, records))
-    return "lines " + ", ".join(str(record.line) for record in records)
+        return look_up("; ").join(map(describe_place, records))
+    return written("lines {lines}", lines=[record.line for record in records])

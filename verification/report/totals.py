@@ -7,28 +7,28 @@ from collections.abc import Iterable, Iterator
 from operator import itemgetter
 
 from armproof.models.errors import MessageKind, counted, written
+from armproof.models.language import look_up, noted, noted_plural, number_text
 from armproof.verification.findings import Finding, Kind
 from armproof.verification.verdict import DocumentResult, EquationResult, Failure, Record, Verdict
 
-_BIND = "bind it in the front matter: quantities: …"
-_ARM = "name the arm in the front matter: arm: …"
-_EXPECTED: dict[MessageKind, tuple[str, str]] = {
-    Kind.NOT_BOUND: ("a name is not bound", _BIND),
-    Kind.NOT_BOUND_BECAUSE: ("a name is not bound", _BIND),
-    Kind.NEVER_USED: ("no decided claim uses what is defined", "bind the name in the front matter (quantities: …)"),
-    Kind.DEFINES: ("no decided claim uses what is defined", "bind the name in the front matter (quantities: …)"),
-    Kind.DEFINES_ENTRIES: ("no decided claim uses what is defined", "bind the name in the front matter (quantities: …)"),
-    Kind.DEFINES_WITHOUT_VALUE: ("a definition rests on names without a value", "bind those names: quantities: …"),
-    Kind.LEFT_OUT: ("an expression stands beside an equation", "give it a display of its own, or write it as text"),
-    Kind.TERMS_UNWRITTEN: ("an ellipsis, a sum or an integral leaves terms out", "write the terms out"),
-    Kind.PATTERN: ("an ellipsis, a sum or an integral leaves terms out", "write the terms out"),
-    Kind.CONDITION: ("a condition stands alone", r"write what follows from it, with \Rightarrow"),
-    Kind.CONFIGURATION: ("a configuration stands alone", r"write what holds there, with \Rightarrow"),
-    Kind.NO_EQUATION: ("no equation is stated", "write both sides, with ="),
-    Kind.NUMBERS_OF_NOWHERE: ("numbers without a configuration", "state the joint values and lengths before them"),
-    Kind.NO_ARM_FOR_TABLE: ("a table without an arm", _ARM),
-    Kind.QUANTITY_WITHOUT_ARM: ("a quantity without an arm", _ARM),
-    Kind.TOO_LARGE: ("too large to decide", "split it into steps, each with a name"),
+_EXPECTED: dict[MessageKind, str] = {
+    kind: sentence
+    for sentence, kinds in {
+        noted("a name is not bound: bind it in the front matter: quantities: …"): (Kind.NOT_BOUND, Kind.NOT_BOUND_BECAUSE),
+        noted("no decided claim uses what is defined: bind the name in the front matter (quantities: …)"): (
+            Kind.NEVER_USED, Kind.DEFINES, Kind.DEFINES_ENTRIES),
+        noted("a definition rests on names without a value: bind those names: quantities: …"): (Kind.DEFINES_WITHOUT_VALUE,),
+        noted("an expression stands beside an equation: give it a display of its own, or write it as text"): (Kind.LEFT_OUT,),
+        noted("an ellipsis, a sum or an integral leaves terms out: write the terms out"): (Kind.TERMS_UNWRITTEN, Kind.PATTERN),
+        noted("a condition stands alone: write what follows from it, with \\Rightarrow"): (Kind.CONDITION,),
+        noted("a configuration stands alone: write what holds there, with \\Rightarrow"): (Kind.CONFIGURATION,),
+        noted("no equation is stated: write both sides, with ="): (Kind.NO_EQUATION,),
+        noted("numbers without a configuration: state the joint values and lengths before them"): (Kind.NUMBERS_OF_NOWHERE,),
+        noted("a table without an arm: name the arm in the front matter: arm: …"): (Kind.NO_ARM_FOR_TABLE,),
+        noted("a quantity without an arm: name the arm in the front matter: arm: …"): (Kind.QUANTITY_WITHOUT_ARM,),
+        noted("too large to decide: split it into steps, each with a name"): (Kind.TOO_LARGE,),
+    }.items()
+    for kind in kinds
 }  # fmt: skip
 _UNBOUND = {
     Kind.NOT_BOUND,
@@ -38,7 +38,17 @@ _UNBOUND = {
     Kind.DEFINES_ENTRIES,
     Kind.DEFINES_WITHOUT_VALUE,
 }
-_NO_ARM = "no arm is known: name it in the front matter (arm: …), or print its DH table"
+_NOUNS = {
+    "document": noted_plural("{number} document", "{number} documents"),
+    "display": noted_plural("{number} display", "{number} displays"),
+    "table": noted_plural("{number} table", "{number} tables"),
+    "remark": noted_plural("{number} remark", "{number} remarks"),
+}
+_OPEN = {
+    "equation": noted_plural("{open:,} of {number:,} equation", "{open:,} of {number:,} equations"),
+    "table": noted_plural("{open:,} of {number:,} table", "{open:,} of {number:,} tables"),
+    "inverse": noted_plural("{open:,} of {number:,} inverse", "{open:,} of {number:,} inverses"),
+}
 _ORDER = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED, Verdict.REFUTED, Verdict.UNCHECKED, Verdict.UNREADABLE)
 
 
@@ -65,16 +75,14 @@ class Undecided:
 
     def __str__(self) -> str:
         """Return "12 of 40 equations and 1 of 2 tables not decided"."""
-        parts = [
-            f"{number:,} of {self.total[noun]:,} {noun}{'' if self.total[noun] == 1 else 's'}"
-            for noun, number in self.open.items()
-        ]
-        return f"{' and '.join(parts)} not decided"
+        parts = [counted(*_OPEN[noun], self.total[noun], open=number) for noun, number in self.open.items()]
+        told = look_up(" and ").join(parts)
+        return counted("{parts} not decided", "{parts} not decided", self.open.total(), parts=told)
 
     def causes(self) -> Iterator[str]:
         """Yield "8 × a name is not bound: bind it in the front matter: quantities: …", the most frequent first."""
         for cause, number in sorted(self._causes.items(), key=lambda item: (-item[1], item[0])):
-            yield f"{number:,} × {cause}"
+            yield f"{number_text(number, ',')} × {cause}"
 
 
 def _cause(findings: tuple[Finding, ...], arm: bool) -> str:
@@ -83,13 +91,13 @@ def _cause(findings: tuple[Finding, ...], arm: bool) -> str:
     Without an arm no name of kinematics is bound, and to bind them one by one would be the wrong advice.
     """
     if not findings:
-        return "compared with nothing"
+        return look_up("compared with nothing")
     last = findings[-1]
     finding = last if last.kind is Kind.NEVER_USED else findings[0]
     if not arm and finding.kind in _UNBOUND:
-        return _NO_ARM
+        return look_up("no arm is known: name it in the front matter (arm: …), or print its DH table")
     if finding.kind in _EXPECTED:
-        return ": ".join(_EXPECTED[finding.kind])
+        return look_up(_EXPECTED[finding.kind])
     return str(finding)
 
 
@@ -119,14 +127,15 @@ class Tally:
 
     def __str__(self) -> str:
         """Return "12 displays: 8 proved, 1 refuted, 3 errata refuted"."""
-        words = [f"{self.verdicts[verdict]} {verdict.value}" for verdict in _ORDER if self.verdicts[verdict]]
+        words = [count(self.verdicts[verdict], verdict.value) for verdict in _ORDER if self.verdicts[verdict]]
         if self.remarks:
             words.append(count(self.remarks, "remark"))
         if self.errata:
-            words.append(f"{'1 erratum' if self.errata == 1 else f'{self.errata} errata'} refuted")
+            words.append(counted("{number} erratum refuted", "{number} errata refuted", self.errata))
         if self.accepted:
-            words.append(written("{number} accepted", number=self.accepted))
-        return count(len(self), self.noun) + (f": {', '.join(words)}" if words else "")
+            words.append(counted("{number} accepted", "{number} accepted", self.accepted))
+        told = count(len(self), self.noun)
+        return written("{what}: {parts}", what=told, parts=", ".join(words)) if words else told
 
 
 class Totals:
@@ -193,13 +202,19 @@ class Totals:
         """Return what the displays came to, and the largest error."""
         lines = []
         if self.documents:
-            of_tables = f"; {self.tables}" if len(self.tables) else ""
-            lines.append(f"{count(self.documents, 'document')}, {self.displays}{of_tables}")
+            told = [str(self.displays), *([str(self.tables)] if len(self.tables) else [])]
+            lines.append(f"{count(self.documents, 'document')}, {look_up('; ').join(told)}")
         if self.largest_error is not None:
             error, path = self.largest_error
-            where = f"{self.samples:,} configurations"
-            within = f", in {path}" if self.documents > 1 else ""
-            lines.append(f"evaluated on Drake's numerical plant at {where}: largest error {error:.1e}{within}")
+            within = written(", in {path}", path=path) if self.documents > 1 else ""
+            lines.append(
+                written(
+                    "evaluated on Drake's numerical plant at {count:,} configurations: largest error {error:.1e}{within}",
+                    count=self.samples,
+                    error=error,
+                    within=within,
+                )
+            )
         return lines
 
     @property
@@ -207,15 +222,17 @@ class Totals:
         """The answer in a sentence: everything passes only where every claim was decided."""
         if self.passed:
             return self._nothing_wrong
-        verb = "does" if self.failing == 1 else "do"
         strictly = self._fails_strictly() if self.strict else []
-        why = f" (--strict: {'; '.join(strictly)})" if strictly else ""
-        verdicts = [f"{count(self.failing, 'document')} {verb} not pass{why}"] if self.failing else []
+        why = written(" (--strict: {reasons})", reasons=look_up("; ").join(strictly)) if strictly else ""
+        verdicts = []
+        if self.failing:
+            one, many = noted_plural("{number} document does not pass{why}", "{number} documents do not pass{why}")
+            verdicts.append(counted(one, many, self.failing, why=why))
         if self.unable:
-            verdicts.append(f"{self.unable} could not be checked")
+            verdicts.append(counted("{number} could not be checked", "{number} could not be checked", self.unable))
         if self.undecided and not why:
             verdicts.append(str(self.undecided))
-        return "; ".join(verdicts)
+        return look_up("; ").join(verdicts)
 
     @property
     def decides_all(self) -> bool:
@@ -232,16 +249,16 @@ class Totals:
         if self.accepted:
             told = counted("nothing else wrong found; {number} finding is accepted, not right",
                            "nothing else wrong found; {number} findings are accepted, not right", self.accepted)  # fmt: skip
-            return f"{told}; {self.undecided}" if self.undecided else told
+            return f"{told}{look_up('; ')}{self.undecided}" if self.undecided else told
         if self.undecided:
-            return f"nothing wrong found; {self.undecided}"
-        return "everything passes" if self.decides_all else "no claim was found"
+            return written("nothing wrong found; {undecided}", undecided=self.undecided)
+        return look_up("everything passes") if self.decides_all else look_up("no claim was found")
 
     def _fails_strictly(self) -> list[str]:
         """Return what fails documents with `--strict` alone."""
         found = [str(self.undecided)] if self.undecided else []
         if self.without_claim:
-            found.append(f"no claim was found in {', '.join(self.without_claim)}")
+            found.append(written("no claim was found in {documents}", documents=self.without_claim))
         return found
 
 
@@ -251,5 +268,5 @@ def passes(result: DocumentResult, strict: bool) -> bool:
 
 
 def count(number: int, noun: str) -> str:
-    """Return "1 document", "2 documents"."""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+    """Return "1 document", "2 documents"; of a verdict "2 refuted"."""
+    return counted(*_NOUNS.get(noun, (f"{{number}} {noun}",) * 2), number)

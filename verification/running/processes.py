@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from armproof.models.errors import ArmproofError
+from armproof.models.language import asked, speak, spoken
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.verdict import DocumentResult, Failure
 
@@ -113,11 +114,12 @@ def start_pool(workers: int, *, fresh: bool = False, preload: str = "") -> Proce
     from multiprocessing import get_context
 
     context = get_context("spawn" if fresh else "fork")
-    return ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(preload,))
+    return ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(preload, asked(), spoken()))
 
 
-def _begin(preload: str) -> None:
+def _begin(preload: str, asked: str, spoken: str) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    speak(asked, spoken)
     with suppress(ImportError):  # which the tasks report
         if preload:
             import_module(preload)

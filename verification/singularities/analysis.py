@@ -10,7 +10,9 @@ from types import MappingProxyType
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.errors import written
 from armproof.models.exact.trace import trace_of
+from armproof.models.language import noted
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import EvaluationError
@@ -92,12 +94,17 @@ class Analyst:
             self.arm, chosen.frame, chosen.expressed_in, chosen.rows, chosen.columns, chosen.matrix, chosen.axes, chosen.point,
             0, None, "", (), False, self.sampler, lambda: ((), ""),
         )  # fmt: skip
-        steps = (self._with_determinant, self._with_families, self._with_positions, self._with_descent)
-        for step in steps:
+        steps = {
+            self._with_determinant: noted("determinant beyond exact reach: {problem}"),
+            self._with_families: noted("families beyond exact reach: {problem}"),
+            self._with_positions: noted("positions beyond exact reach: {problem}"),
+            self._with_descent: noted("descent beyond exact reach: {problem}"),
+        }
+        for step, beyond in steps.items():
             try:
                 result = step(result)
             except EvaluationError as problem:
-                said = f"{step.__name__.removeprefix('_with_')} beyond exact reach: {problem}"
+                said = written(beyond, problem=problem)
                 result = replace(result, message=f"{result.message}; {said}" if result.message else said)
                 if not result.complete:
                     break

@@ -8,6 +8,8 @@ from functools import reduce
 import numpy as np
 
 from armproof.models.bulk.bulk import BulkKinematics, bulk_of
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.factors import Factor, Kind
@@ -42,15 +44,20 @@ class Placement:
     def place(self, variety: Variety, rng: np.random.Generator) -> Position:
         """Return where the image of a family lies."""
         if self.rank < len(self.rows):
-            return Position("not decided", "proved", "J has more rows than its rank: ask for as many rows as that")
+            return Position(
+                "not decided", "proved", look_up("J has more rows than its rank: ask for as many rows as that")
+            )
         if not self._is_task():
-            return Position("not decided", "proved", "rows in axes that move are not the motion of anything")
+            return Position("not decided", "proved", look_up("rows in axes that move are not the motion of anything"))
         codimension = self.rank - image_dimension(variety, self.rows, self.sampler)
         if codimension >= 2:
-            reason = f"the image of the family has {codimension} dimensions fewer than the task, so it bounds nothing"
+            reason = written("the image of the family has {count} dimensions fewer than the task, so it bounds nothing",
+                             count=codimension)  # fmt: skip
             return Position("inside", "proved", reason)
         if eliminate(variety, self.rows).rank < self.rank - 1:
-            return Position("not decided", "proved", "more than one direction is lost on an image that could bound")
+            return Position(
+                "not decided", "proved", look_up("more than one direction is lost on an image that could bound")
+            )
         return self._by_sampling(variety, rng)
 
     def _is_task(self) -> bool:
@@ -69,8 +76,9 @@ class Placement:
             for narrowed in decomposer.decompose([factor.polynomial], variety):
                 dimension = image_dimension(narrowed, self.rows, self.sampler)
                 if dimension < usual and self.rank - dimension >= 2:
-                    reason = f"the image of the family then has {self.rank - dimension} dimensions fewer than the task"
-                    found[write_condition(factor)] = Position("inside", "proved", reason + ", so it bounds nothing")
+                    reason = written("the image of the family then has {count} dimensions fewer than the task, so it bounds nothing",
+                                     count=self.rank - dimension)  # fmt: skip
+                    found[write_condition(factor)] = Position("inside", "proved", reason)
         return found
 
     def _length_factors(self, variety: Variety, size: int) -> list[Factor]:
@@ -89,17 +97,20 @@ class Placement:
         arm = self.chosen.arm
         q = self.sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
         if not len(q):
-            return Position("not decided", "confirmed", "no configuration of the family at the arm's own lengths")
+            return Position(
+                "not decided", "confirmed", look_up("no configuration of the family at the arm's own lengths")
+            )
         kinematics = bulk_of(arm)
         J = np.array(kinematics.jacobian(q, self.chosen.frame))
         w, signs = lost_and_signs(J, self.chosen.rows, self.chosen.columns, self.rank - 1)
         if np.isnan(signs).any():
             return Position(
-                "not decided", "confirmed", "the motion of second order is not clear at some configurations"
+                "not decided", "confirmed", look_up("the motion of second order is not clear at some configurations")
             )
         if (signs == 0).all():
-            reason = "the form of second order takes both signs: null motions leave to either side"
-            return Position("inside", "confirmed", f"{reason}, at {len(q)} configurations")
+            reason = written("the form of second order takes both signs: null motions leave to either side, at {count} configurations",
+                             count=len(q))  # fmt: skip
+            return Position("inside", "confirmed", reason)
         return self._searched(kinematics, q, w, signs, rng)
 
     def _searched(
@@ -110,11 +121,17 @@ class Placement:
         inside = signs == 0
         one_sided = ~inside
         inside[one_sided] = reach.beyond(q[one_sided], -signs[one_sided, None] * w[one_sided], rng)
-        posture = "in this posture the tool stays on one side"
-        tried = f"at {len(q)} configurations"
         if not inside.any():
-            return Position("boundary", "confirmed", f"{posture}, and no other posture reaches beyond, {tried}")
+            template = noted(
+                "in this posture the tool stays on one side, and no other posture reaches beyond, at {count} configurations"
+            )
+            return Position("boundary", "confirmed", written(template, count=len(q)))
         if inside.all():
-            return Position("inside", "confirmed", f"{posture}, but others reach beyond, {tried}")
-        share = f"{int(inside.sum())} of {len(q)} configurations"
-        return Position("boundary in part", "confirmed", f"{posture}; others reach beyond at {share}")
+            template = noted(
+                "in this posture the tool stays on one side, but others reach beyond, at {count} configurations"
+            )
+            return Position("inside", "confirmed", written(template, count=len(q)))
+        template = noted(
+            "in this posture the tool stays on one side; others reach beyond at {part} of {count} configurations"
+        )
+        return Position("boundary in part", "confirmed", written(template, part=int(inside.sum()), count=len(q)))

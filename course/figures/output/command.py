@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from armproof.models.language import noted
 from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending
 from armproof.verification.cli.documents import Progress
 
@@ -109,7 +110,7 @@ def _own_arm(arm: str, names: tuple[str, ...]) -> Order:
 def _report(deliveries: Iterator[Delivery], count: int) -> list[Delivery]:
     """Print the files as they come, and on a terminal how far the work is."""
     done: list[Delivery] = []
-    with Progress(count, "arms") as progress:
+    with Progress(count, noted("arms")) as progress:
         for delivery in deliveries:
             done.append(delivery)
             progress.clear()

@@ -12,6 +12,7 @@ from markdown_it.token import Token
 from markupsafe import Markup, escape
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
+from armproof.models.language import look_up
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Finding
 from armproof.verification.findings.finding import Piece, distinct
@@ -55,7 +56,7 @@ def plain_title(text: str) -> str:
 
 def message(findings: Sequence[Finding], read: Read) -> Markup:
     """Return findings as HTML: their formulas as MathML, a command that they quote as code."""
-    return Markup("; ").join(_finding(finding, read) for finding in distinct(findings))
+    return Markup(look_up("; ")).join(_finding(finding, read) for finding in distinct(findings))
 
 
 def _finding(finding: Finding, read: Read) -> Markup:
