@@ -11,9 +11,12 @@ import numpy as np
 
 from armproof.course.feedback.answer import is_function, read_plain
 from armproof.course.feedback.outcome import Feedback, Outcome
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, counted, written
+from armproof.models.language import ENGLISH, look_up, separator, spoken
 
 _TOLERANCE = 1e-6
+_DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?:,\d+)?)*\s*[\])]?\s*")
+_BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,23 +38,26 @@ class Choice:
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of a key, or of a list of keys."""
         if is_function(answer) or not isinstance(answer, str | int | Iterable):
-            return Feedback(Outcome.ERROR, f"the answer is one of {self._keys()}, or a list of them")
+            return Feedback(Outcome.ERROR, written("the answer is one of {keys}, or a list of them", keys=self._keys()))
         chosen = frozenset(self._chosen(answer))
         right = frozenset([self.right]) if isinstance(self.right, str) else self.right
         if unknown := sorted(chosen - set(self.options)):
-            return Feedback(Outcome.ERROR, f"there is no option '{unknown[0]:.30}'; the options are {self._keys()}")
+            no_such = written(
+                "there is no option '{key:.30}'; the options are {keys}", key=unknown[0], keys=self._keys()
+            )
+            return Feedback(Outcome.ERROR, no_such)
         if chosen == right:
             return Feedback(Outcome.PROVED, "")
         if isinstance(self.right, str) and len(chosen) > 1:
-            return Feedback(Outcome.WRONG, f"one of them is asked for, not {len(chosen)}")
+            return Feedback(Outcome.WRONG, written("one of them is asked for, not {number}", number=len(chosen)))
         for key in sorted(chosen - right):
             if key in self.because:
                 return Feedback(Outcome.WRONG, self.because[key])
         if left_out := [self.missing[key] for key in sorted(right - chosen) if key in self.missing]:
             return Feedback(Outcome.WRONG, left_out[0])
         if chosen < right:
-            return Feedback(Outcome.WRONG, "what is named is right, but there is more")
-        return Feedback(Outcome.WRONG, f"{', '.join(sorted(chosen - right))}: that is not so")
+            return Feedback(Outcome.WRONG, look_up("what is named is right, but there is more"))
+        return Feedback(Outcome.WRONG, written("{keys}: that is not so", keys=sorted(chosen - right)))
 
     def signature(self, answer: Any) -> str:
         """Return the chosen keys in order, by which two answers are told apart."""
@@ -61,7 +67,7 @@ class Choice:
         """Return the keys of an answer: a list, or a text with commas, blanks or "and" between them, in either case."""
         items = [answer] if isinstance(answer, int) else answer
         words = re.split(r"[,;\s]+", items) if isinstance(items, str) else [str(item).strip() for item in items]
-        words = [word for word in words if word and (word != "and" or word in self.options)]
+        words = [word for word in words if word and (word not in ("and", "et") or word in self.options)]
         known = {key.lower(): key for key in self.options}
         words = [known.get(word.lower(), word) for word in words]
         if len(words) == 1 and words[0] not in self.options and set(words[0].lower()) <= set(known):
@@ -92,17 +98,26 @@ class Number:
         try:
             given = np.atleast_1d(np.array(_numbers(answer), dtype=float)).ravel()
         except (TypeError, ValueError, ArmproofError):
-            wanted = (
-                "a number" if len(right) == 1 else f"a list of {len(right)} numbers, [{', '.join('…' * len(right))}]"
-            )
-            return Feedback(Outcome.ERROR, f"the answer is {wanted}, not {answer!r:.40}")
+            wanted = counted(
+                "the answer is a number, not {given}",
+                "the answer is a list of {number} numbers, [{places}], not {given}",
+                len(right), places=", ".join("…" * len(right)), given=f"{answer!r:.40}",
+            )  # fmt: skip
+            return Feedback(Outcome.ERROR, wanted)
         if given.shape != right.shape:
-            return Feedback(Outcome.WRONG, f"the answer is {_counted(len(right))}, not {len(given)}")
+            told = counted(
+                "the answer is one number, not {given}", "the answer is {number} numbers, not {given}",
+                len(right), given=len(given),
+            )  # fmt: skip
+            return Feedback(Outcome.WRONG, told)
         wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
         if not wrong.any():
             return Feedback(Outcome.PROVED, "")
-        told = ", ".join(f"{self._label(k)} is not {given[k]:g}" for k in np.flatnonzero(wrong).tolist())
-        return Feedback(Outcome.WRONG, told)
+        told = [
+            written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
+            for k in np.flatnonzero(wrong).tolist()
+        ]
+        return Feedback(Outcome.WRONG, separator(told).join(told))
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the numbers, by which two answers are told apart."""
@@ -111,7 +126,7 @@ class Number:
     def _label(self, index: int) -> str:
         if index < len(self.labels):
             return self.labels[index]
-        return "the number" if np.ndim(self.value) == 0 else f"number {index + 1}"
+        return look_up("the number") if np.ndim(self.value) == 0 else written("number {number}", number=index + 1)
 
 
 def _numbers(answer: Any) -> Any:
@@ -126,13 +141,11 @@ def _numbers(answer: Any) -> Any:
 
 
 def _numbers_of_text(text: str) -> list[float]:
-    """Return the numbers of a text: "[0, 2]", "0 2", "pi/2"."""
-    text = text.replace("−", "-")
+    """Return the numbers of a text: "[0, 2]", "0 2", "pi/2"; of "0,05 ; 0,55", which is French, two."""
+    text = text.replace("−", "-").translate(_BLANKS)
+    if _DECIMAL_COMMAS.fullmatch(text) and (";" in text or spoken() != ENGLISH):
+        text = text.replace(",", ".").replace(";", ",")
     plain = read_plain(text)
     if plain is None:
         return [float(part) for part in re.split(r"[,;\s]+", text.strip(" []()"))]
     return [float(item) for item in (plain if isinstance(plain, list) else [plain])]
-
-
-def _counted(count: int) -> str:
-    return "one number" if count == 1 else f"{count} numbers"

@@ -15,6 +15,8 @@ from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_number
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, place, told, without_asked
 from armproof.models.arm import Arm
+from armproof.models.errors import written
+from armproof.models.language import look_up
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
@@ -67,20 +69,26 @@ class Claim:
         record = self.record(latex)
         if record.verdict is Verdict.PROVED:
             if record.says(Kind.TABLE_ANGLES):
-                offset = "that is so for the angles of the table; the joint variable differs by its offset"
-                return Feedback(Outcome.WRONG, offset)
-            return Feedback(Outcome.PROVED, "proved for all values")
+                return Feedback(
+                    Outcome.WRONG,
+                    look_up("that is so for the angles of the table; the joint variable differs by its offset"),
+                )
+            return Feedback(Outcome.PROVED, look_up("proved for all values"))
         if record.verdict is Verdict.CONFIRMED:
-            return Feedback(Outcome.CONFIRMED, record.message or f"equal at {record.samples:,} configurations")
+            return Feedback(Outcome.CONFIRMED, record.message or _equal_at(record.samples))
         if record.verdict is Verdict.REFUTED:
             findings = told(record.findings, record.entries)
             words, at = write_all(findings, Audience.STUDENT), record.counterexample
             return Feedback(Outcome.WRONG, words, self._rows(record), at, self._picture(record), findings=findings)
         if record.says(Kind.NUMBERS_FOR_LENGTHS):
-            return Feedback(Outcome.WRONG, f"numbers stand for lengths that are to stay letters; {self._letters()}")
+            return Feedback(
+                Outcome.WRONG, self._with_letters(look_up("numbers stand for lengths that are to stay letters"))
+            )
         if record.verdict is Verdict.DEFINED:
-            return Feedback(Outcome.ERROR, f"the answer is made of names that mean nothing here; {self._letters()}")
-        return Feedback(Outcome.ERROR, f"{write_all(without_asked(record.findings))}; {self._letters()}")
+            return Feedback(
+                Outcome.ERROR, self._with_letters(look_up("the answer is made of names that mean nothing here"))
+            )
+        return Feedback(Outcome.ERROR, self._with_letters(write_all(without_asked(record.findings))))
 
     @property
     def letters(self) -> tuple[str, ...]:
@@ -90,7 +98,12 @@ class Claim:
         return tuple(dict.fromkeys([*(self.front.get("symbols", {}) if self.own is None else self.own), *own]))
 
     def _letters(self) -> str:
-        return f"the letters are {', '.join(self.letters)}" if self.letters else "the letters are those of the task"
+        if not self.letters:
+            return look_up("the letters are those of the task")
+        return written("the letters are {letters}", letters=list(self.letters))
+
+    def _with_letters(self, problem: str) -> str:
+        return written("{problem}; {letters}", problem=problem, letters=self._letters())
 
     def record(self, latex: str) -> Record:
         """Return the verdict on "asked = answer".
@@ -166,7 +179,7 @@ class Claim:
         except ReadError as error:
             raise AnswerError("the formula cannot be read at character {at}: {reason}", at=error.offset + 1, reason=str(error)) from None  # fmt: skip
         if any(isinstance(part, n.Sum) and {"±", "∓"} & set(_signs(part)) for part in n.walk(node)):
-            return "an answer has one value: which of the two signs?"
+            return look_up("an answer has one value: which of the two signs?")
         self._refuse_unknown(latex, node)
         axes = _axes(node)
         for name in n.walk(node):
@@ -208,8 +221,12 @@ class Claim:
             return ""
         if not all(side.known and isinstance(side.value, Matrix | Scalar) for side in sides):
             return ""
-        asked, given = (side.value.size if isinstance(side.value, Matrix) else "a scalar" for side in sides)
-        return "" if asked == given else f"the result is {given}, what is asked is {asked}"
+        asked, given = (side.value.size if isinstance(side.value, Matrix) else look_up("a scalar") for side in sides)
+        return (
+            ""
+            if asked == given
+            else written("the result is {given}, what is asked is {asked}", given=given, asked=asked)
+        )
 
     @property
     def _budget(self) -> Budget:
@@ -231,7 +248,7 @@ class Claim:
     def _picture(self, record: Record) -> Figure | None:
         if record.discrepancy is None or record.discrepancy.drawn is None:
             return None
-        painter = painter_of(self.arm, "yours")
+        painter = painter_of(self.arm, look_up("yours"))
         return painter.at_counterexample(record) if painter is not None else None
 
 
@@ -239,11 +256,12 @@ def judge_formula(claim: Claim, answer: Any) -> Feedback:
     """Return what becomes of a formula in any form; numbers are no formula where what is asked depends on letters."""
     feedback = claim.judge(as_latex(answer))
     if feedback.outcome is Outcome.WRONG and is_number(answer) and np.ptp(claim.values(ASKED), axis=0).max() > 0:
-        words = (
-            "these are the values for one case: hand over the function itself, without brackets behind it, or a formula"
-        )
-        return replace(feedback, message=words)
+        return replace(feedback, message=look_up("these are the values for one case: hand over the function itself, without brackets behind it, or a formula"))  # fmt: skip
     return feedback
+
+
+def _equal_at(samples: int) -> str:
+    return written("equal at {samples:,} configurations", samples=samples)
 
 
 def _as_formula(latex: str) -> str:

@@ -14,8 +14,9 @@ import numpy as np
 from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
-from armproof.course.feedback.outcome import ASKED, NOTHING, Feedback, Outcome, Row, place
-from armproof.models.errors import ArmproofError
+from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
+from armproof.models.errors import ArmproofError, counted, written
+from armproof.models.language import look_up
 from armproof.verification.functions.guarded_call import CallError, Guard
 from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.returned import NotAttempted, NotNumbers, read_returned
@@ -150,9 +151,9 @@ class Formula:
     def _degree_slips(self) -> Iterator[tuple[list[float], float, str]]:
         degrees = [180 / np.pi if ANGLE.match(name) else 1.0 for name in self.arguments]
         if max(degrees, default=1.0) > 1:
-            yield degrees, 1.0, "the angles are taken as degrees: they are in radians already"
+            yield degrees, 1.0, look_up("the angles are taken as degrees: they are in radians already")
         if self._has_angles:
-            yield [1.0] * len(degrees), np.pi / 180, "the result is in degrees; give radians"
+            yield [1.0] * len(degrees), np.pi / 180, look_up("the result is in degrees; give radians")
 
     @cached_property
     def _has_angles(self) -> bool:
@@ -179,8 +180,11 @@ class Formula:
         try:
             inspect.signature(function).bind(*self.arguments)
         except TypeError:
-            name = getattr(function, "__name__", "the function")
-            return f"{name} is to take {len(self.arguments)} arguments: {', '.join(self.arguments)}"
+            name, arguments = getattr(function, "__name__", look_up("the function")), list(self.arguments)
+            return counted(
+                "{name} is to take 1 argument: {arguments}", "{name} is to take {number} arguments: {arguments}",
+                len(arguments), name=name, arguments=arguments,
+            )  # fmt: skip
         except ValueError:  # a function written in C
             pass
         return ""
@@ -218,20 +222,33 @@ class Formula:
             (obtained,) = read_returned(call.value, 1)
             if obtained.size != true.size:
                 asked = "×".join(map(str, true.shape))
-                return Feedback(Outcome.WRONG, f"the result has {obtained.size} numbers, what is asked is {asked}")
+                told = written(
+                    "the result has {size} numbers, what is asked is {asked}", size=obtained.size, asked=asked
+                )
+                return Feedback(Outcome.WRONG, told)
             wrong = self._differ(obtained.reshape(true.shape), true)
             if wrong.any():
                 return Feedback(
-                    Outcome.WRONG, "the values differ from what is asked",
+                    Outcome.WRONG, look_up("the values differ from what is asked"),
                     self._rows(true, obtained.reshape(true.shape), wrong),
                     dict(zip(self.arguments, self._arguments(k), strict=True)),
                 )  # fmt: skip
-        why = reason if "Error" not in reason else "it computes with numbers only"
-        return Feedback(Outcome.CONFIRMED, f"equal at {len(self._with_value)} random values; not proved, since {why}")
+        why = reason if "Error" not in reason else look_up("it computes with numbers only")
+        return Feedback(
+            Outcome.CONFIRMED,
+            written(
+                "equal at {count} random values; not proved, since {reason}", count=len(self._with_value), reason=why
+            ),
+        )
 
     def _rows(self, true: np.ndarray, obtained: np.ndarray, wrong: np.ndarray) -> tuple[Row, ...]:
         return tuple(
-            Row(place(r + 1, c + 1) if true.size > 1 else "value", float(true[r, c]), float(obtained[r, c]), self.unit)
+            Row(
+                place(r + 1, c + 1) if true.size > 1 else look_up("value"),
+                float(true[r, c]),
+                float(obtained[r, c]),
+                self.unit,
+            )
             for r, c in np.argwhere(wrong).tolist()
         )
 
@@ -240,14 +257,14 @@ def _stopped(value: Any, error: CallError | None) -> Feedback | None:
     """Return the feedback on a call that gave no numbers; None where it gave some."""
     if error is not None:
         if error.type == "NotImplementedError":
-            return NOTHING
-        where = f" in line {error.line}" if error.line else ""
-        power = " (a power is ** in Python)" if "for ^" in error.message else ""
+            return nothing()
+        where = written(" in line {line}", line=error.line) if error.line else ""
+        power = look_up(" (a power is ** in Python)") if "for ^" in error.message else ""
         return Feedback(Outcome.ERROR, f"{error.type}{where}: {error.message}{power}", error=error)
     try:
         read_returned(value, 1)
     except NotAttempted:
-        return NOTHING
+        return nothing()
     except NotNumbers as problem:
         return Feedback(Outcome.ERROR, str(problem))
     return None

@@ -11,18 +11,23 @@ import re
 import sys
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 
 from armproof.course.errors import LessonError
 from armproof.course.feedback.notebook import render, show_figures
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.task import Task
+from armproof.course.feedback.translation import changed_task
+from armproof.course.translation.catalogue import translated_sentence, translation_of
+from armproof.models.errors import written
+from armproof.models.language import ENGLISH, known_language, language_of_environment, languages, spoken, use
 from armproof.verification.running.atomic import write_atomically
 
 VARIABLE = "ARMPROOF_PROGRESS"  # another file; empty: none
 _NAMES = {outcome.value for outcome in Outcome}
 PACKAGE = "armproof.course.tasks"
+COURSE = Path(__file__).resolve().parents[1]
 
 
 @dataclass(eq=False)
@@ -36,6 +41,7 @@ class Lesson:
         objectives: three lines.
         tasks: in their order.
         source: what it was taken from.
+        lang: the language it is in; empty: that which is spoken.
     """
 
     number: int
@@ -44,6 +50,7 @@ class Lesson:
     objectives: tuple[str, ...]
     tasks: tuple[Task, ...]
     source: str = ""
+    lang: str = ""
     _results: dict[str, Feedback] = field(default_factory=dict, repr=False)
     _reached: dict[str, Outcome] = field(default_factory=dict, repr=False)
 
@@ -56,7 +63,7 @@ class Lesson:
             if names.count(name) > 1 or hasattr(type(self), name) or name in self.__dataclass_fields__:
                 raise LessonError("lesson '{lesson}': the task name '{name}' is taken", lesson=self.name, name=name)
         for task in self.tasks:
-            task.lesson, task.on_feedback = self.name, self._keep
+            task.lesson, task.lang, task.on_feedback = self.name, self.lang, self._keep
 
     def __getattr__(self, name: str) -> Task:
         for task in self.__dict__.get("tasks", ()):
@@ -98,37 +105,63 @@ class Lesson:
 
     def _repr_html_(self) -> str:
         states = self.progress()
-        return render("lesson.html", "open", lesson=self, states=states, solved=self._solved(states))
+        with use(self.lang):
+            return render("lesson.html", "open", lesson=self, states=states, solved=self._solved(states))
 
     def _solved(self, states: dict[str, Outcome]) -> str:
         solved = sum(state.is_right for state in states.values())
-        return f"{solved} of {len(states)} tasks solved"
+        with use(self.lang):
+            return written("{solved} of {count} tasks solved", solved=solved, count=len(states))
 
 
-_opened: dict[str, Lesson] = {}
+_opened: dict[tuple[str, str, str], Lesson] = {}
 
 
-def open_lesson(name: str, folder: str | Path | None = None) -> Lesson:
+def open_lesson(name: str, folder: str | Path | None = None, lang: str = "") -> Lesson:
     """Return a lesson by its name; opened again it is the same one.
 
     Args:
         folder: where a teacher's own lessons are: `<folder>/tasks/<name>.py` has its tasks.
+        lang: the language of its tasks and of what they answer; by default that of the environment.
 
     Raises:
-        LessonError: there is no such lesson, or its tasks are declared wrongly.
+        LessonError: there is no such lesson, or its tasks are declared wrongly; another language.
     """
     if "IPython" in sys.modules:
         show_figures()
-    if folder is not None:
-        key = str(Path(folder).resolve() / name)
-        if key not in _opened:
-            _opened[key] = _read_own(name, Path(folder))
-        return _opened[key]
+    if lang and not known_language(lang):
+        raise LessonError("no language '{lang}'; the languages are {languages}", lang=lang, languages=list(languages()))
+    key = (str(Path(folder).resolve()) if folder is not None else "", name, known_language(lang) or _usual_language())
+    if key not in _opened:
+        _opened[key] = _in_language(_read(name) if folder is None else _read_own(name, Path(folder)), folder, key[2])
+    return _opened[key]
+
+
+def _usual_language() -> str:
+    """Return the language that is spoken, in a command; elsewhere that of the environment."""
+    return language_of_environment() if spoken() == ENGLISH else spoken()
+
+
+def _read(name: str) -> Lesson:
     if name not in lesson_names():
         raise LessonError("no lesson '{name}'; the lessons are {lessons}", name=name, lessons=list(lesson_names()))
-    if name not in _opened:
-        _opened[name] = importlib.import_module(f"{PACKAGE}.{name}").LESSON
-    return _opened[name]
+    lesson: Lesson = importlib.import_module(f"{PACKAGE}.{name}").LESSON
+    return lesson
+
+
+def _in_language(lesson: Lesson, folder: str | Path | None, lang: str) -> Lesson:
+    """Return a lesson whose tasks speak a language, with its words from the catalogue of its source."""
+    source = (Path(folder) if folder is not None else COURSE) / "lessons" / f"{lesson.number:02}_{lesson.name}.py"
+    change = partial(translated_sentence, translate=translation_of(source, lang))
+    return Lesson(
+        lesson.number,
+        lesson.name,
+        change(lesson.title),
+        tuple(map(change, lesson.objectives)),
+        tuple(changed_task(task, change) for task in lesson.tasks),
+        change(lesson.source),
+        lang,
+    )
 
 
 def lessons() -> tuple[Lesson, ...]:
@@ -176,7 +209,7 @@ def progress_file() -> Path | None:
 
 def read_progress(lesson: str) -> dict[str, Outcome]:
     """Return the last outcome of each task of a lesson; nothing where the file is missing or no such file."""
-    kept = _read().get(lesson)
+    kept = _read_kept().get(lesson)
     if not isinstance(kept, dict):
         return {}
     return {str(task): Outcome(value) for task, value in kept.items() if isinstance(value, str) and value in _NAMES}
@@ -195,7 +228,7 @@ def keep_progress(feedback: Feedback) -> None:
     before = read_progress(feedback.lesson).get(feedback.task)
     if reached(before, feedback.outcome) is before:
         return
-    kept = _read()
+    kept = _read_kept()
     lesson = kept.get(feedback.lesson)
     kept[feedback.lesson] = {**(lesson if isinstance(lesson, dict) else {}), feedback.task: feedback.outcome.value}
     with suppress(OSError):  # a home that cannot be written loses the progress, not the lesson
@@ -203,7 +236,7 @@ def keep_progress(feedback: Feedback) -> None:
         write_atomically(file, (json.dumps(kept, indent=1, sort_keys=True) + "\n").encode())
 
 
-def _read() -> dict[str, object]:
+def _read_kept() -> dict[str, object]:
     file = progress_file()
     if file is None:
         return {}

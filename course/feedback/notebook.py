@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from armproof.models.errors import written
 from armproof.verification.report.html.figures import Figure as Picture
 from armproof.verification.report.html.sketch import sketch_style
 
@@ -44,7 +45,7 @@ def _environment() -> Environment:
         lstrip_blocks=True,
     )
     own = (files(__package__) / "templates" / "feedback.css").read_text(encoding="utf-8")
-    environment.globals["style"] = Markup(own + sketch_style())
+    environment.globals |= {"style": Markup(own + sketch_style()), "_": written}
     return environment
 
 

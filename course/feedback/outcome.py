@@ -9,6 +9,8 @@ from enum import StrEnum
 from typing import Any
 
 from armproof.course.feedback.notebook import render
+from armproof.models.errors import written
+from armproof.models.language import look_up, number_text, separator, use
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError
@@ -21,7 +23,6 @@ MOST_PLACES = 4
 GENERAL = (Kind.UNEQUAL, Kind.ONLY_WRONG_ENTRY)  # what is said where no mistake is recognised
 MOST_ROWS = 8
 _NOTHING = 1e-12
-_COLUMNS = ("entry", "expected", "obtained", "unit")
 _SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-z])_(?:(\d+)|\{{(\d+)\}})")
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
@@ -39,6 +40,11 @@ class Outcome(StrEnum):
     def is_right(self) -> bool:
         """Whether the answer is correct, proved or confirmed."""
         return self in (Outcome.PROVED, Outcome.CONFIRMED)
+
+    @property
+    def words(self) -> str:
+        """The outcome in the language that is spoken."""
+        return look_up(self.value)
 
     @property
     def mark(self) -> str:
@@ -89,6 +95,7 @@ class Feedback:
         error: what a function raised, and in which line of the student's.
         printed: what the function printed.
         task, lesson: to what it is the answer.
+        lang: the language it is written in; empty: that which is spoken.
         seconds: how long the check took.
         findings: what the message says of a wrong formula or function.
     """
@@ -103,6 +110,7 @@ class Feedback:
     printed: str = ""
     task: str = ""
     lesson: str = ""
+    lang: str = ""
     seconds: float = 0.0
     findings: tuple[Finding, ...] = ()
 
@@ -127,25 +135,32 @@ class Feedback:
 
     def __str__(self) -> str:
         """Return the feedback as lines for a terminal: outcome and sentence, the configuration, the table."""
+        with use(self.lang):
+            return self._written()
+
+    def _written(self) -> str:
         task = f"{self.task}: " if self.task else ""
         words = f" – {pretty(self.message)}" if self.message else ""
-        lines = [f"{self.outcome.mark} {task}{self.outcome.value}{words}"]
+        lines = [f"{self.outcome.mark} {task}{self.outcome.words}{words}"]
         if self.rows:
-            lines += ["", f"    at {self._configuration}" if self.at else "", *_aligned(self._shown)]
+            at = written("at {configuration}", configuration=self._configuration) if self.at else ""
+            lines += ["", f"    {at}".rstrip(), *_aligned(self._shown)]
             lines += [f"    {self._rest}"] if self._rest else []
-        lines += [f"    note: {note}" for note in self.notes]
+        lines += [f"    {written('note: {note}', note=note)}" for note in self.notes]
         if self.error is not None and self.error.source:
-            lines.append(f"    line {self.error.line}: {self.error.source}")
+            lines.append(f"    {written('line {line}: {source}', line=self.error.line, source=self.error.source)}")
         return "\n".join(lines)
 
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        return render(
-            "feedback.html", self.outcome.kind, outcome=self.outcome, task=self.task, message=_sentence(self.message),
-            columns=_COLUMNS, rows=self._shown, rest=self._rest, at=self._configuration, picture=self.picture,
-            notes=[_sentence(note) for note in self.notes], error=self.error,
-        )  # fmt: skip
+        with use(self.lang):
+            return render(
+                "feedback.html", self.outcome.kind, outcome=self.outcome, task=self.task,
+                message=_sentence(self.message), columns=_columns(), rows=self._shown, rest=self._rest,
+                at=self._configuration, picture=self.picture, notes=[_sentence(note) for note in self.notes],
+                error=self.error,
+            )  # fmt: skip
 
     @property
     def _shown(self) -> list[tuple[str, str, str, str]]:
@@ -153,14 +168,18 @@ class Feedback:
 
     @property
     def _rest(self) -> str:
-        return f"and {len(self.rows) - MOST_ROWS} more" if len(self.rows) > MOST_ROWS else ""
+        left = len(self.rows) - MOST_ROWS
+        return written("and {number} more", number=left) if left > 0 else ""
 
     @property
     def _configuration(self) -> str:
-        return pretty(", ".join(f"{name} = {value:.4g}" for name, value in self.at.items()))
+        values = [f"{name} = {number_text(value, '.4g')}" for name, value in self.at.items()]
+        return pretty(separator(values).join(values))
 
 
-NOTHING = Feedback(Outcome.NOT_ATTEMPTED, "no answer yet")
+def nothing() -> Feedback:
+    """Return the feedback on no answer."""
+    return Feedback(Outcome.NOT_ATTEMPTED, look_up("no answer yet"))
 
 
 def pretty(text: str) -> str:
@@ -175,13 +194,17 @@ def _sentence(text: str) -> str:
 
 def _number(value: float | str) -> str:
     """Return a number as it is shown: four digits, what rounding left of a zero as 0, or the text as it is."""
-    return value if isinstance(value, str) else f"{value if abs(value) > _NOTHING else 0:.4g}"
+    return value if isinstance(value, str) else number_text(value if abs(value) > _NOTHING else 0, ".4g")
+
+
+def _columns() -> tuple[str, str, str, str]:
+    return look_up("entry"), look_up("expected"), look_up("obtained"), look_up("unit")
 
 
 def _aligned(rows: list[tuple[str, str, str, str]]) -> list[str]:
     """Return the lines of a table in columns of one width."""
-    cells = [_COLUMNS, *rows]
-    widths = [max(len(line[k]) for line in cells) for k in range(len(_COLUMNS))]
+    cells = [_columns(), *rows]
+    widths = [max(len(line[k]) for line in cells) for k in range(len(cells[0]))]
     lines = ["    " + "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)) for line in cells]
     return [line.rstrip() for line in lines]
 
@@ -202,9 +225,10 @@ def told(findings: Sequence[Finding], entries: Sequence[WrongEntry]) -> tuple[Fi
 
 def place(row: int | None, column: int | None) -> str:
     """Return an entry's place (from 1) as the student reads it."""
-    return "value" if row is None or column is None else f"({row}, {column})"
+    return look_up("value") if row is None or column is None else f"({row}, {column})"
 
 
 def without_asked(findings: Sequence[Finding]) -> tuple[Finding, ...]:
     """Return findings without the name that a claim gives to what is asked."""
-    return tuple(finding.renamed(ASKED, "what is asked").renamed("Xi", "what is asked") for finding in findings)
+    asked = look_up("what is asked")
+    return tuple(finding.renamed(ASKED, asked).renamed("Xi", asked) for finding in findings)

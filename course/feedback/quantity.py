@@ -17,7 +17,8 @@ from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, 
 from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, written
+from armproof.models.language import noted
 from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.functions import check_function
@@ -26,7 +27,7 @@ from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.returned import NotAttempted
 
 FEW = 8  # samples by which two answers are told apart
-NOTHING_YET = "`{}`: no answer yet, nothing to draw."
+NOTHING_YET = noted("`{task}`: no answer yet, nothing to draw.")
 _USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres
 
 
@@ -96,12 +97,12 @@ class Quantity:
         try:
             call_at(self.loaded, function, at)
         except NotAttempted:
-            return Shown(NOTHING_YET.format(task))
+            return Shown(written(NOTHING_YET, task=task))
         except ArmproofError as problem:
-            return Shown(f"`{task}`: the answer cannot be drawn: {problem}")
+            return Shown(written("`{task}`: the answer cannot be drawn: {reason}", task=task, reason=str(problem)))
         figure = draw_answer(self.loaded, self.quantity, function, at)
         if figure is None:
-            return Shown(f"`{task}`: this answer cannot be drawn: it is no pose, point or Jacobian in the base frame.")
+            return Shown(written("`{task}`: this answer cannot be drawn: it is no pose, point or Jacobian in the base frame.", task=task))  # fmt: skip
         return Portrait(figure)
 
     @cached_property

@@ -10,9 +10,11 @@ from typing import Any
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function, is_missing
-from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome
+from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.errors import written
+from armproof.models.language import look_up
 from armproof.verification.check import check_document
 from armproof.verification.document import Document
 from armproof.verification.document import Table as Printed
@@ -54,18 +56,18 @@ class Table:
         """Return what becomes of a table: a list of rows, each {"a": …, "alpha": …, "d": …, "theta": …} or a list in order."""
         rows = self._rows(answer)
         if not rows:
-            return NOTHING
+            return nothing()
         if len(rows) != len(self.loaded.joints):
             wanted = len(self.loaded.joints)
-            return Feedback(Outcome.WRONG, f"a table has one row a joint: {wanted} rows, not {len(rows)}")
+            return Feedback(Outcome.WRONG, written("a table has one row a joint: {wanted} rows, not {given}", wanted=wanted, given=len(rows)))  # fmt: skip
         if degrees := self._in_degrees(answer):
             return Feedback(Outcome.WRONG, degrees)
         record = self._record(rows)
         if record.verdict is Verdict.PROVED:
-            return Feedback(Outcome.PROVED, "every row leads from one frame of the arm to the next")
+            return Feedback(Outcome.PROVED, look_up("every row leads from one frame of the arm to the next"))
         if record.verdict is Verdict.REFUTED:
             return Feedback(Outcome.WRONG, self._sentence(record))
-        return Feedback(Outcome.ERROR, record.message or "the table cannot be read")
+        return Feedback(Outcome.ERROR, record.message or look_up("the table cannot be read"))
 
     def signature(self, answer: Any) -> str:
         """Return a table as one text, by which two answers are told apart."""
@@ -87,15 +89,14 @@ class Table:
             for name in ("alpha", "theta"):
                 value = cells.get(name)
                 if isinstance(value, int | float) and abs(value) > _TURN:
-                    words = f"{name} = {value:g} is in degrees; angles are in radians, -pi/2 or -np.pi/2"
-                    return f"row {number + 1}: {words}"
+                    return written("row {row}: {name} = {value:g} is in degrees; angles are in radians, -pi/2 or -np.pi/2", row=number + 1, name=name, value=value)  # fmt: skip
         return ""
 
     def _sentence(self, record: Record) -> str:
         """Name the row and the parameter that are wrong, not their values."""
         names = [*("i",), *ORDER[self.convention]]
         told = [
-            f"row {entry.row}: {names[(entry.column or 1) - 1]} is wrong"
+            written("row {row}: {name} is wrong", row=entry.row, name=names[(entry.column or 1) - 1])
             + (f" ({entry.change})" if entry.change else "")
             for entry in record.entries[:4]
         ]
@@ -123,7 +124,10 @@ class Table:
             row = [row[name] for name in order]
         if not isinstance(row, list | tuple) or len(row) != len(order):
             raise AnswerError("row {number} is to hold {count} entries: {order}", number=number, count=len(order), order=list(order))  # fmt: skip
-        return tuple(self._cell(cell, f"row {number}: {name}") for name, cell in zip(order, row, strict=True))
+        return tuple(
+            self._cell(cell, written("row {row}: {name}", row=number, name=name))
+            for name, cell in zip(order, row, strict=True)
+        )
 
     def _cell(self, cell: Any, place: str) -> str:
         """Return a cell as LaTeX; refuse one that is empty, or holds a letter that is none of the arm's."""

@@ -15,9 +15,12 @@ import numpy as np
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
 from armproof.course.feedback.notebook import Portrait, Shown
-from armproof.course.feedback.outcome import NOTHING, Feedback, Outcome
+from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.course.feedback.quantity import NOTHING_YET, Quantity
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, written
+from armproof.models.language import look_up, noted, use
+
+NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
 
 
 class Question(Hashable, Protocol):
@@ -58,7 +61,7 @@ class Task:
         hints: a ladder, from a nudge to nearly the answer.
         right: right answers in several forms; the first is the solution that is shown.
         wrong: wrong answers, from real mistakes.
-        lesson: the name of its lesson, given when the lesson takes it.
+        lesson, lang: the name of its lesson and its language, given when the lesson takes it.
     """
 
     name: str
@@ -69,14 +72,17 @@ class Task:
     right: tuple[Any, ...]
     wrong: tuple[Wrong, ...] = ()
     lesson: str = ""
+    lang: str = ""
     on_feedback: Callable[[Feedback], None] = field(default=lambda feedback: None, repr=False)
     _given: int = field(default=0, repr=False)
 
     def check(self, answer: Any = ...) -> Feedback:
         """Return what becomes of an answer: a function, a SymPy expression, LaTeX, numbers; `...` is no answer yet."""
         started = time.perf_counter()
-        feedback = self._judge(answer)
-        feedback = replace(feedback, task=self.name, lesson=self.lesson, seconds=time.perf_counter() - started)
+        with use(self.lang):
+            feedback = self._judge(answer)
+        seconds = time.perf_counter() - started
+        feedback = replace(feedback, task=self.name, lesson=self.lesson, lang=self.lang, seconds=seconds)
         self.on_feedback(feedback)
         return feedback
 
@@ -84,15 +90,18 @@ class Task:
         """Return the next hint of the ladder; after the last one, the last again."""
         index = min(self._given, len(self.hints) - 1)
         self._given += 1
-        if index < 0:
-            return Shown("There is no hint for this task.")
-        last = f" There are no more; `lesson.{self.name}.solution()` shows the answer."
-        more = last if index + 1 == len(self.hints) else ""
-        return Shown(f"**Hint {index + 1} of {len(self.hints)}.** {self.hints[index]}{more}")
+        with use(self.lang):
+            if index < 0:
+                return Shown(look_up("There is no hint for this task."))
+            last = written(" There are no more; `lesson.{task}.solution()` shows the answer.", task=self.name)
+            more = last if index + 1 == len(self.hints) else ""
+            head = written("**Hint {number} of {count}.**", number=index + 1, count=len(self.hints))
+        return Shown(f"{head} {self.hints[index]}{more}")
 
     def solution(self) -> Shown:
         """Return the solution: the first of the right answers, and the first formula among them."""
-        parts = [f"**{self.title}: solution.**"]
+        with use(self.lang):
+            parts = [written("**{title}: solution.**", title=self.title)]
         functions = [answer for answer in self.right if is_function(answer)]
         formulas = [answer for answer in self.right if isinstance(answer, str)]
         if formulas and not hasattr(self.asks, "options"):
@@ -108,17 +117,18 @@ class Task:
 
         Every joint that is not named has a value of its own, none of them zero.
         """
-        if is_missing(answer):
-            return Shown(NOTHING_YET.format(self.name))
-        if not isinstance(self.asks, Quantity) or not is_function(answer):
-            return Shown(f"`{self.name}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
-        return self.asks.show(self.name, answer, at)
+        with use(self.lang):
+            if is_missing(answer):
+                return Shown(written(NOTHING_YET, task=self.name))
+            if not isinstance(self.asks, Quantity) or not is_function(answer):
+                return Shown(written(NOT_DRAWN, task=self.name))
+            return self.asks.show(self.name, answer, at)
 
     def _judge(self, answer: Any) -> Feedback:
         if isinstance(answer, WithSympy):
             answer = answer.value()
         if is_missing(answer):
-            return NOTHING
+            return nothing()
         try:
             feedback = self.asks.judge(answer)
         except AnswerError as problem:

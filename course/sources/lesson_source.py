@@ -10,13 +10,16 @@ from pathlib import Path
 
 from armproof.course.errors import AuthoringError, SourceError
 from armproof.course.sources.solutions import BEGIN, END, Block, find_blocks
+from armproof.course.translation.catalogue import translation_of
+from armproof.course.translation.documents import translated
+from armproof.models.language import ENGLISH
 from armproof.verification.document.cells import Cell, percent_cells
 
 FILE = re.compile(r"(?P<number>\d\d)_(?P<name>[a-z][a-z0-9_]*)\.py")
 
 
-def read_cells(path: Path) -> tuple[Cell, ...]:
-    """Return the cells of a py:percent file; its jupytext header is none of them.
+def read_cells(path: Path, lang: str = ENGLISH) -> tuple[Cell, ...]:
+    """Return the cells of a py:percent file, its prose in a language; its jupytext header is none of them.
 
     Raises:
         AuthoringError: the file cannot be read.
@@ -27,7 +30,7 @@ def read_cells(path: Path) -> tuple[Cell, ...]:
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
         raise AuthoringError("{path}: cannot be read: {reason}", path=path, reason=reason) from None
-    return parse_cells(path, text)
+    return parse_cells(path, text if lang == ENGLISH else translated(path, text, translation_of(path, lang), lang))
 
 
 def parse_cells(path: Path, text: str) -> tuple[Cell, ...]:
@@ -94,12 +97,12 @@ class LessonSource:
         return f"{self.path}:{self.cells[cell].line + line - 1}" if cell < len(self.cells) else str(self.path)
 
 
-def read_lesson_source(path: Path) -> LessonSource:
-    """Return a lesson's source; raises SourceError, with file and line, where it is not what a lesson is."""
+def read_lesson_source(path: Path, lang: str = ENGLISH) -> LessonSource:
+    """Return a lesson's source in a language; raises SourceError, with file and line, where it is not what a lesson is."""
     found = FILE.fullmatch(path.name)
     if found is None:
         raise SourceError(path, 1, "a lesson's file is called NN_name.py, such as 08_scara_jacobian.py")
-    cells = read_cells(path)
+    cells = read_cells(path, lang)
     _require_front_matter(path, cells)
     _refuse_solutions_in_text(path, cells)
     trees = {index: _parsed(path, cell) for index, cell in enumerate(cells) if cell.kind == "code"}

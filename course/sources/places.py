@@ -9,6 +9,7 @@ from pathlib import Path
 
 from armproof.course.errors import AuthoringError
 from armproof.course.sources.lesson_source import FILE
+from armproof.models.language import ENGLISH
 
 
 @dataclass(frozen=True)
@@ -41,9 +42,9 @@ class Place:
         """Return the sources, in the order of their numbers."""
         return sorted(path for path in self.lessons.glob("*.py") if FILE.fullmatch(path.name))
 
-    def notebook(self, source: Path) -> Path:
-        """Return the student's notebook of a source."""
-        return self.notebooks / f"{source.stem}.ipynb"
+    def notebook(self, source: Path, lang: str = ENGLISH) -> Path:
+        """Return the student's notebook of a source; those in other languages are in folders of their own."""
+        return self.notebooks / ("" if lang == ENGLISH else lang) / f"{source.stem}.ipynb"
 
     def named(self, names: Sequence[str]) -> list[Path]:
         """Return the sources of the lessons named, all where none is; raises AuthoringError where there is no such lesson."""

@@ -11,29 +11,32 @@ from armproof.course.sources.editions import instructor_notebook, student_notebo
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.nbgrader import nbgrader_notebook
 from armproof.course.sources.places import Place
+from armproof.models.language import ENGLISH
 from armproof.verification.running.atomic import write_atomically
 
 Files = dict[Path, bytes]
 
 
-def student_files(place: Place, sources: Sequence[Path]) -> Files:
+def student_files(place: Place, sources: Sequence[Path], lang: str = ENGLISH) -> Files:
     """Return the students' notebooks of sources, by their path."""
-    return {place.notebook(source): student_notebook(lesson) for source, lesson in _read(sources)}
+    return {place.notebook(source, lang): student_notebook(lesson) for source, lesson in _read(sources, lang)}
 
 
-def instructor_files(out: Path, sources: Sequence[Path]) -> Files:
+def instructor_files(out: Path, sources: Sequence[Path], lang: str = ENGLISH) -> Files:
     """Return the instructor's edition: DIR/08_scara_jacobian.ipynb."""
-    return {out / f"{source.stem}.ipynb": instructor_notebook(lesson) for source, lesson in _read(sources)}
+    return {out / f"{source.stem}.ipynb": instructor_notebook(lesson) for source, lesson in _read(sources, lang)}
 
 
-def nbgrader_files(out: Path, sources: Sequence[Path]) -> Files:
+def nbgrader_files(out: Path, sources: Sequence[Path], lang: str = ENGLISH) -> Files:
     """Return nbgrader's source version, an assignment a lesson: DIR/08_scara_jacobian/08_scara_jacobian.ipynb."""
-    return {out / source.stem / f"{source.stem}.ipynb": nbgrader_notebook(lesson) for source, lesson in _read(sources)}
+    return {
+        out / source.stem / f"{source.stem}.ipynb": nbgrader_notebook(lesson) for source, lesson in _read(sources, lang)
+    }
 
 
-def _read(sources: Sequence[Path]) -> Iterator[tuple[Path, LessonSource]]:
+def _read(sources: Sequence[Path], lang: str) -> Iterator[tuple[Path, LessonSource]]:
     for source in sources:
-        yield source, read_lesson_source(source)
+        yield source, read_lesson_source(source, lang)
 
 
 def stale(files: Files) -> list[Path]:
@@ -41,10 +44,11 @@ def stale(files: Files) -> list[Path]:
     return [path for path, data in files.items() if not _holds(path, data)]
 
 
-def orphans(place: Place) -> list[Path]:
+def orphans(place: Place, lang: str = ENGLISH) -> list[Path]:
     """Return the notebooks of a place that no source gives."""
-    expected = {place.notebook(source) for source in place.sources()}
-    return sorted(path for path in place.notebooks.glob("*.ipynb") if path not in expected)
+    expected = {place.notebook(source, lang) for source in place.sources()}
+    folder = place.notebook(Path("any"), lang).parent
+    return sorted(path for path in folder.glob("*.ipynb") if path not in expected)
 
 
 def refuse_worked_in(files: Files) -> None:
