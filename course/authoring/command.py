@@ -10,6 +10,7 @@ import typer
 from armproof.course.authoring import options as o
 from armproof.course.site.command import site
 from armproof.models.errors import written
+from armproof.models.language import ENGLISH
 from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending, tell
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
@@ -49,6 +50,7 @@ def build(
     out: o.Out = None,
     force: o.Force = False,
     folder: o.Folder = None,
+    lang: o.Language = "",
 ) -> None:
     """Write the students' notebooks from the solved sources, or another edition into a folder.
 
@@ -59,11 +61,11 @@ def build(
 
     with ending(relative):
         place = _place(folder)
-        files = _files(place, names or [], instructor, nbgrader, out)
+        files = _files(place, names or [], instructor, nbgrader, out, lang or ENGLISH)
         if not (check or force):
             refuse_worked_in(files)
         old = stale(files) if check else write_stale(files)
-        lost = [] if names or out else orphans(place)
+        lost = [] if names or out else orphans(place, lang or ENGLISH)
     for path in old:
         typer.echo(relative(written("{path}: out of date" if check else "{path}", path=path)))
     complain(relative(written("{path}: no source gives this notebook; remove it", path=path)) for path in lost)
@@ -133,7 +135,7 @@ def _place_for_writing(folder: Path | None) -> Place:
     return _place(folder)
 
 
-def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out: Path | None) -> Files:
+def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out: Path | None, lang: str) -> Files:
     from armproof.course.authoring.checking.building import instructor_files, nbgrader_files, student_files
     from armproof.course.errors import AuthoringError
 
@@ -144,12 +146,12 @@ def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out
             raise AuthoringError(
                 "--out is for --instructor or --nbgrader; students' notebooks stand beside the sources"
             )
-        return student_files(place, place.named(names))
+        return student_files(place, place.named(names), lang)
     if out is None:
         raise AuthoringError("an edition with solutions is written into a folder of its own: --out DIR")
     if out.resolve() == place.notebooks.resolve():
         raise AuthoringError("{out}: the students' notebooks are here; solutions are written elsewhere", out=out)
-    return (nbgrader_files if nbgrader else instructor_files)(out, place.named(names))
+    return (nbgrader_files if nbgrader else instructor_files)(out, place.named(names), lang)
 
 
 def _check(place: Place, sources: list[Path], processes: int, report_format: o.Format) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from armproof.course.errors import PrintError
@@ -15,6 +15,8 @@ from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, Text, plain
 from armproof.course.sheet.proof import check_language
 from armproof.course.sheet.reading import BlockReader
+from armproof.course.translation.catalogue import translated_sentence, translation_of
+from armproof.course.translation.documents import translated
 from armproof.course.words import say
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
@@ -54,11 +56,12 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
     if not (result.passed or edition.draft):
         raise PrintError("{path}: it does not pass, so it is not printed; --draft prints it as a draft", path=document.path)  # fmt: skip
     lang = check_language(edition.lang or str(document.front.get("lang") or document.front.get("language") or "en"))
+    document = _in_language(document, lang)
     spec = document.front.get("arm")
     arm = load_arm(spec, document.path.parent) if spec is not None else None
-    inline = InlineReader(read_names(arm, document.front).reader.read, document.path.parent)
+    inline = InlineReader(read_names(arm, document.front).reader.read, document.path.parent, lang)
     reader = BlockReader(inline, result)
-    blocks = [block for body, first, cell in _bodies(document.path) for block in reader.read(body, first, cell)]
+    blocks = [block for body, first, cell in _bodies(document.path, lang) for block in reader.read(body, first, cell)]
     reader.close()
     title, blocks = _titled(document, blocks, inline)
     warnings = list(reader.warnings)
@@ -74,13 +77,22 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
     return Sheet(title, source, lang, name, illustrated, edition.draft, edition.solutions, tuple(warnings))
 
 
-def _bodies(path: Path) -> Sequence[tuple[str, int, int | None]]:
-    """Return the Markdown of a document: each text with its first line, and the notebook's cell."""
+def _in_language(document: Document, lang: str) -> Document:
+    """Return a document whose title and source are in a language, as its catalogue has them."""
+    translate = translation_of(document.path, lang)
+    said = {key: document.front.get(key) for key in ("title", "source")}
+    told = {key: translated_sentence(text, translate) for key, text in said.items() if isinstance(text, str)}
+    return replace(document, front={**document.front, **told})
+
+
+def _bodies(path: Path, lang: str) -> Sequence[tuple[str, int, int | None]]:
+    """Return the Markdown of a document in a language: each text with its first line, and the notebook's cell."""
     if path.suffix not in PRINTED:
         raise PrintError("{path}: '{suffix}' files are not printed; those that are: {printed}",
             path=path, suffix=path.suffix, printed=list(PRINTED))  # fmt: skip
     text = read_text(path)
     if path.suffix != ".ipynb":
+        text = translated(path, text, translation_of(path, lang), lang)
         _, _, body, first = split_front_matter(path, text)
         return [(body, first, None)]
     return split_cells(path, read_cells(path, text))[2]

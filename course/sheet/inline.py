@@ -14,7 +14,9 @@ from urllib.parse import unquote
 from markdown_it.token import Token
 
 from armproof.course.sheet.model import Break, Code, Formula, Inline, Link, Styled, Text, plain
+from armproof.course.translation.catalogue import translated_sentence, translation_of
 from armproof.models.errors import ArmproofError
+from armproof.models.language import ENGLISH
 from armproof.verification.document import SUFFIXES, read_document
 from armproof.verification.errors import ReadError
 from armproof.verification.latex.mathml.display import pieces, write_display
@@ -27,11 +29,10 @@ _STYLES = {"strong": "strong", "em": "emphasis"}
 
 
 class InlineReader:
-    """Reads inline tokens; `read` reads LaTeX with the document's letters, `folder` is the document's."""
+    """Reads inline tokens; `read` reads LaTeX with the document's letters, `folder` is the document's; `lang` its language."""
 
-    def __init__(self, read: Read, folder: Path) -> None:
-        self.read = read
-        self.folder = folder
+    def __init__(self, read: Read, folder: Path, lang: str = ENGLISH) -> None:
+        self.read, self.folder, self.lang = read, folder, lang
 
     def parts(self, tokens: Iterable[Token]) -> tuple[Inline, ...]:
         """Return the parts of a flat list of inline tokens; images are left to whoever reads the block."""
@@ -94,4 +95,6 @@ class InlineReader:
             title = read_document(path).front.get("title") if path.is_file() else None
         except (ArmproofError, OSError):
             return None
-        return (Styled("emphasis", (Text(title),)),) if isinstance(title, str) else None
+        if not isinstance(title, str):
+            return None
+        return (Styled("emphasis", (Text(translated_sentence(title, translation_of(path, self.lang))),)),)

@@ -19,6 +19,7 @@ from armproof.course.sources.kernel import Run, run_cells
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import Place
 from armproof.models.errors import ArmproofError
+from armproof.models.language import ENGLISH, languages
 from armproof.verification.running.processes import share_out
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
@@ -86,7 +87,8 @@ def _seconds(results: Mapping[str, Mapping[str, Any]]) -> Iterator[float]:
 
 
 def _of_build(place: Place, source: Path) -> Iterator[str]:
-    for path in stale(student_files(place, [source])):
+    made = [lang for lang in languages() if lang == ENGLISH or place.notebook(source, lang).parent.is_dir()]
+    for path in (each for lang in made for each in stale(student_files(place, [source], lang))):
         what = "is not what the source gives" if path.exists() else "is missing"
         yield f"{path}: {what}; write it with: {REBUILD}"
 
