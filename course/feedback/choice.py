@@ -105,11 +105,11 @@ class Number:
             )  # fmt: skip
             return Feedback(Outcome.ERROR, wanted)
         if given.shape != right.shape:
-            told = counted(
+            size = counted(
                 "the answer is one number, not {given}", "the answer is {number} numbers, not {given}",
                 len(right), given=len(given),
             )  # fmt: skip
-            return Feedback(Outcome.WRONG, told)
+            return Feedback(Outcome.WRONG, size)
         wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
         if not wrong.any():
             return Feedback(Outcome.PROVED, "")

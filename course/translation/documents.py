@@ -18,7 +18,7 @@ from armproof.verification.document.front_matter import split_front_matter
 Change = Callable[[str], str]  # Markdown in, Markdown out, on as many lines
 
 _NAMED = re.compile(r"^(?P<key>title|source): +(?P<value>\S.*)$", re.MULTILINE)
-_OPENING = re.compile(r'(?P<call>open_lesson\("\w+")(?=[,)])')
+_OPENING = re.compile(r'(?P<call>open_lesson\("\w+"[^()]*)(?=\))')
 _LITERAL = re.compile(r"(?P<open>[rR]?\"\"\")(?P<text>.*)(?P<close>\"\"\")", re.DOTALL)
 _REMARK = re.compile(r"(?P<open># )(?!fmt:|noqa)(?P<text>.*)(?P<close>)")
 _BEGIN = (NEWLINE, INDENT, DEDENT)  # before a docstring

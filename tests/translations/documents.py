@@ -21,7 +21,7 @@ def said_in(document: Path) -> list[Message]:
     """Return what a document says, and the tasks of a lesson: each piece of prose once."""
     found = [(document.name, piece) for piece in prose_of(document, document.read_text(encoding="utf-8"))]
     if document.suffix == ".py":
-        found += _said_by(open_lesson(document.stem.partition("_")[2]))
+        found += _said_by(open_lesson(document.stem.partition("_")[2], lang="en"))
     messages: dict[str, Message] = {}
     for place, piece in found:
         remarks = tuple(f"{{{number}}} = {text}" for number, text in enumerate(piece.kept, 1))

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from armproof.course.errors import GradingError
+from armproof.models.language import languages
 
 _PRELOADED = (
     "numpy", "matplotlib.pyplot", "pydrake.math", "pydrake.multibody.plant", "pydrake.symbolic", "armproof.models.catalogue",
@@ -63,15 +64,17 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
     Raises:
         ArmproofError: a lesson is declared wrongly, or there is none in the folder.
     """
-    from armproof.course.feedback import Task, lessons
+    from armproof.course.feedback import Task
+    from armproof.course.feedback.lesson import lesson_names, open_lesson
 
-    named = {lesson.name: lesson for lesson in lessons()} | (_own_lessons(Path(own), base) if own else {})
-    course = sorted(named.values(), key=lambda lesson: lesson.number)
+    named = {name: [open_lesson(name, lang=lang) for lang in languages()] for name in lesson_names()}
+    named |= _own_lessons(Path(own), base) if own else {}
+    course = sorted((lesson for lesson, *_ in named.values()), key=lambda lesson: lesson.number)
     for lesson in course:
         for task in lesson.tasks if lesson.name in used else ():
             with contextlib.suppress(Exception):
                 task.asks.judge(task.right[0])
-    tasks = {id(task): (lesson.name, task.asks) for lesson in course for task in lesson.tasks}
+    tasks = {id(task): (lesson.name, task.asks) for each in named.values() for lesson in each for task in lesson.tasks}
     Task.check, found = recording(Task.check, tasks)  # type: ignore[method-assign]
     return [_described(lesson) for lesson in course], lambda: list(found.values())
 
@@ -82,7 +85,7 @@ def _described(lesson: Any) -> dict[str, Any]:
 
 
 def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
-    """Return a teacher's own lessons by name, opened from where the notebooks will look for them."""
+    """Return a teacher's own lessons by name, each in every language, opened from where the notebooks will look for them."""
     from armproof.course.feedback import lesson as opened
     from armproof.course.feedback import open_lesson
 
@@ -90,7 +93,8 @@ def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
     names = sorted(stem for stem in stems if stem.isidentifier() and stem != "__init__")
     if not names:
         raise GradingError("{folder}: no lessons of your own: there is no tasks/<name>.py in it", folder=folder)
-    found = {name: open_lesson(name, folder) for name in names}
-    for name, lesson in found.items():
-        opened._opened[str(Path(base).resolve() / name)] = lesson
+    found = {name: [open_lesson(name, folder, lang) for lang in languages()] for name in names}
+    for name, each in found.items():
+        for lesson in each:
+            opened._opened[str(Path(base).resolve()), name, lesson.lang] = lesson
     return found
