@@ -27,6 +27,7 @@ def alternatives(latex: str, outcome: Outcome, entries: Sequence[WrongEntry]) ->
         yield from _of_form(latex, outcome.printed.node, outcome)
         if outcome.pair is None:
             yield from _other_products(latex, outcome.true.node)
+            yield from ((row,) for side in (outcome.printed, outcome.true) if (row := _zeros_too_many(side.node)))
 
 
 def true_value(latex: str, outcome: Outcome, notation: Notation) -> Iterator[Corrections]:
@@ -122,3 +123,14 @@ def _missing_row(node: n.Node, outcome: Outcome) -> Correction | None:
         return None
     last = node.rows[-1][-1].span[1]
     return Correction(last, last, r" \\ " + " & ".join(["0"] * (len(node.rows[-1]) - 1) + ["1"]))
+
+
+def _zeros_too_many(node: n.Node) -> Correction | None:
+    """The last row of zeros, where what stands above it has one already: [p 0] of a p with four rows."""
+    node = bare(node)
+    if not isinstance(node, n.Matrix) or len(node.rows) < 2:
+        return None
+    last = node.rows[-1]
+    if not all(isinstance(cell, n.Number) and cell.value == 0 for cell in last):
+        return None
+    return Correction(node.rows[-2][-1].span[1], last[-1].span[1], "")

@@ -55,6 +55,7 @@ SLIPS = {
     "a size under a brace": (rf"\underbrace{{{J}}}_{{2 \times 3}} = J_v", rf"\underbrace{{{J}}}_{{2 \times 2}} = J_v"),
     "a transpose": (rf"J_v^T = {J}", None),
     "a Unicode letter": ("det J_v = l_1 l_2 · cos θ_2", None),
+    "a row of zeros too many": (r"\begin{bmatrix} J_v^T J_v \\ 0 & 0 \end{bmatrix} = J_v^T J_v", r"\begin{bmatrix} J_v^T J_v \end{bmatrix} = J_v^T J_v"),
     "a row too few": (r"p_2 = \begin{bmatrix} l_1 C_1 + l_2 C_{12} \end{bmatrix}", f"p_2 = {P}"),
 }  # fmt: skip
 
