@@ -126,13 +126,13 @@ class SymbolicPlant:
 
     def _create_context(self, depth: int) -> Any:
         from pydrake.math import RigidTransform_, RotationMatrix_
-        from pydrake.multibody.tree import BodyIndex, SpatialInertia_, UnitInertia_
+        from pydrake.multibody.tree import BodyIndex, SpatialInertia_
         from pydrake.symbolic import Expression
 
         plant, context = self.plant, self.plant.CreateDefaultContext()
         one = Expression(1.0)
         # Drake evaluates inertias along with the kinematics and divides by zero at a body without mass.
-        inertia = SpatialInertia_[Expression](one, [0 * one] * 3, UnitInertia_[Expression](one, one, one))
+        inertia = SpatialInertia_[Expression].SolidSphereWithMass(one, one)
         for i in range(1, plant.num_bodies()):
             plant.get_body(BodyIndex(i)).SetSpatialInertiaInBodyFrame(context, inertia)
         for index, offset in self.offsets.items():

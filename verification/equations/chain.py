@@ -6,7 +6,6 @@ from collections.abc import Callable
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
-from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.catalogue import Catalogue
 from armproof.verification.equations.conventional import Conventions
@@ -68,10 +67,6 @@ class ChainChecker:
     def member(self, node: n.Node) -> Member:
         """Evaluate one side exactly."""
         return self.members.evaluate(node)
-
-    def sampled_value(self, node: n.Node) -> Value:
-        """Return a tree's value on the samples of the double plant."""
-        return self.members.sampled_value(node)
 
     def quantity_of(self, node: n.Node) -> Quantity | None:
         """Return the arm's quantity that a name, with or without arguments, stands for."""

@@ -58,10 +58,6 @@ class Members:
         except EvaluationError as problem:
             return Member(node, None, problem)
 
-    def sampled_value(self, node: n.Node, branch: int = 1) -> Value:
-        """Return a tree's value on the samples of the double plant."""
-        return Evaluator(self.names, self.sampled(), branch).evaluate(node)
-
     def _rank(self, node: n.Node) -> int:
         if isinstance(node, n.Group | n.Labelled):
             return self._rank(node.inner)

@@ -65,22 +65,23 @@ def _at(node: ast.AST, step: tuple[str, int | None]) -> ast.AST:
 
 
 def _sites(tree: ast.Module) -> Iterator[_Site]:
-    yield from _below(tree, ())
+    bounds = {name for node in tree.body if (name := _named_bound(node)) is not None}
+    yield from _below(tree, (), bounds)
 
 
-def _below(node: ast.AST, path: tuple[tuple[str, int | None], ...]) -> Iterator[_Site]:
+def _below(node: ast.AST, path: tuple[tuple[str, int | None], ...], bounds: set[str]) -> Iterator[_Site]:
     for field, value in ast.iter_fields(node):
         if field in ("annotation", "returns", "decorator_list", "type_params", "ctx", "bases"):
             continue
         children = enumerate(value) if isinstance(value, list) else [(None, value)]
         for position, child in children:
-            if not isinstance(child, ast.AST) or _decides_nothing(node, child):
+            if not isinstance(child, ast.AST) or _decides_nothing(node, child, bounds):
                 continue
             here = (*path, (field, position))
             line = getattr(child, "lineno", getattr(node, "lineno", 0))
             yield from (_Site(here, kind, line, words) for kind, words in _changes(node, field, child))
             if not _for_checkers(child):
-                yield from _below(child, here)
+                yield from _below(child, here, bounds)
 
 
 def _changes(parent: ast.AST, field: str, node: ast.AST) -> Iterator[tuple[str, str]]:
@@ -118,20 +119,32 @@ def _other(value: object) -> bool | int | float:
     return value + 1 if isinstance(value, int) else value * 1000 if value else 1.0
 
 
-def _decides_nothing(parent: ast.AST, node: ast.AST) -> bool:
-    """Whether a node is a message, a docstring, a guard against our own slips (zip(…, strict=True)), or a bound."""
+def _decides_nothing(parent: ast.AST, node: ast.AST, bounds: set[str]) -> bool:
+    """Whether a node is a message, a docstring, a guard against our own slips (zip(…, strict=True)), or a bound of effort."""
     is_docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     is_guard = isinstance(node, ast.keyword) and node.arg == "strict"
-    return isinstance(node, SILENT) or is_docstring or is_guard or _is_a_bound(parent, node)
+    asks_for_time = isinstance(node, ast.Expr) and ast.unparse(node).endswith("budget.check()")
+    return isinstance(node, SILENT) or is_docstring or is_guard or asks_for_time or _is_a_bound(parent, node, bounds)
 
 
-def _is_a_bound(parent: ast.AST, node: ast.AST) -> bool:
-    """Whether a node compares with, or is, a whole number from 10 on: a bound of size or effort, where one more is no other law."""
+def _is_a_bound(parent: ast.AST, node: ast.AST, bounds: set[str]) -> bool:
+    """Whether a node compares with, or is, a whole number from 10 on or a named bound: where one more is no other law."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, int) and _named_bound(parent) is not None:
+        return True
     sides = [parent.left, *parent.comparators] if isinstance(parent, ast.Compare) else []
-    numbers = [side.value for side in sides if isinstance(side, ast.Constant) and isinstance(side.value, int)]
-    return any(number >= 10 for number in numbers) and isinstance(
-        node, ast.Constant | ast.Lt | ast.LtE | ast.Gt | ast.GtE
-    )
+    literal = any(isinstance(s, ast.Constant) and isinstance(s.value, int) and s.value >= 10 for s in sides)
+    named = any(isinstance(below, ast.Name) and below.id in bounds for side in sides for below in ast.walk(side))
+    is_order = isinstance(node, ast.Lt | ast.LtE | ast.Gt | ast.GtE)
+    return (literal and (is_order or isinstance(node, ast.Constant))) or (named and is_order)
+
+
+def _named_bound(node: ast.AST) -> str | None:
+    """Return the name that a module gives a whole number from 10 on, or a tolerance, a time."""
+    if not isinstance(node, ast.Assign) or not isinstance(node.value, ast.Constant) or len(node.targets) != 1:
+        return None
+    value, target = node.value.value, node.targets[0]
+    is_bound = isinstance(value, float) or (isinstance(value, int) and value >= 10)
+    return target.id if is_bound and isinstance(target, ast.Name) and target.id.isupper() else None
 
 
 def _for_checkers(node: ast.AST) -> bool:

@@ -77,6 +77,11 @@ def test_the_trusted_base_is_what_the_plan_names():
 def test_a_bound_of_effort_is_no_law_and_a_small_number_is():
     assert {mutant.words for mutant in mutants_of("if size > 30:\n    f()")} == {"not (size > 30)", "f() dropped"}
     assert {"Gt → GtE", "3 → 4"} <= {mutant.words for mutant in mutants_of("if size > 3:\n    f()")}
+    asked = "    budget.check()"
+    assert {mutant.words for mutant in mutants_of(f"MOST = 30\nif size > MOST:\n{asked}")} == {"not (size > MOST)"}
+    assert {"Gt → GtE", "3 → 4", "budget.checks() dropped"} <= {
+        mutant.words for mutant in mutants_of(f"MOST = 3\nif size > MOST:\n{asked[:-2]}s()")
+    }
 
 
 def test_each_trusted_file_is_there_and_has_tests():
