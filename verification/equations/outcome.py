@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, is_zero
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import NoValue
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import DECIDED, EquationResult, Role, Verdict
 
@@ -22,6 +24,12 @@ SIZES = (
     Kind.WRONG_SIZE, Kind.WRONG_SIZE_OF_VALUE, Kind.SUM_OF_SIZES, Kind.PRODUCT_OF_SIZES, Kind.SUM_WITH_SCALAR,
     Kind.NO_INVERSE_OF_SIZE, Kind.NO_DETERMINANT, Kind.NO_COFACTORS,
 )  # fmt: skip
+SIZES_OF_LETTERS = (
+    Kind.WRONG_SIZE,
+    Kind.WRONG_SIZE_OF_VALUE,
+    Kind.SUM_OF_SIZES,
+    Kind.SUM_WITH_SCALAR,
+)  # a letter may be a column
 ELEMENTARY = ("Rot", "Rot3", "Trans")
 TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
 
@@ -234,24 +242,79 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
 
     Letters that the other side lacks make an equation a definition or a law of letters that nothing else binds.
     """
-    if names.arm is not None or outcome.role is Role.LAW or names.state.consulted or _tells_sizes(outcome):
+    if names.arm is not None or outcome.role is Role.LAW:
         return None
     below = [each for member in chain.members for each in n.walk(member)]
+    if _tells_sizes(outcome):
+        of_letter = outcome.findings[0].kind in SIZES_OF_LETTERS and not any(
+            isinstance(b, n.Call) and b.function in ELEMENTARY for b in below
+        )
+        is_column = of_letter and any(_may_be_column(member, names) for member in chain.members)
+        return say(Kind.NO_ARM_TO_COMPARE) if is_column else None
     if any(isinstance(b, n.Name) and (b.pre_sup or b.key in names.quantities) for b in below):  # a law of link matrices
         return None
-    first, *others = [_letters(member) for member in chain.members]
-    if any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below):
-        bound = all(found <= first or first <= found for found in others)  # an identity of angles, or a slip in one
+    first, *others = [_letters(member, names) for member in chain.members]
+    defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
+    angles = any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below)
+    of_letters = any(_is_of_letters(node) for node in defined if node is not None)  # a rotation obeys more than they do
+    numbers = [m for m in chain.members if not _letters(m, names) and not _is_nought(m)]
+    has_value = bool(numbers) and any(map(bare_key, chain.members))  # that of a name alone
+    if defined and outcome.true is not None and outcome.printed is not None:
+        first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
+    if defined or angles:  # an identity of angles, or a slip in one
+        bound = not (of_letters or has_value) and all(found <= first or first <= found for found in others)
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
 
 
-def _letters(member: n.Node) -> set[str]:
-    """Return the letters of a side, and the joint angles that it holds."""
-    below = list(n.walk(member))
-    names = {b.key for b in below if isinstance(b, n.Name) and b.key not in ("pi", "I")}
-    return names | {f"theta_{index}" for b in below if isinstance(b, n.JointAngles) for _, index in b.terms}
+def _may_be_column(node: n.Node, names: Names) -> bool:
+    """Whether a side holds a letter without a value that may stand for a column: alone, or as all of a row."""
+    if isinstance(node, n.Matrix):
+        return len(node.rows) == 1 and all(isinstance(bare(cell), n.Name) for cell in node.rows[0])
+    if isinstance(node, n.Name):
+        definition = names.state.definitions.get(node.key)
+        if definition is None:
+            return names.is_free(node) and not node.dots
+        return definition.node is not None and definition.node != node and _may_be_column(definition.node, names)
+    return any(_may_be_column(below, names) for below in n.children(node))
+
+
+def _is_of_letters(node: n.Node) -> bool:
+    """Whether a matrix is a rotation of letters alone: n_x, o_x, a_x … or r_{11}, r_{12} …."""
+    cells = [cell for row in node.rows for cell in row] if isinstance(node, n.Matrix) else []
+    letters = {
+        name.key
+        for cell in cells
+        if isinstance(name := bare(cell), n.Name) and (name.sub in tuple("xyz") or name.base in "rR")
+    }
+    return len(cells) == len(letters) == 9
+
+
+def _is_nought(node: n.Node) -> bool:
+    return isinstance(node, n.Number) and node.value == 0
+
+
+def _letters_of(side: Member, names: Names) -> set[str]:
+    """Return the letters in the value of a side; where that is outside the algebra, those that it is written with."""
+    rows = side.value.rows if isinstance(side.value, Matrix) else ((side.value,),)
+    cells = [cell.normal() for row in rows for cell in row if isinstance(cell, Scalar)]
+    if cells and len(cells) == len(rows) * len(rows[0]):
+        return symbols_in(cells)
+    return _letters(side.node, names)
+
+
+def _letters(member: n.Node, names: Names, of: frozenset[str] = frozenset()) -> set[str]:
+    """Return the letters of a side, those of the names that the document defines, and the joint angles that it holds."""
+    found: set[str] = set()
+    for below in n.walk(member):
+        if isinstance(below, n.JointAngles):
+            found |= {f"theta_{index}" for _, index in below.terms}
+        elif isinstance(below, n.Name) and below.key not in ("pi", "I"):
+            definition = names.state.definitions.get(below.key) if below.key not in of else None
+            node = definition.node if definition is not None else None
+            found |= {below.key} if node is None else _letters(node, names, of | {below.key})
+    return found
 
 
 def _is_bound(name: n.Name, names: Names) -> bool:

@@ -10,6 +10,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.calls import CallReader
+from armproof.verification.latex.greek import ANGLES
 from armproof.verification.latex.items import OPERATORS, DerivativeOperator, Differential, Item, Script
 from armproof.verification.latex.tokens import canonical_script
 
@@ -113,6 +114,7 @@ class RunReader(CallReader):
                 re.fullmatch(r"[xyzXYZ](_.*)?|[xyz],.*", axis)
                 and len(item.scripts) == 1
                 and isinstance(following.node, n.Group)
+                and not (item.base != "R" and _is_angle(following.node.inner))  # T_x(θ) is a name of the author's own
             ):
                 function = "Rot3" if item.base == "R" else "Trans"
                 axis_name = n.Name(axis[0].lower(), span=item.scripts[0][2])
@@ -130,6 +132,10 @@ class RunReader(CallReader):
             if applied is not None:
                 return applied, index + 2
         return name, index + 1
+
+
+def _is_angle(node: n.Node) -> bool:
+    return isinstance(node, n.Name) and node.base in ANGLES
 
 
 def product(run: list[n.Node]) -> n.Node:
