@@ -61,19 +61,19 @@ def figures_for(arm: Arm) -> tuple[Kind, ...]:
     return tuple(kind for kind in kinds if kind.empty or kind.applies(arm, "en") is None)
 
 
-def draw_kind(kind: Kind, arm: Arm, lang: str = "en") -> Figure:
+def draw_kind(kind: Kind, arm: Arm, lang: str = "") -> Figure:
     """Return the figure of an arm, or one that says why there is nothing to draw."""
     reason = kind.applies(arm, lang)
     return kind.draw(arm, lang) if reason is None else empty_figure(kind, arm, reason, lang)
 
 
-def caption_kind(kind: Kind, arm: Arm, lang: str = "en") -> str:
+def caption_kind(kind: Kind, arm: Arm, lang: str = "") -> str:
     """Return the caption of an arm's figure, or the reason why there is nothing to draw."""
     return f"{_title(kind, arm, lang)} {kind.applies(arm, lang) or kind.caption(arm, lang)}"
 
 
 @styled()
-def empty_figure(kind: Kind, arm: Arm, reason: str, lang: str = "en") -> Figure:
+def empty_figure(kind: Kind, arm: Arm, reason: str, lang: str = "") -> Figure:
     """Return a figure that says why there is nothing to draw."""
     figure = new_figure("column", 30)
     title = fill(_title(kind, arm, lang).removesuffix("."), _LINE)

@@ -6,7 +6,9 @@ from collections import Counter
 from collections.abc import Iterable
 
 from armproof.course.errors import PrintError
-from armproof.course.words import LANGUAGES, say
+from armproof.course.words import say
+from armproof.models.errors import counted
+from armproof.models.language import ENGLISH, known_language, languages, use
 from armproof.verification.report.html.templating import version_of
 from armproof.verification.verdict import Record, Verdict
 
@@ -15,23 +17,30 @@ def check_language(lang: str) -> str:
     """Return the language of a sheet: fr-FR is fr.
 
     Raises:
-        PrintError: another language than English and French.
+        PrintError: a language that has no catalogue.
     """
-    short = lang.strip().lower().replace("_", "-").partition("-")[0]
-    if short not in LANGUAGES:
-        raise PrintError("no language '{lang}'; a sheet is printed in {languages}", lang=lang, languages=list(LANGUAGES))  # fmt: skip
-    return short
+    if not (known := known_language(lang.strip())):
+        raise PrintError("no language '{lang}'; a sheet is printed in {languages}", lang=lang, languages=list(languages()))  # fmt: skip
+    return known
 
 
 def proof_line(records: Iterable[Record], lang: str, arm: str) -> str:
     """Return how many equations are proved, and by what; errata are none of them, and none is against Drake without an arm."""
     counts = Counter(_kind(record) for record in records if not record.erratum)
     proved = counts["proved"]
-    key = "no_equation" if not proved else "one_proved" if proved == 1 else "proved"
+    with use(lang):
+        count = counted("{number} equation proved", "{number} equations proved", proved)
+        rest = [
+            counted("{number} confirmed by computation", "{number} confirmed by computation", counts["confirmed"]),
+            counted("{number} not checked", "{number} not checked", counts["unchecked"]),
+            counted("{number} not proved", "{number} not proved", counts["failed"]),
+        ]
     against = say("against", lang) if arm and proved else ""
-    first = f"{say(key, lang, count=proved)}{against}{say('by', lang, version=version_of('armproof'))}"
-    rest = [say(kind, lang, count=counts[kind]) for kind in ("confirmed", "unchecked", "failed") if counts[kind]]
-    return "; ".join([first, *rest])
+    first = f"{count if proved else say('no_equation', lang)}{against}{say('by', lang, version=version_of('armproof'))}"
+    kinds = ("confirmed", "unchecked", "failed")
+    return ("; " if lang == ENGLISH else "\u00a0; ").join(
+        [first, *(text for text, kind in zip(rest, kinds, strict=True) if counts[kind])]
+    )
 
 
 def remark(record: Record | None, lang: str) -> str:

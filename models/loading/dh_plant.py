@@ -17,6 +17,7 @@ from armproof.models.exact.numbers import add_angles, cos_sin_of_pi, cos_sin_of_
 from armproof.models.exact.offset import Offset
 from armproof.models.exact.polynomial import Entry, Rows, add, generator, matrix_product, number, scale
 from armproof.models.exact.symbolic import SymbolicPlant
+from armproof.models.language import noted
 from armproof.models.numeric.drake_arm import DrakeArm
 
 NAME = "DH table"
@@ -48,7 +49,9 @@ def build_arm(table: DHTable) -> Arm:
     drake = DrakeArm(plant, frames["0"].body(), tuple(drake_joints), MappingProxyType(frames))
     return Arm(
         name=NAME,
-        title=f"Arm of a {table.convention} DH table",
+        title=noted("Arm of a classic DH table")
+        if table.convention == "classic"
+        else noted("Arm of a modified DH table"),
         source="",
         zero="",
         joints=joints,

@@ -11,6 +11,7 @@ from armproof.course import words
 from armproof.course.errors import FigureError
 from armproof.models.arm import Arm
 from armproof.models.dh.entry import LinearForm
+from armproof.models.language import languages, look_up, spoken, use
 from armproof.verification.latex.writer import symbol_as_latex
 
 _DOTS = ("", r"\dot", r"\ddot")
@@ -19,14 +20,14 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def check_language(lang: str) -> str:
-    """Return the language.
+    """Return the language; that which is spoken where none is named.
 
     Raises:
-        FigureError: another language than English and French.
+        FigureError: a language that has no catalogue.
     """
-    if lang not in words.LANGUAGES:
-        raise FigureError("no language '{lang}'; the labels are written in {languages}", lang=lang, languages=list(words.LANGUAGES))  # fmt: skip
-    return lang
+    if lang not in ("", *languages()):
+        raise FigureError("no language '{lang}'; the labels are written in {languages}", lang=lang, languages=list(languages()))  # fmt: skip
+    return lang or spoken()
 
 
 def say(key: str, lang: str, **values: object) -> str:
@@ -39,14 +40,14 @@ def say(key: str, lang: str, **values: object) -> str:
 
 
 def arm_title(arm: Arm, lang: str) -> str:
-    """Return the title of an arm; that of its card where the catalogue of words has none."""
-    key = f"arm {arm.name}"
-    return (say(key, lang) if key in words.words() else "") or arm.title
+    """Return the title of an arm."""
+    with use(check_language(lang)):
+        return look_up(arm.title)
 
 
 def number(value: float, lang: str, digits: int = 3, *, in_math: bool = False) -> str:
     """Return a number with that many significant digits: 0.45, in French 0,45; in mathematics 0{,}45; 1120, 5·10⁻⁵."""
-    check_language(lang)
+    lang = check_language(lang)
     if value == 0 or abs(value) < 1e-12:
         return "0"
     text = f"{value:.{digits}g}"

@@ -28,7 +28,7 @@ _EXACT, _DAMPED = STROKES[0], STROKES[1]
 
 
 @styled()
-def crossing_figure(arm: Arm, lang: str = "en") -> Figure:
+def crossing_figure(arm: Arm, lang: str = "") -> Figure:
     """Return the motion of an arm's tool past a singular configuration, the joint rates of both inverses, and the error of the damped one."""
     found = near_singular(arm)
     assert found is not None
@@ -122,7 +122,7 @@ def _errors(figure: Figure, found: NearSingular, lang: str) -> list[Label]:
     return labels
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption: the speed, the family, the least singular value, the highest rates of both inverses, the bound, the error."""
     found = near_singular(arm)
     assert found is not None

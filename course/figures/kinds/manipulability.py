@@ -42,7 +42,7 @@ _ENTRY = 3.6  # mm, of a line of the legend
 
 
 @styled()
-def manipulability_figure(arm: Arm, lang: str = "en") -> Figure:
+def manipulability_figure(arm: Arm, lang: str = "") -> Figure:
     """Return the manipulability of an arm over two joints as a map, or over the one on which it depends as a curve."""
     found = joint_map(arm)
     if len(found.joints) == 2:
@@ -134,7 +134,7 @@ def _peaks(w: np.ndarray) -> list[int]:
     return [k for k in inner + ends if w[k] > 0.8 * w.max()]
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption: over which joints, how many configurations, the highest value and where, the other joints, the determinant."""
     found = joint_map(arm)
     place = np.unravel_index(int(np.argmax(found.w)), found.w.shape)[::-1]

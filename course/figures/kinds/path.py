@@ -39,7 +39,7 @@ def tool_motions(motion: Motion) -> dict[str, Any]:
 
 
 @styled()
-def path_figure(arm: Arm, lang: str = "en", motion: Motion | None = None) -> Figure:
+def path_figure(arm: Arm, lang: str = "", motion: Motion | None = None) -> Figure:
     """Return the tool's path between two configurations, in joint space and on a straight line, with snapshots of the arm.
 
     Below are the joint velocities as parts of their limits, where the model file has some.
@@ -113,7 +113,7 @@ def _rates(figure: Figure, box: Box, arm: Arm, samples: dict[str, MotionSamples]
     return labels
 
 
-def caption(arm: Arm, lang: str = "en", motion: Motion | None = None) -> str:
+def caption(arm: Arm, lang: str = "", motion: Motion | None = None) -> str:
     """Return the caption: both configurations, the time, how long each path is, how near the straight line is to a singularity."""
     motion = motion or motion_of(arm)
     start, end = (values_text(arm, q, lang) for q in (motion.q_0, motion.q_f))

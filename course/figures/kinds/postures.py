@@ -36,7 +36,7 @@ _SIZE = 0.7
 
 
 @styled()
-def postures(arm: Arm, lang: str = "en") -> Figure:
+def postures(arm: Arm, lang: str = "") -> Figure:
     """Return the postures of an arm laid over each other on one target, in different strokes.
 
     Two are drawn in one picture above a table of their joint values; of more, a first panel has all and each further panel
@@ -132,7 +132,7 @@ def reason(arm: Arm, lang: str) -> str | None:
     return say("one_posture", lang) if len(postures_of(arm).q) < 2 else None
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption: the target, and the joint values of each posture."""
     found = postures_of(arm)
     point = NumericKinematics(arm, found.target[None]).pose(task_of(arm).frame)[0, :3, 3]

@@ -45,7 +45,7 @@ def peak_times(duration: float) -> tuple[float, float, float]:
 
 
 @styled()
-def quintic_figure(arm: Arm, lang: str = "en", motion: Motion | None = None) -> Figure:
+def quintic_figure(arm: Arm, lang: str = "", motion: Motion | None = None) -> Figure:
     """Return q, q̇ and q̈ of the quintic between two configurations against time; angles in degrees.
 
     Args:
@@ -129,7 +129,7 @@ def peak_values(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     return PEAK_SPEED * move / motion.duration, PEAK_ACCELERATION * move / motion.duration**2
 
 
-def caption(arm: Arm, lang: str = "en", motion: Motion | None = None) -> str:
+def caption(arm: Arm, lang: str = "", motion: Motion | None = None) -> str:
     """Return the caption: both configurations, the duration, the peaks and when they are."""
     motion = motion or motion_of(arm)
     t_1, half, t_2 = (number(time, lang) for time in peak_times(motion.duration))

@@ -75,7 +75,7 @@ def _renderer(arm: Arm) -> ArmRenderer:
 
 
 @styled()
-def rendering_figure(arm: Arm, lang: str = "en", q: np.ndarray | None = None) -> Figure:
+def rendering_figure(arm: Arm, lang: str = "", q: np.ndarray | None = None) -> Figure:
     """Return the picture of an arm with the axes x, y, z of its frames.
 
     Args:
@@ -150,7 +150,7 @@ def _arrow(axes: Axes, start: np.ndarray, tip: np.ndarray, colour: str, gid: str
         axes.annotate("", beyond, back, arrowprops=head, zorder=5, annotation_clip=False)
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption: the pose."""
     pose = values_text(arm, showing_pose(arm), lang)
     return f"{say('drawn_at', lang, pose=pose)} {say('axes_colours', lang)}"

@@ -89,7 +89,7 @@ def _plainest(analysis: SingularityAnalysis, family: Family, generic: np.ndarray
 
 
 @styled()
-def singular(arm: Arm, lang: str = "en") -> Figure:
+def singular(arm: Arm, lang: str = "") -> Figure:
     """Return the arm at a generic pose and on each family of its singular configurations.
 
     Each panel has the condition, the rank of the Jacobian, the ellipsoid of the velocities that joint rates of norm 1 give
@@ -191,7 +191,7 @@ def reason(arm: Arm, lang: str) -> str | None:
     return say("always_regular", lang) if analysis.complete else say("not_analysed", lang, reason=analysis.message)
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption: the determinant, and each pose with its rank."""
     analysis = singularities_of(arm)
     parts = [say("determinant_is", lang, latex=analysis.factored)] if analysis.factored else []

@@ -29,7 +29,7 @@ _BEYOND = 7.5  # mm from a joint's symbol to the arrow of its turning
 
 
 @styled()
-def sketch(arm: Arm, lang: str = "en", *, table: bool = True) -> Figure:
+def sketch(arm: Arm, lang: str = "", *, table: bool = True) -> Figure:
     """Return the kinematic sketch of an arm: planar arms in their plane, spatial ones from a fixed side.
 
     Joints and links are drawn in the textbook's symbols at a pose at which they are well seen, with the frames of the arm;
@@ -142,7 +142,7 @@ def _draw_twists(scene: Scene, rows: LinkRows, layout: Layout) -> None:
         )
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption of the sketch: its frames, the pose, and the lengths of the model."""
     rows = link_rows(arm)
     q = sketch_pose(arm)

@@ -51,7 +51,7 @@ def tracked(arm: Arm) -> TrackedMotion:
 
 
 @styled()
-def tracking_figure(arm: Arm, lang: str = "en") -> Figure:
+def tracking_figure(arm: Arm, lang: str = "") -> Figure:
     """Return the error of the tool and of the joints, and the efforts of the drives, against time."""
     found = tracked(arm)
     figure = new_figure("column", 3 * _PANEL + 2 * _GAP + _BOTTOM + 6)
@@ -126,7 +126,7 @@ def _curves(axes: Axes, found: TrackedMotion, values: np.ndarray, gid: str) -> l
     return labels
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption: the motion's duration, the controller, the largest errors of the tool, the largest effort."""
     found = tracked(arm)
     unit, scale = _tool(arm)

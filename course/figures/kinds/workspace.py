@@ -83,7 +83,7 @@ def workspace_of(arm: Arm) -> Workspace:
 
 
 @styled()
-def workspace_figure(arm: Arm, lang: str = "en") -> Figure:
+def workspace_figure(arm: Arm, lang: str = "") -> Figure:
     """Return the workspace of an arm in its plane, or in the section that its first joint turns, with its singular curves."""
     found = workspace_of(arm)
     cell = found.x[1] - found.x[0]
@@ -141,7 +141,7 @@ def shown_configuration(found: Workspace) -> np.ndarray:
     return np.asarray(found.winners[rows[farthest], columns[farthest]])
 
 
-def caption(arm: Arm, lang: str = "en") -> str:
+def caption(arm: Arm, lang: str = "") -> str:
     """Return the caption: which point, of how many configurations, how far it reaches, the best manipulability, the singular curves."""
     found = workspace_of(arm)
     positioning = found.positioning

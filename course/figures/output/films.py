@@ -46,7 +46,7 @@ def frame_figure(arm: Arm, q: np.ndarray, path: np.ndarray, view: View, time: st
     return figure
 
 
-def frames(arm: Arm, lang: str = "en", motion: Motion | None = None) -> Iterator[np.ndarray]:
+def frames(arm: Arm, lang: str = "", motion: Motion | None = None) -> Iterator[np.ndarray]:
     """Yield the pictures of a motion, (height, width, 3), 0 … 255, RATE a second and both ends included.
 
     Raises:
@@ -73,12 +73,12 @@ def _pixels(figure: Figure) -> np.ndarray:
     return picture[: len(picture) // 2 * 2, : picture.shape[1] // 2 * 2].copy()  # MP4 wants even sizes
 
 
-def film_reason(arm: Arm, suffix: str, lang: str = "en") -> str | None:
+def film_reason(arm: Arm, suffix: str, lang: str = "") -> str | None:
     """Return why an arm has no film of a format, in a language; None if it has one."""
     return say("no_shape", lang) if suffix == "html" and arm.path is None else None
 
 
-def write_film(arm: Arm, path: Path | str, lang: str = "en", motion: Motion | None = None) -> Path:
+def write_film(arm: Arm, path: Path | str, lang: str = "", motion: Motion | None = None) -> Path:
     """Write a motion as a film in the format of the path's suffix: gif, mp4, or html, a page to turn and zoom it in.
 
     Args:
