@@ -13,6 +13,8 @@ import yaml
 from babel.messages.extract import extract_from_dir
 from typer.main import get_command
 
+from armproof.course.feedback.outcome import Outcome
+from armproof.course.words import words
 from armproof.models.language import FOLDER
 from armproof.verification.cli.application import app, as_command, commands
 from armproof.verification.findings.finding import ORDINALS
@@ -92,6 +94,8 @@ def of_words() -> Iterator[Message]:
     yield from (Message(word, "verification/findings/kinds.py") for word in (*sorted(WORDS), *ORDINALS))
     yield from (Message(word, "verification/verdict.py") for word in (*Verdict, *Role))
     yield from (Message(word, "verification/singularities/families.py") for word in OF_SINGULARITIES)
+    yield from (Message(word, "course/feedback/outcome.py") for word in Outcome)
+    yield from (Message(text, "course/words.toml") for text in words().values())
     yield from (Message(f"{{number}} {word}", "verification/verdict.py", f"{{number}} {word}") for word in Verdict)
 
 

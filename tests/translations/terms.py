@@ -13,6 +13,7 @@ from unicodedata import combining, normalize
 from armproof.course.sources.places import COURSE
 from tests.translations.catalogues import entries
 
+_CODE = re.compile(r"\{[^{}]*\}|`[^`]*`|\$[^$]*\$|\w+: \[.*?\]|'[^']*'(?!\w)")
 _ASIDE = re.compile(
     r"\*[^*]*\*|\([^()]*\)|\"[^\"]*\"|[\w-]+\.md"
 )  # what is foreign, an aside, quoted or a file may be said otherwise
@@ -69,7 +70,7 @@ def read_terms(file: Path) -> tuple[Term, ...]:
 
 def misused(terms: Sequence[Term], text: str, translation: str) -> Iterator[str]:
     """Yield where a translation does not use the listed term for one of the text, or uses a word that is never used."""
-    left = _ASIDE.sub(" ", text)
+    left, translation = _ASIDE.sub(" ", _CODE.sub(" ", text)), _CODE.sub(" ", translation)
     for term in terms:
         left, count = term.pattern.subn(" ", left)
         if count and not term.stands_in(translation):
