@@ -82,10 +82,10 @@ class Conventions:
         first, second = node.factors
         if not (isinstance(first, n.Name) and isinstance(second, n.Name)):
             return None
-        if not (self._is_point(first) and self._is_point(second)):
+        if not (self._is_point(first) and self._is_point(replace(second, pre_sup=""))):
             return None
         start, end = (first.sub or (first.base if first.base != "O" else self._base)), second.sub or second.base
-        between = n.Name("O", f"{start}to{end}", span=node.span)
+        between = n.Name("O", f"{start}to{end}", pre_sup=second.pre_sup, span=node.span)
         assert self.names.arm is not None
         return between if conventional(between, self.names.arm, self.names.transforms) else None
 

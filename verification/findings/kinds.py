@@ -83,6 +83,8 @@ class Kind(MessageKind):
     NESTED_DEEPER = "nested_deeper", "nested more than {most} deep"
     NO_SCRIPT_AT_END = "no_script_at_end", "'{text}' at the end of the display has no script"
     NO_SCRIPT = "no_script", "'{text}' has no script"
+    PARENTHESIS_OPEN = "parenthesis_open", "'{text}' is opened here and never closed"
+    PARENTHESIS_CLOSES_NOTHING = "parenthesis_closes_nothing", "unexpected '{text}': it closes what was never opened"
     BRACE_OPEN = "brace_open", "'{{' is never closed"
     NO_DELIMITER = "no_delimiter", "\\{name} needs a delimiter such as ( [ | or ."
     UNKNOWN_COMMAND = "unknown_command", "'{command}' is not a command of kinematic LaTeX"

@@ -120,6 +120,8 @@ class CallReader(NameReader):
             angle = self.parse(spaced, max(self.text.find(raw, span[0]), span[0]))
         except ReadError:
             return None
+        if isinstance(angle, n.Product) and not any(angle.operators):  # c_{q_1 q_2} is c_{12}: angles are added
+            angle = n.Sum(tuple(("+", factor) for factor in angle.factors), span=angle.span)
         return angle if self._is_angle(angle) else None
 
     def _is_angle(self, node: n.Node) -> bool:
@@ -187,7 +189,7 @@ class CallReader(NameReader):
         if function in MATRIX_FUNCTIONS:
             return self.next_factor(items, index)
         node, after = self.next_factor(items, index)
-        if isinstance(node, n.Number) and after < len(items) and items[after].kind in ("letter", "node"):
+        if isinstance(node, n.Number) and after < len(items) and items[after].kind in ("letter", "node", "list"):
             second, after = self.next_factor(items, after)
             return n.Product((node, second), ("",), span=(first.start, second.span[1])), after
         return node, after

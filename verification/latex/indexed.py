@@ -18,6 +18,7 @@ TRANSFORM_LETTERS = frozenset("TAHR")
 VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
+_PLACED = re.compile(r"(\w+)\((\d)\)")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 
@@ -102,6 +103,8 @@ class NameReader:
         below = ",".join(canonical_script(text) for kind, text, _ in item.scripts if kind == "SUB")
         for kind, text, span in item.scripts:
             canonical = canonical_script(text)
+            if kind == "SUB" and item.base in VECTOR_LETTERS and (placed := _PLACED.fullmatch(canonical)):
+                canonical, pre_sup = placed[1], placed[2]  # z_{1(0)} is {}^0z_1
             if kind == "PRIME":
                 primes += len(text)
             elif kind == "DOT":

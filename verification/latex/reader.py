@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from importlib import resources
 
-from lark import Lark, Tree
+from lark import Lark, Token, Tree
 from lark.exceptions import UnexpectedInput, UnexpectedToken, VisitError
 
 from armproof.verification.errors import ReadError
@@ -15,6 +15,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.builder import TreeBuilder
 from armproof.verification.latex.greek import SPELT
+from armproof.verification.latex.preparing import prepared
 from armproof.verification.latex.tokens import LatexLexer, Spelling, normalise_unicode
 
 MAX_LENGTH = 100_000
@@ -52,12 +53,12 @@ class Reader:
         return statements[0].members[0]
 
     def _parse(self, latex: str) -> list[n.Statement]:
-        text = normalise_unicode(latex)
+        text = prepared(normalise_unicode(latex))
         try:
             tree: Tree = _grammar().parse((text, self.spelling))  # type: ignore[arg-type]
             return TreeBuilder(text, self.is_bound, self.read_expression).transform(tree)  # type: ignore[return-value]
         except UnexpectedToken as error:
-            raise _unexpected(error, text) from None
+            raise _unbalanced(text, self.spelling) or _unexpected(error, text) from None
         except UnexpectedInput as error:
             raise ReadError(str(error).splitlines()[0]) from None
         except VisitError as error:
@@ -68,6 +69,25 @@ class Reader:
             raise
         except RecursionError:
             raise ReadError(say(Kind.NESTED)) from None
+
+
+def _unbalanced(text: str, spelling: Spelling) -> ReadError | None:
+    """Return where a parenthesis is that has no partner, if one has none: what was met only afterwards tells little."""
+    opened: list[Token] = []
+    for token in LatexLexer(None).lex((text, spelling)):
+        if token.type in ("LPAR", "LBRACE", "BEGIN"):
+            opened.append(token)
+        elif token.type not in ("RPAR", "RBRACE", "END", "NEWLINE", "AMP"):
+            continue
+        elif opened and opened[-1].type == "LPAR" and token.type != "RPAR":
+            break
+        elif token.type == "RPAR" and not (opened and opened[-1].type == "LPAR"):
+            return ReadError(say(Kind.PARENTHESIS_CLOSES_NOTHING, text=token.value), token.start_pos or 0)
+        elif token.type in ("RPAR", "RBRACE", "END"):
+            opened = opened[:-1]
+    if not opened or opened[-1].type != "LPAR":
+        return None
+    return ReadError(say(Kind.PARENTHESIS_OPEN, text=opened[-1].value), opened[-1].start_pos or 0)
 
 
 def _unexpected(error: UnexpectedToken, text: str) -> ReadError:

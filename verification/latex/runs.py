@@ -11,6 +11,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.calls import CallReader
 from armproof.verification.latex.greek import ANGLES
+from armproof.verification.latex.indexed import TRANSFORM_LETTERS
 from armproof.verification.latex.items import OPERATORS, DerivativeOperator, Differential, Item, Script
 from armproof.verification.latex.tokens import canonical_script
 
@@ -126,6 +127,8 @@ class RunReader(CallReader):
         elementary = self.elementary_letter(item)
         if elementary is not None:
             return elementary, index + 1
+        if (between := _between_frames(item, following)) is not None:
+            return self.name(between), index + 2
         name = self.name(item)
         if following is not None and following.kind == "list" and not following.pre:
             applied = self.application(name, following)
@@ -136,6 +139,22 @@ class RunReader(CallReader):
 
 def _is_angle(node: n.Node) -> bool:
     return isinstance(node, n.Name) and node.base in ANGLES
+
+
+def _between_frames(item: Item, following: Item | None) -> Item | None:
+    """Return R_{0,1} for R[0,1], or None where no such thing stands there."""
+    frames = following.node if following is not None else None
+    if item.base not in TRANSFORM_LETTERS or item.pre or item.scripts or not isinstance(frames, n.Sequence):
+        return None
+    if (
+        frames.brackets != "[]"
+        or len(frames.items) != 2
+        or not all(isinstance(each, n.Number) for each in frames.items)
+    ):
+        return None
+    assert following is not None
+    index = ("SUB", ",".join(each.text for each in frames.items if isinstance(each, n.Number)), frames.span)
+    return Item("letter", None, item.start, following.end, item.base, [index, *following.scripts])
 
 
 def product(run: list[n.Node]) -> n.Node:

@@ -40,9 +40,11 @@ class _Statements:
 
     def reopen(self) -> None:
         """Take up the last chain again: a line or a display that begins with a relation continues it."""
-        if self.done and isinstance(self.done[-1], n.Chain):
-            last = self.done.pop()
-            assert isinstance(last, n.Chain)
+        spoken = len(self.done)  # "x = a, thus = b": what is said between is passed over
+        while spoken and isinstance(said := self.done[spoken - 1], n.Connective) and said.kind == "words":
+            spoken -= 1
+        if spoken and isinstance(last := self.done[spoken - 1], n.Chain):
+            del self.done[spoken - 1]
             self.members, self.relations = list(last.members), list(last.relations)
         else:
             self.members = [PREVIOUS]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import lru_cache
 
 from lark import Token
@@ -20,22 +21,27 @@ from armproof.verification.latex.greek import LONG, one_of
 from armproof.verification.latex.vocabulary import (
     ACCENTS,
     ASKED,
+    BARE_JOINING,
     BARE_WORDS,
     CHARACTERS,
     COMMANDS,
     CONNECTIVES,
     FUNCTIONS,
+    JOINING,
     LAYOUTS,
     LETTERS,
     MATRICES,
     PUNCTUATION,
+    QUANTITIES,
     RELATIONS,
     SPACES,
     STYLES,
     TRANSPARENT,
     UNICODE,
+    UNIT_NAMES,
     UNITS,
     VARIANTS,
+    WORD_STYLES,
 )
 
 MAX_TOKENS = 20_000
@@ -44,7 +50,7 @@ MAX_DEPTH = 60
 _MASTER = re.compile(
     r"""
     (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n)|%%[^\n]*\n)+)
-  | (?P<TAG>\\(?:tag\*?|label|color|[hv]?phantom|hspace\*?|vspace\*?|cline|arraycolsep|cmidrule|rule|eqno|setlength|renewcommand)\s*\{[^{}]*\})
+  | (?P<TAG>\\(?:tag\*?|color|hspace\*?|cline|cmidrule|rule|eqno)\s*\{[^{}]*\})
   | (?P<NEWLINE>\\\\\*?(?:\s*\[\s*-?[\d.]+\s*(?:ex|em|pt|mm|cm|in|\\baselineskip)\s*\])?|\\cr(?![A-Za-z])|\\newline(?![A-Za-z])|\\tabularnewline(?![A-Za-z]))
   | (?P<BEGIN>\\begin\s*\{\s*([A-Za-z]+)\*?\s*\})
   | (?P<END>\\end\s*\{\s*([A-Za-z]+)\*?\s*\})
@@ -58,7 +64,11 @@ _MASTER = re.compile(
   | (?P<ASSIGN>:=)
   | (?P<CHAR>.)
     """
-    % (SPACES, "|".join([*BARE_WORDS, *LONG])),
+    % (
+        SPACES,
+        r"(?<![A-Za-z\\])(?:%s)(?![A-Za-z])|WC(?=\s*[_^=&])|%s"
+        % ("|".join(BARE_JOINING), "|".join([*BARE_WORDS, *LONG])),
+    ),
     re.VERBOSE | re.DOTALL,
 )
 # what may follow a dot that is a product: not the end of a line, a word or a blank after a full stop
@@ -91,6 +101,30 @@ _ENDS_OPERAND = frozenset(
 )
 
 
+_RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
+_SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
+_FORMULA = re.compile(r"\$([^$]*)\$")
+_RELATES = re.compile(r"[=<>]|\\(?:approx|[lg]eq?|neq?|in)(?![A-Za-z])")
+_PARENTHESIS = re.compile(r"\s*(?:\\left|\\[bB]igg?l?)?\s*\(")
+_TAN_TWO = re.compile(r"((?:\s|~|\\[,;:! ])*)\\?tan\s*_?\s*\{?\s*2\s*\}?")
+_QUANTITY = re.compile(r"([+-]?)(\d{1,20}(?:[.,]\d{1,20})?|[.,]\d{1,20})(?:[eE]([+-]?\d))?")
+_OUTSIDE = re.compile(
+    r"(?P<open>\{|\\begin(?![A-Za-z]))|(?P<close>\}|\\end(?![A-Za-z]))|\\[{}]|=|&|\\\\|\\(?:approx|[lg]eq?|equiv)(?![A-Za-z])|\\.",
+    re.DOTALL,
+)
+_TAKES_ARGUMENT = frozenset(["FRAC", "SQRT", "ACCENT", "BRACE", "OVERSET", "RBRACE", "FUNC"])
+_BEGINS = frozenset(["", "NEWLINE", "AMP", "SEP", "COMMA", "CONN", "TEXT", "LBRACE", "BEGIN", "OPEN_EMPTY"])
+_BEFORE_OPERAND = frozenset(["CDOT", "TIMES", "SLASH", "PLUS", "MINUS"])
+_RELATION_NEXT = re.compile(r"(?:\s|\\[,;:! ]|&|:)*(?:=|\\(?:approx|equiv|[lg]eq?|simeq|triangleq)(?![A-Za-z]))")
+_BEHIND_OPERAND = re.compile(r"\s*(?:[_^/*]|\+(?!\s*\\)|\\(?:times|cdot)(?![A-Za-z]))")
+
+
+def _decimal(number: re.Match[str]) -> str:
+    """Return the digits of a quantity such as 1.5e-3, its sign apart."""
+    value = Decimal(number[2].replace(",", ".")).scaleb(int(number[3] or 0))
+    return f"{value:f}"
+
+
 @dataclass(frozen=True)
 class Spelling:
     """How a document spells: its names of several letters, letters that it tells apart from their variants, its decimal comma."""
@@ -114,6 +148,7 @@ class _Scanner:
         self.depth = 0
         self.previous = ""
         self.bar_open = False
+        self.sentences: list[int] = []  # the ends of the \\text{…} in whose formulas we are
 
     def token(self, kind: str, value: str, start: int, end: int) -> Token:
         self.previous = kind
@@ -227,6 +262,22 @@ class _Scanner:
                     return index
         raise ReadError(say(Kind.BRACE_OPEN), position)
 
+    def _holds_equations(self, start: int) -> bool:
+        """Whether a brace is but put round equations, and holds no part of one."""
+        try:
+            close = self._matching_brace(start)
+        except ReadError:
+            return False
+        if re.compile(r"\s*[_^]").match(self.text, close + 1):
+            return False
+        depth = 0
+        for found in _OUTSIDE.finditer(self.text, start + 1, close):
+            if found["open"] or found["close"]:
+                depth += 1 if found["open"] else -1
+            elif depth == 0:
+                return True
+        return False
+
     def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
             return [self.token("NUMBER", value[k], start + k, start + k + 1) for k in (0, 1)], start + 2
@@ -275,6 +326,16 @@ class _Scanner:
             return [], colour.end() if colour else end
         if name == "operatornamewithlimits":
             return self._style("operatorname", start, end)
+        if name in ("ref", "eqref", "cite", "autoref") and (of := re.compile(r"\s*\{[^{}]*\}").match(self.text, end)):
+            return [self.token("TEXT", name, start, of.end())], of.end()
+        if name in QUANTITIES:
+            return self._quantity(name, start, end)
+        if name == "angle":  # \angle ABC is one name
+            of = re.compile(r"\s*\{?\s*([A-Z]{1,3})\s*\}?(?![_^A-Za-z])").match(self.text, end)
+            after = of.end() if of else end
+            return [self.token("LETTER", f"angle{of[1] if of else ''}", start, after)], after
+        if name == "sqrt":
+            return self._function(name, start, end)
         if name in COMMANDS:
             kind = COMMANDS[name]
             if kind == "BAR":
@@ -304,8 +365,17 @@ class _Scanner:
         self.accent = self._accent(name, end)
         word = _STYLED_WORD.match(self.text, end)
         if word is None:
-            return [], end  # the group that follows is read as it stands
+            brace = re.compile(r"\s*\{").match(self.text, end)
+            spaced = brace and re.compile(
+                r"(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2}"
+            ).match(self.text, brace.end())
+            return self._sentence(start, brace.end() - 1) if brace and (name in WORD_STYLES or spaced) else ([], end)
         content, after = word.group(1), word.end()
+        if (
+            name in ("mathrm", "text", "operatorname")
+            and (spelt := re.sub(r"[\s~]|\\[,;!: ]", "", content)) in FUNCTIONS | UNITS
+        ):
+            content = spelt  # \mathrm{a t a n 2}, taken apart by a reader of images
         if self.previous in ("NUMBER", "RBRACE", "SUP") and content in UNITS and content not in self.words:
             if content in ("m", "s") and self.previous != "NUMBER":
                 return [], end
@@ -314,19 +384,73 @@ class _Scanner:
             return self._function(content, start, after)
         if content in LETTERS:
             return self._letter(self._variant(content), start, after)
-        if (
-            name in ("text", "textbf", "textit", "textrm", "textsf", "mbox", "hbox", "emph")
-            and content not in self.words
-        ):
+        if name in WORD_STYLES and content not in self.words:
             if len(content) == 1 and content.isalpha() and content not in "àa":
                 return self._letter(content, start, after)
-            if re.fullmatch(r"[a-zA-Z]\d+", content):
+            if re.fullmatch(r"[a-zA-Z]_?\d+", content):
                 return [], end
-            return [self.token("TEXT", content, start, after)], after
+            return self._words(content, start, after)
+        if re.search(r"[^\W\d_]{2,}\s|\s[^\W\d_]{2,}", content):
+            return self._words(content, start, after)
         over_several = len(content) > 1 and name in ("vec", "overline", "bar", "hat")
         if re.fullmatch(r"[A-Za-z]+", content) and not over_several:
             return self._letter(content, start, after)
         return [], end
+
+    def _words(self, content: str, start: int, after: int) -> tuple[list[Token], int]:
+        """Words are no product: a name where they stand as an operand does, else what is said between equations."""
+        name = re.sub(r"[\W\d_]+", "", content)
+        joins = {word.lower() for word in content.split()} & JOINING or not name
+        heads = self.previous in _BEGINS and _RELATION_NEXT.match(self.text, after)
+        alone = self.previous == "LBRACE" and self.text[after : after + 1] == "}"  # in a fraction
+        if not joins and (
+            heads or alone or self.previous in _BEFORE_OPERAND or _BEHIND_OPERAND.match(self.text, after)
+        ):
+            return [self.token("LETTER", name, start, after)], after
+        return [self.token("TEXT", content, start, after)], after
+
+    def _sentence(self, start: int, brace: int) -> tuple[list[Token], int]:
+        r"""Return the words of \text{where $D > 0$}, up to an equation in them; what holds no word is a formula."""
+        close = self._matching_brace(brace)
+        content = self.text[brace + 1 : close]
+        if not content.strip(" .,;:()"):
+            return [], close + 1
+        if "$" not in content and not re.search(r"[^\W\d_]{2}", re.sub(r"\\[A-Za-z]+", "", content)):
+            return [], brace
+        self.sentences.append(close)
+        return self._sentence_from(brace + 1, start)
+
+    def _sentence_from(self, position: int, start: int) -> tuple[list[Token], int]:
+        """Return the words of a sentence from a place on, up to its next equation or to its end."""
+        close = self.sentences[-1]
+        equation = next((f for f in _FORMULA.finditer(self.text, position, close) if _RELATES.search(f[1])), None)
+        if equation is None:
+            self.sentences.pop()
+        end = equation.start() if equation else close
+        words = self.text[position:end].strip()
+        return [self.token("TEXT", words, start, end)] if words.strip(" .,;:()") else [], end + 1
+
+    def _quantity(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
+        r"""Return the number of \SI{500}{\milli\metre}, \qty, \num and \ang, with its unit as \text{mm} would be."""
+        count = 1 if name in ("ang", "num", "si", "unit") else 2
+        found = re.compile(r"(?:\s*\[[^][]{0,80}\])?" + r"\s*\{([^{}]{0,80})\}" * count).match(self.text, end)
+        number = _QUANTITY.fullmatch("1" if name in ("si", "unit") else found[1].replace(" ", "")) if found else None
+        if found is None or number is None:
+            raise ReadError(say(Kind.CANNOT_READ, text=self.text[start:end]), start)
+        places = (start, found.end())
+        tokens = [] if name in ("si", "unit") else [self.token("NUMBER", _decimal(number), *places)]
+        if number[1] == "-":
+            tokens = [
+                self.token("LPAR", "(", *places),
+                self.token("MINUS", "-", *places),
+                *tokens,
+                self.token("RPAR", ")", *places),
+            ]
+        unit = re.sub(r"\\?([A-Za-z]+)|[\s.~]", lambda word: UNIT_NAMES.get(word[1] or "", word[1] or ""), found[count])
+        if name == "num" or (name != "ang" and not UNITS.get(unit, "?")):
+            return tokens, found.end()
+        mark = "\\circ" if name == "ang" else UNITS.get(unit, "")
+        return [*tokens, self.token("SUP", mark, *places) if mark else self.token("TEXT", unit, *places)], found.end()
 
     def _accent(self, name: str, end: int) -> str:
         """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix."""
@@ -338,13 +462,19 @@ class _Scanner:
 
     def _function(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         function = FUNCTIONS[name]
+        if name == "sqrt" and _PARENTHESIS.match(self.text, end):  # \sqrt(…) is meant as a call
+            return [self.token("FUNC", "sqrt", start, end)], end
         if function == "atan" and (two := _TWO.match(self.text, end)):
             return [self.token("FUNC", "atan2", start, two.end())], two.end()
         return [self.token("SQRT" if name == "sqrt" else "FUNC", function, start, end)], end
 
     def _letter(self, base: str, start: int, end: int) -> tuple[list[Token], int]:
         """A letter glued to digits is an indexed name: C12, l1, q3."""
-        if base in ("a", "A") and (two := re.compile(r"\\?tan\s*_?\s*\{?2\}?").match(self.text, end)):
+        if (
+            base in ("a", "A")
+            and (two := _TAN_TWO.match(self.text, end))
+            and (two[1] == "" or self._has_two(two.end()))
+        ):
             return [self.token("FUNC", "atan2", start, two.end())], two.end()
         letter = self.token("LETTER", base, start, end)
         digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end) if base != "pi" else None
@@ -352,8 +482,24 @@ class _Scanner:
             return [letter], end
         return [letter, self.token("SUB", digits.group(), end, digits.end())], digits.end()
 
+    def _has_two(self, position: int) -> bool:
+        """Whether two arguments in parentheses stand at a place: a \\tan 2(m, n) is atan2, a \\tan 2(m + n) a product."""
+        opened = _PARENTHESIS.match(self.text, position)
+        depth = 1
+        for found in re.compile(r"[](){}[]|,").finditer(self.text, opened.end()) if opened else ():
+            if found.group() == ",":
+                if depth == 1:
+                    return True
+                continue
+            depth += 1 if found.group() in "([{" else -1
+            if depth == 0:
+                break
+        return False
+
     def on_bare(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         word = max(value, self._known_word(start), key=len)
+        if word == value and value in BARE_JOINING:
+            return [self.token("TEXT", value, start, end)], end
         if value in FUNCTIONS and word == value and value not in self.words:
             return self._function(value, start, end)
         return self._letter(word, start, start + len(word))
@@ -363,6 +509,11 @@ class _Scanner:
 
     def on_letter(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         word = self._known_word(start) or value
+        run = (
+            _RUN.match(self.text, start) if len(word) == 1 and self.text[start - 1 : start].isalpha() is False else None
+        )
+        if run and not _SPELT_WITHIN.search(run.group()):  # a word is no product of its letters
+            return [self.token("LETTER", run.group(), start, run.end())], run.end()
         return self._letter(word, start, start + len(word))
 
     def on_assign(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
@@ -390,6 +541,8 @@ class _Scanner:
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if value == "|":
             return self._bar(start, end)
+        if value == "$" and self.sentences:
+            return self._sentence_from(end, start)
         if value == "\u200b" or start in self.transparent_braces:
             return [], end
         kind = CHARACTERS.get(value)
@@ -402,6 +555,9 @@ class _Scanner:
             word = _BRACED_FUNCTION.match(self.text, start)
             if word and word.group(1) in FUNCTIONS and len(word.group(1)) > 2:
                 return self._function(word.group(1), start, word.end())
+            if self.previous not in _TAKES_ARGUMENT and self._holds_equations(start):
+                self.transparent_braces.add(self._matching_brace(start))
+                return [], end
             self._deeper(start)
         elif kind in ("RBRACE", "RPAR"):
             self.depth -= 1

@@ -65,7 +65,7 @@ ACCENTS = {"bar": "bar", "overline": "bar", "tilde": "tilde", "widetilde": "tild
 STYLES = (
     "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
     "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
-    "ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
+    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
 )
 SPACES = (
     r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hfill|noindent|"
@@ -90,4 +90,41 @@ COMMANDS = {
     "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "lVert": "OPEN_BAR", "rVert": "CLOSE_BAR", "because": "TEXT", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
     "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
 }  # fmt: skip
+COMMANDS |= dict.fromkeys(("SE", "SO", "se", "so", "reals", "Reals", "Real"), "LETTER")
+BARE_JOINING = (
+    "and",
+    "or",
+    "if",
+    "then",
+    "where",
+    "when",
+    "with",
+    "hence",
+    "thus",
+    "for",
+    "avec",
+    "donc",
+    "alors",
+    "soit",
+    "pour",
+)
+QUANTITIES = frozenset(["SI", "qty", "ang", "num", "si", "unit"])  # of siunitx
+UNIT_NAMES = {
+    "milli": "m",
+    "centi": "c",
+    "metre": "m",
+    "meter": "m",
+    "degree": "deg",
+    "radian": "rad",
+    "per": "/",
+    "second": "s",
+}
+WORD_STYLES = frozenset(
+    ["text", "textbf", "textit", "textrm", "textsf", "texttt", "textup", "textnormal", "mbox", "hbox", "emph"]
+)
+# words that join statements, and are the name of nothing
+JOINING = frozenset(
+    """and or if then where when with so thus hence therefore for from since because as is are we that which otherwise else i.e. e.g.
+et ou où si alors avec donc ainsi d'où soit pour car sinon on und oder wenn also mit wobei für y o si entonces donde con e ou se então onde com""".split()
+)
 PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}

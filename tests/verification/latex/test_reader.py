@@ -21,7 +21,10 @@ def read(latex: str) -> list[n.Statement]:
     ("latex", "offset", "message"),
     [
         (r"a + = b", 4, "unexpected '='; expected"),
-        (r"(a + b", 6, "the display ends too early; expected"),
+        (r"(a + b", 0, r"'\(' is opened here and never closed"),
+        (r"a = b \left( c + d \\ e = f", 6, r"'\(' is opened here and never closed"),
+        (r"\begin{bmatrix} (a & b \\ c & d \end{bmatrix}", 16, r"'\(' is opened here and never closed"),
+        (r"\begin{bmatrix} a & b] \\ c & d \end{bmatrix}", 21, r"unexpected '\]': it closes what was never opened"),
         (r"a + b)", 5, r"unexpected '\)'"),
         (r"\begin{bmatrix} 1 & 2", 21, "the display ends too early"),
         (r"x = \begin{bmatrix} 1 \end{pmatrix}", 22, r"'\\begin\{bmatrix\}' is closed by '\\end\{pmatrix\}'"),

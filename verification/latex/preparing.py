@@ -1,0 +1,106 @@
+r"""Make a display plainer before it is read, every character at its place: what prints nothing is blank.
+
+Markdown's escapes (`\_`, `\\theta`) lose their backslash, layout commands and boxes vanish, and of beamer's overlays the
+last is read.
+"""
+
+from __future__ import annotations
+
+import re
+
+_ARGUMENT = r"\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
+_COMMAND = r"\s*(?:\{\s*\\[A-Za-z]+\s*\}|\\[A-Za-z]+)"
+_LENGTH = r"\s*=?\s*[-+]?(?:\d+\.?\d*|\.\d+)\s*(?:pt|em|ex|mu|mm|cm|in|\\[A-Za-z]+)"
+_OVERLAY = r"<[\d\s+,.|:a-z-]*>"
+_ESCAPES = r"_*^()[]+="  # of Markdown: in a formula their backslash means nothing
+_SILENT = re.compile(
+    rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))"
+    rf"|\\(?:setlength|addtolength|settowidth|settoheight|settodepth){_COMMAND}{_ARGUMENT}|\\setcounter{_ARGUMENT}{_ARGUMENT}"
+    rf"|\\(?:re|provide)?newcommand\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"
+    rf"|\\(?:arraycolsep|tabcolsep|jot|lineskip|baselineskip|kern|mkern|hskip|mskip|vskip){_LENGTH}|\\arraystretch\s*=?\s*[\d.]*"
+    rf"|\\(?:newlength|[hv]?phantom|label|vspace\*?){_ARGUMENT}|\\newlength\s*\\[A-Za-z]+"
+    rf"|\\(?:pause|xspace|par|leavevmode|protect|boldmath|unboldmath|numberthis|qedhere|transparent)(?![A-Za-z])"
+    rf"|\\(?:onslide|uncover|visible|only)\s*{_OVERLAY}(?!\s*\{{)|(?P<command>\\(?:color|text[a-z]+|math[a-z]+)){_OVERLAY}(?=\s*\{{)"
+    r"|(?<=\\sqrt)\s*\[\s*2?\s*\]|[_^]\s*\{\s*\}|\\qty(?=\s*(?:\\left|\\[bB]ig+)?\s*[(\[])"
+)
+_BOX = re.compile(
+    rf"\\(?:resizebox\*?{_ARGUMENT}{_ARGUMENT}|(?:scalebox|colorbox|adjustbox|raisebox|mathcolor){_ARGUMENT}|fcolorbox{_ARGUMENT}{_ARGUMENT}"
+    rf"|makebox(?:\s*\[[^\]]{{0,200}}\])*|bbox(?:\s*\[[^\]]{{0,200}}\])?|math[lrc]lap|[lrc]lap|Aboxed|vcenter"
+    rf"|(?:alert|structure|invisible|action)(?:\s*{_OVERLAY})?|(?P<shown>only|uncover|visible|onslide|alt)\s*(?P<slides>{_OVERLAY}))\s*(?P<brace>\{{)\s*\$?"
+)
+_DOUBLED = re.compile(r"\\\\(?:\\\\|(?=[A-Za-z]{2,}|[{},;:!|]))")
+_BARS = re.compile(r"\\(?:abs|norm)\*?\s*(\{)")
+
+
+def prepared(text: str) -> str:
+    """Return a display without what prints nothing, as long as it was and every character at its place."""
+    if (
+        "\\begin" in text and re.search(r"(?<!\\)\\begin", text) is None
+    ):  # \\begin{matrix} a \\\\ b, from a string of Python
+        text = _DOUBLED.sub(lambda found: found.group()[: len(found.group()) // 2].rjust(len(found.group())), text)
+    text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
+    return _SILENT.sub(_plain, text)
+
+
+def _plain(found: re.Match[str]) -> str:
+    if found["kept"]:
+        return found.group()
+    if found["escape"] or found["set"]:
+        return " " + found.group()[1]
+    command = found["command"] or ""
+    return command + _blank(found.group()[len(command) :])
+
+
+def _blank(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)
+
+
+def _without_boxes(text: str) -> str:
+    """Take the boxes and overlays off what stands in them; what the last overlay does not show goes with them."""
+    closing = _partners(text)
+    letters = list(text)
+    last = max((_numbers(found["slides"])[-1] for found in _BOX.finditer(text) if found["slides"]), default=0)
+    hidden = 0  # up to where
+    for found in _BOX.finditer(text):
+        if (end := closing.get(found.start("brace"))) is None or found.start() < hidden:
+            continue
+        other = re.compile(r"\s*\{").match(text, end + 1) if found["shown"] == "alt" else None
+        spans = [found.span(), (_before_dollar(text, end), end + 1)]
+        shown = not found["slides"] or _shows(found["slides"], last)
+        if other and (far := closing.get(other.end() - 1)) is not None:
+            spans += [(end + 1, far + 1)] if shown else [(found.start(), end + 1), other.span(), (far, far + 1)]
+        elif not shown:
+            spans, hidden = [(found.start(), end + 1)], end
+        for start, stop in spans:
+            letters[start:stop] = _blank("".join(letters[start:stop]))
+    for found in _BARS.finditer(text):
+        if (end := closing.get(found.start(1))) is not None:
+            letters[found.start() : found.end()] = " " * (found.end() - found.start() - 1) + "|"
+            letters[end] = "|"
+    return "".join(letters)
+
+
+def _before_dollar(text: str, end: int) -> int:
+    """Return where the closing brace begins, the dollar of a formula in a box with it."""
+    return end - 1 if text[end - 1] == "$" else end
+
+
+def _numbers(slides: str) -> list[int]:
+    """Return the numbers of an overlay's slides, ascending; 0 for <+->."""
+    return sorted(int(number) for number in re.findall(r"\d{1,4}", slides)) or [0]
+
+
+def _shows(slides: str, last: int) -> bool:
+    return "-" in slides[-3:] or _numbers(slides)[-1] == last
+
+
+def _partners(text: str) -> dict[int, int]:
+    """Return where the brace that opens at a place is closed."""
+    partners: dict[int, int] = {}
+    opened: list[int] = []
+    for found in re.finditer(r"\\.|[{}]", text, re.DOTALL):
+        if found.group() == "{":
+            opened.append(found.start())
+        elif found.group() == "}" and opened:
+            partners[opened.pop()] = found.start()
+    return partners
