@@ -211,6 +211,7 @@ class DocumentChecker:
             inverse=self._inverse(),
             arms=self._arms(),
             front=self.document.front,
+            remarks=self.document.remarks,
         )
 
     def _arms(self) -> tuple[TakenArm, ...]:

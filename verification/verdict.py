@@ -307,6 +307,7 @@ class DocumentResult:
     inverse: Record | None = None  # the closed-form inverse that the front matter announces, as a whole
     arms: tuple[TakenArm, ...] = ()
     front: Mapping[str, Any] = field(default_factory=dict)  # the front matter, and what was inferred beside it
+    remarks: tuple[Finding, ...] = ()  # on how the document was read
 
     @property
     def passed(self) -> bool:
@@ -349,6 +350,7 @@ class DocumentResult:
             **tables,
             **({"inverse": self.inverse.as_json()} if self.inverse is not None else {}),
             **({"warnings": list(self.warnings)} if self.warnings else {}),
+            **({"remarks": [remark.as_json() for remark in self.remarks]} if self.remarks else {}),
         }
 
 

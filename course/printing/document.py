@@ -93,9 +93,9 @@ def _bodies(path: Path, lang: str) -> Sequence[tuple[str, int, int | None]]:
     text = read_text(path)
     if path.suffix != ".ipynb":
         text = translated(path, text, translation_of(path, lang), lang)
-        _, _, body, first = split_front_matter(path, text)
+        _, body, first = split_front_matter(path, text)
         return [(body, first, None)]
-    return split_cells(path, read_cells(path, text))[2]
+    return split_cells(path, read_cells(path, text))[1]
 
 
 def _titled(document: Document, blocks: list[Block], inline: InlineReader) -> tuple[tuple[Inline, ...], list[Block]]:

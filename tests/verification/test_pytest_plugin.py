@@ -104,10 +104,14 @@ def test_the_settings_switch_it_off_and_make_it_strict(pytester: pytest.Pytester
 
 
 def test_a_document_that_cannot_be_checked_fails_with_its_message(pytester: pytest.Pytester, run) -> None:
-    write(pytester, arm_md="---\narm: skara\n---\n$$ 1 = 1 $$\n", key_md="---\narm: scara\narn: x\n---\n$$ 1 = 1 $$\n")
+    write(
+        pytester,
+        arm_md="---\narm: skara\n---\n$$ 1 = 1 $$\n",
+        key_md="---\narm: scara\ntransforms: up\n---\n$$ 1 = 1 $$\n",
+    )
     result = run()
     result.assert_outcomes(failed=2)
-    result.stdout.fnmatch_lines(["*arm.md:2: no arm 'skara'*", "*key.md:3: unknown front-matter key 'arn'*"])
+    result.stdout.fnmatch_lines(["*arm.md:2: no arm 'skara'*", "*key.md:3: 'transforms' must be upper or lower*"])
     assert "Traceback" not in result.stdout.str()
 
 

@@ -46,11 +46,24 @@ def notebook_cells(text: str) -> tuple[Cell, ...]:
     Nothing in it is trusted. Raises json.JSONDecodeError where it is no JSON, another ValueError where it is no notebook.
     """
     try:
-        return tuple(Cell(str(cell["cell_type"]), _joined(cell["source"])) for cell in json.loads(text)["cells"])
+        return tuple(_cell(cell) for cell in raw_cells(json.loads(text or '{"cells": []}')))
     except json.JSONDecodeError:
         raise
-    except (KeyError, TypeError, ValueError, RecursionError, MemoryError):
+    except (AttributeError, KeyError, TypeError, ValueError, RecursionError, MemoryError):
         raise ValueError("it has no list of cells with a type and a source") from None
+
+
+def raw_cells(notebook: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the cells of a notebook as its JSON has them; those of version 3 stand in worksheets."""
+    if "cells" in notebook or "worksheets" not in notebook:
+        return list(notebook["cells"])
+    return [cell for sheet in notebook["worksheets"] for cell in sheet.get("cells", ())]
+
+
+def _cell(cell: dict[str, Any]) -> Cell:
+    """Return one cell; a heading of version 3 as Markdown has it."""
+    kind, text = str(cell["cell_type"]), _joined(cell.get("source", cell.get("input", "")))
+    return Cell("markdown", f"{'#' * int(cell.get('level', 1))} {text}") if kind == "heading" else Cell(kind, text)
 
 
 def _joined(source: Any) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from armproof.verification.document.accepts import with_accepts
 from armproof.verification.document.cells import percent_cells
-from armproof.verification.document.front_matter import read_text
+from armproof.verification.document.front_matter import read_any_text
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import INLINE, Display, Document
 from armproof.verification.document.notebook import read_notebook, read_percent
@@ -36,7 +36,9 @@ SUFFIXES = tuple(_READERS)
 
 def read_document(path: Path) -> Document:
     """Return the document of a file; raises DocumentError with file and line where it is not one."""
-    return parse_document(path, read_text(path))
+    text, remarks = read_any_text(path)
+    document = parse_document(path, text)
+    return replace(document, remarks=(*remarks, *document.remarks))
 
 
 def parse_document(path: Path, text: str, format: str = "") -> Document:
@@ -96,7 +98,7 @@ def _files_below(folder: Path) -> list[Path]:
 
 def _is_document(path: Path) -> bool:
     try:
-        text = read_text(path)
+        text, _ = read_any_text(path)
     except DocumentError:
         return path.suffix != ".py"
     return _has_displays(path.suffix, text) or _names_an_arm(text)

@@ -1,39 +1,70 @@
-"""The text of a file, UTF-8, of a bounded size and of one moment; and its front matter."""
+"""The text of a file, of a bounded size and of one moment; and its front matter, in which other tools' keys are left alone."""
 
 from __future__ import annotations
 
+import codecs
 import os
 import re
 import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from armproof.verification.errors import DocumentError
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 
 MAX_BYTES = 20_000_000
 ATTEMPTS = 5  # at a file that changes while it is read
 PAUSE = 0.02
 FRONT_MATTER_KEYS = ("title", "source", "arm", "convention", "symbols", "transforms", "quantities", "inverse")
-# keys that notebook and site tools put into the same block, and `figures`, which the course's printing reads
-FOREIGN_KEYS = frozenset(["author", "authors", "date", "lang", "language", "subtitle", "license", "jupyter", "jupytext",
-                          "kernelspec", "format", "abstract", "keywords", "slug", "description", "execute", "engine", "bibliography",
-                          "csl", "toc", "number-sections", "filters", "editor", "theme", "css", "categories", "image", "draft",
-                          "output", "params", "knitr", "crossref", "header-includes", "documentclass", "classoption", "geometry",
-                          "fontsize", "papersize", "figures", "project", "website", "order", "page-layout", "tags", "layout", "permalink",
-                          "parent", "nav_order", "subject", "venue", "github", "exports", "downloads", "numbering", "math",
-                          "settings", "doi", "copyright", "banner", "thumbnail", "short_title", "organization", "version",
-                          "revision", "status", "contact", "orphan", "nocomments", "tocdepth"])  # fmt: skip
+_SHARED = ("title", "source")  # with other tools: any text will do
+QUIET_KEYS = frozenset(["lang", "figures", "jupyter", "jupytext", "kernelspec"])  # read elsewhere, or a notebook's own
+_OURS = re.compile(r"^[\s-]*[\"']?(?:%s)[\"']?\s*:" % "|".join(FRONT_MATTER_KEYS[2:]), re.MULTILINE)
+_KEY = re.compile(r"[\"']?([^\s\"'#:{}\[\],&*-][^:]*?)[\"']?\s*:(?=\s|$)")
+_TOML = re.compile(r"\+\+\+[ \t]*\n.*?^\+\+\+[ \t]*(?:\n|\Z)", re.DOTALL | re.MULTILINE)
+_BINARY = re.compile("[\x00-\x08\x0e-\x1f]")
+
+
+@dataclass(frozen=True)
+class FrontMatter:
+    """What the keys of a front matter say, the line of each key, and what there is to remark about it."""
+
+    values: dict[str, Any] = field(default_factory=dict)
+    lines: dict[str, int] = field(default_factory=dict)
+    remarks: tuple[Finding, ...] = ()
+
+
+def read_any_text(path: Path) -> tuple[str, tuple[Finding, ...]]:
+    """Return the text of a file in UTF-8, in UTF-16 or, with a remark, in an old encoding of Western Europe; raises DocumentError."""
+    data = read_bytes(path)
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return data.decode("utf-16", "replace"), ()
+    try:
+        return data.decode("utf-8-sig"), ()
+    except UnicodeDecodeError:
+        text = data.decode("utf-8-sig", _ANY_BYTE)
+    return (text, (say(Kind.READ_AS_WESTERN),)) if not _BINARY.search(text) else (read_text(path), ())
+
+
+def _as_western(error: UnicodeError) -> tuple[str, int]:
+    assert isinstance(error, UnicodeDecodeError)
+    return error.object[error.start : error.end].decode("cp1252", "replace"), error.end
+
+
+_ANY_BYTE = "armproof-western"
+codecs.register_error(_ANY_BYTE, _as_western)
 
 
 def read_text(path: Path) -> str:
     """Return the text of a file; raises DocumentError where it is none, is too large, or never stays as it is."""
+    data = read_bytes(path)
     try:
-        return read_bytes(path).decode("utf-8-sig")
+        return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        line = error.object.count(b"\n", 0, error.start) + 1
+        line = data.count(b"\n", 0, error.start) + 1
         raise DocumentError(say(Kind.NOT_UTF8, byte=error.start), path=path, line=line) from None
 
 
@@ -61,32 +92,64 @@ def _read_unchanged(path: Path) -> bytes | None:
     return data if same and len(data) == after.st_size else None
 
 
-def split_front_matter(path: Path, text: str, first: int = 1) -> tuple[dict[str, Any] | None, dict[str, int], str, int]:
-    """Return front matter (None where there is none), its keys' lines, the body and the body's first line.
+def split_front_matter(path: Path, text: str, first: int = 1) -> tuple[FrontMatter | None, str, int]:
+    """Return front matter (None where there is none), the body and the body's first line.
 
-    `first` is the line of the file on which the text begins.
+    `first` is the line of the file on which the text begins. What stands between two rules and holds no keys is prose.
     """
     text = text.replace("\r\n", "\n")
-    if not re.match(r"---[ \t]*\n", text):
-        return None, {}, text, first
-    end = re.compile(r"^(?:---|\.\.\.)[ \t]*$", re.MULTILINE).search(text, text.index("\n") + 1)
+    if toml := _TOML.match(text):
+        remark = say(Kind.FOREIGN_FRONT_MATTER)
+        return FrontMatter(remarks=(remark,)), text[toml.end() :], first + toml.group().count("\n")
+    opened = re.match(r"---[ \t]*\n", text)
+    if not opened:
+        return None, text, first
+    end = re.compile(r"^(?:---|\.\.\.)[ \t]*$", re.MULTILINE).search(text, opened.end())
     if end is None:
-        raise DocumentError(say(Kind.FRONT_MATTER_OPEN), path=path, line=first)
-    block = text[text.index("\n") + 1 : end.start()]
-    front, lines = parse_front_matter(path, block, first + 1)
+        if _OURS.search(text[opened.end() :].split("\n\n")[0]):
+            raise DocumentError(say(Kind.FRONT_MATTER_OPEN), path=path, line=first)
+        return None, text, first
+    front = parse_front_matter(path, text[opened.end() : end.start()], first + 1)
+    if front is None:
+        return None, text, first
     body_start = end.end() + 1
-    return front, lines, text[body_start:], first + text.count("\n", 0, body_start)
+    return front, text[body_start:], first + text.count("\n", 0, body_start)
 
 
-def parse_front_matter(path: Path, block: str, first_line: int) -> tuple[dict[str, Any], dict[str, int]]:
-    """Return the mapping of a YAML block and the line of each top key; raises DocumentError."""
-    front = _load(path, block, first_line)
+def parse_front_matter(path: Path, block: str, first_line: int) -> FrontMatter | None:
+    """Return what a YAML block says, or None where it is prose.
+
+    A key of another tool never stops a document, not even where it is no YAML. Raises DocumentError at a key of ours.
+    """
+    try:
+        front = _load(path, block, first_line)
+    except DocumentError:
+        front = dict(_read_key_by_key(path, block, first_line))
+        if not front and _OURS.search(block):
+            raise
+    is_prose = not isinstance(front, dict) or "$$" in block or (not front and any(map(_is_text, block.split("\n"))))
+    if is_prose and not (isinstance(front, dict) and _OURS.search(block)):
+        if _OURS.search(block):
+            raise DocumentError(say(Kind.FRONT_MATTER_NO_MAPPING), path=path, line=first_line)
+        return None
     lines = _lines_of_keys(path, block, first_line)
-    _validate(path, front, lines, first_line)
-    return front, lines
+    if "arm" in front and front["arm"] is None:
+        raise DocumentError(say(Kind.ARM_EMPTY), path=path, line=lines.get("arm", first_line))
+    foreign = [str(key) for key in front if key not in FRONT_MATTER_KEYS and key not in QUIET_KEYS]
+    told = (say(Kind.FOREIGN_KEYS, keys=foreign, ours=list(FRONT_MATTER_KEYS)),) if foreign else ()
+    return FrontMatter({k: v if k not in _SHARED else _as_text(v) for k, v in front.items()}, lines, told)
 
 
-def _load(path: Path, block: str, first_line: int) -> dict[str, Any]:
+def _is_text(line: str) -> bool:
+    return bool(line.strip()) and not line.lstrip().startswith("#")
+
+
+def _as_text(value: Any) -> str:
+    return "" if value is None or isinstance(value, dict | list) else str(value)
+
+
+def _load(path: Path, block: str, first_line: int) -> Any:
+    """Return what a YAML block holds, a mapping if it is empty; raises DocumentError."""
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
         for event in yaml.parse(block, Loader=loader):
@@ -96,16 +159,26 @@ def _load(path: Path, block: str, first_line: int) -> dict[str, Any]:
         front = yaml.load(block, Loader=loader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
-        line = first_line + (mark.line if mark else 0)
+        line = first_line + min(mark.line if mark else 0, block.rstrip().count("\n"))
         problem = getattr(error, "problem", None) or str(error).splitlines()[0]
         raise DocumentError(say(Kind.FRONT_MATTER_NOT_YAML, reason=str(problem)), path=path, line=line) from None
     except (ValueError, RecursionError) as error:
         raise DocumentError(say(Kind.FRONT_MATTER_NOT_YAML, reason=str(error)), path=path, line=first_line) from None
-    if front is None:
-        front = {}
-    if not isinstance(front, dict):
-        raise DocumentError(say(Kind.FRONT_MATTER_NO_MAPPING), path=path, line=first_line)
-    return front
+    return {} if front is None else front
+
+
+def _read_key_by_key(path: Path, block: str, first_line: int) -> Iterator[tuple[str, Any]]:
+    """Yield the keys of a block that is no YAML as a whole, each read alone: a broken one of another tool has no value."""
+    lines = block.split("\n")
+    starts = [number for number, line in enumerate(lines) if _KEY.match(line)]
+    for start, end in zip(starts, [*starts[1:], len(lines)], strict=False):  # there may be none
+        key = (_KEY.match(lines[start]) or [""] * 2)[1]
+        try:
+            yield key, _load(path, "\n".join(lines[start:end]), first_line + start)[key]
+        except (DocumentError, KeyError, TypeError):
+            if key in FRONT_MATTER_KEYS[2:]:
+                raise
+            yield key, lines[start].partition(":")[2].strip()
 
 
 def _lines_of_keys(path: Path, block: str, first_line: int) -> dict[str, int]:
@@ -113,20 +186,7 @@ def _lines_of_keys(path: Path, block: str, first_line: int) -> dict[str, int]:
     for number, text in enumerate(block.split("\n")):
         if found := re.match(r"([A-Za-z_]+)\s*:", text):
             key, line = found.group(1), first_line + number
-            if key in lines:
+            if key in lines and key in FRONT_MATTER_KEYS:
                 raise DocumentError(say(Kind.KEY_TWICE, key=str(key), first=lines[key]), path=path, line=line)
             lines[key] = line
     return lines
-
-
-def _validate(path: Path, front: dict[str, Any], lines: dict[str, int], first_line: int) -> None:
-    for key in front:
-        if key not in FRONT_MATTER_KEYS and key not in FOREIGN_KEYS:
-            unknown = say(Kind.UNKNOWN_KEY, key=str(key), keys=list(FRONT_MATTER_KEYS))
-            raise DocumentError(unknown, path=path, line=lines.get(str(key), first_line))
-    if "arm" in front and front["arm"] is None:
-        raise DocumentError(say(Kind.ARM_EMPTY), path=path, line=lines.get("arm", first_line))
-    for key in ("title", "source"):
-        if not isinstance(front.get(key, ""), str):
-            other = say(Kind.KEY_NOT_TEXT, key=key, value=repr(front[key]))
-            raise DocumentError(other, path=path, line=lines.get(key, first_line))

@@ -99,7 +99,7 @@ def _into_percent(text: str, block: list[str]) -> str:
 
 def _into_notebook(text: str, block: list[str]) -> str:
     """The front matter of the first cell, or a raw cell of its own before it."""
-    cells = json.loads(text)["cells"]
+    cells = json.loads(text or "{}").get("cells", [])
     source = "".join(cells[0]["source"]) if cells else ""
     opening = re.search(r'"cells"\s*:\s*\[', text)
     if opening is None:

@@ -13,7 +13,7 @@ from markdown_it.token import Token
 from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
 
@@ -130,9 +130,10 @@ def _nothing_between(text: str) -> bool:
 
 def read_markdown_file(path: Path, text: str) -> Document:
     """Return the document of a Markdown file's text."""
-    front, lines, body, first = split_front_matter(path, text)
+    front, body, first = split_front_matter(path, text)
+    front = front or FrontMatter()
     displays, tables = read_markdown(body, first)
-    return Document(path, front or {}, tuple(displays), tuple(tables), lines)
+    return Document(path, front.values, tuple(displays), tuple(tables), front.lines, remarks=front.remarks)
 
 
 def read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list[Display], list[Table]]:

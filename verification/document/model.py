@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from armproof.verification.errors import DocumentError
-from armproof.verification.findings import finding_of
+from armproof.verification.findings import Finding, finding_of
 
 
 @dataclass(frozen=True)
@@ -84,6 +84,7 @@ class Document:
     tables: tuple[Table, ...]
     lines: dict[str, int] = field(default_factory=dict)
     accepts: tuple[Accept, ...] = ()
+    remarks: tuple[Finding, ...] = ()  # on how it was read
 
     def at(self, key: str) -> str:
         """Return `file:line` of a front-matter key, for messages."""

@@ -6,10 +6,9 @@ import json
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from armproof.verification.document.cells import Cell, comment_width, notebook_cells, percent_cells
-from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.markdown import read_markdown
 from armproof.verification.document.model import Document, Piece
 from armproof.verification.errors import DocumentError
@@ -51,26 +50,26 @@ def _moved(piece: Piece, margins: list[int]) -> Piece:
 
 
 def _read_cells(path: Path, cells: Iterable[Cell]) -> Document:
-    front, lines, texts = split_cells(path, cells)
+    front, texts = split_cells(path, cells)
     read = [read_markdown(*text) for text in texts]
     displays = tuple(display for found, _ in read for display in found)
-    return Document(path, front, displays, tuple(table for _, found in read for table in found), lines)
+    tables = tuple(table for _, found in read for table in found)
+    return Document(path, front.values, displays, tables, front.lines, remarks=front.remarks)
 
 
-def split_cells(path: Path, cells: Iterable[Cell]) -> tuple[dict[str, Any], dict[str, int], list[tuple[str, int, int]]]:
-    """Return the front matter of cells, the line of each key, and their Markdown: texts with their first lines and cells.
+def split_cells(path: Path, cells: Iterable[Cell]) -> tuple[FrontMatter, list[tuple[str, int, int]]]:
+    """Return the front matter of cells, and their Markdown: texts with their first lines and cells.
 
     The front matter stands in the first Markdown or raw cell that has one.
     """
-    front: dict[str, Any] | None = None
-    lines: dict[str, int] = {}
+    front: FrontMatter | None = None
     texts: list[tuple[str, int, int]] = []
     for number, cell in enumerate(cells):
         body, first = cell.text, cell.line
         bare = body.lstrip()
         if front is None and cell.kind in ("markdown", "raw") and bare.startswith("---"):
             blank = body.count("\n", 0, len(body) - len(bare))
-            front, lines, body, first = split_front_matter(path, bare, first + blank)
+            front, body, first = split_front_matter(path, bare, first + blank)
         if cell.kind == "markdown":
             texts.append((body, first, number))
-    return front or {}, lines, texts
+    return front or FrontMatter(), texts

@@ -9,6 +9,8 @@ from json.decoder import scanstring  # type: ignore[attr-defined]
 from json.scanner import py_make_scanner  # type: ignore[attr-defined]
 from typing import Any
 
+from armproof.verification.document.cells import raw_cells
+
 PlacedEdit = tuple[tuple[int, int], tuple[int, int], str]
 _CHARACTER = re.compile(
     r"\\u[dD][89abAB][0-9a-fA-F]{2}\\u[dD][c-fC-F][0-9a-fA-F]{2}|\\u[0-9a-fA-F]{4}|\\.|.", re.DOTALL
@@ -40,7 +42,7 @@ def _placed(text: str, begin: int, strict: bool = True) -> tuple[_Placed, int]:
 
 def rewrite_cells(text: str, edits: Mapping[int, Sequence[PlacedEdit]]) -> str:
     """Return a notebook's JSON with the edits of its cells' sources made, given by lines (from 1) and columns (from 0)."""
-    cells = _Decoder().decode(text)["cells"]
+    cells = raw_cells(_Decoder().decode(text))
     found: list[tuple[int, int, str]] = []
     for cell, placed in edits.items():
         source: Any = cells[cell]["source"]

@@ -14,9 +14,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
-from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
+from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.model import INLINE, Display, Document, Piece
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
@@ -31,26 +30,26 @@ _RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
 def read_rst(path: Path, text: str) -> Document:
     """Return the document of a reStructuredText file."""
     lines = text.replace("\r\n", "\n").split("\n")
-    front, places = _front_matter(path, lines)
-    return Document(path, front, tuple(_displays(lines)), (), places)
+    front = _front_matter(path, lines)
+    return Document(path, front.values, tuple(_displays(lines)), (), front.lines, remarks=front.remarks)
 
 
-def _front_matter(path: Path, lines: list[str]) -> tuple[dict[str, Any], dict[str, int]]:
+def _front_matter(path: Path, lines: list[str]) -> FrontMatter:
     """Read the YAML of the first comment, or the fields at the head or below the title."""
     row = next((k for k, line in enumerate(lines) if line.strip()), len(lines))
     if row + 1 < len(lines) and not lines[row].startswith(("..", ":")):  # a title, under its rule or between two
         row += 3 if _RULE.match(lines[row]) else 2
         row = next((k for k in range(row, len(lines)) if lines[k].strip()), len(lines))
     if row >= len(lines):
-        return {}, {}
+        return FrontMatter()
     if re.fullmatch(r"\.\.(?: .*)?", lines[row].rstrip()) and not re.match(r"\.\. [\w|\[_-]+.*::", lines[row]):
         return _of_comment(path, lines, row)
     if found := re.match(r":([A-Za-z_]+):", lines[row]):
-        return _of_fields(path, lines, row) if found else ({}, {})
-    return {}, {}
+        return _of_fields(path, lines, row) if found else FrontMatter()
+    return FrontMatter()
 
 
-def _of_comment(path: Path, lines: list[str], row: int) -> tuple[dict[str, Any], dict[str, int]]:
+def _of_comment(path: Path, lines: list[str], row: int) -> FrontMatter:
     block = [lines[row][2:]] if lines[row][2:].strip() else []
     first = row if block else row + 1
     block += _indented(lines, row + 1)
@@ -59,10 +58,10 @@ def _of_comment(path: Path, lines: list[str], row: int) -> tuple[dict[str, Any],
     while head and not head[0].strip():
         head, first = head[1:], first + 1
     keyed = head and (head[0].rstrip() == "---" or re.match(r"(?:%s)\s*:" % "|".join(FRONT_MATTER_KEYS), head[0]))
-    return _parsed(path, head, first + 1) if keyed else ({}, {})
+    return _parsed(path, head, first + 1) if keyed else FrontMatter()
 
 
-def _of_fields(path: Path, lines: list[str], row: int) -> tuple[dict[str, Any], dict[str, int]]:
+def _of_fields(path: Path, lines: list[str], row: int) -> FrontMatter:
     head: list[str] = []
     for line in lines[row:]:
         field = re.match(r":([A-Za-z_]+):(.*)$", line)
@@ -72,11 +71,10 @@ def _of_fields(path: Path, lines: list[str], row: int) -> tuple[dict[str, Any], 
     return _parsed(path, head, row + 1)
 
 
-def _parsed(path: Path, head: list[str], first: int) -> tuple[dict[str, Any], dict[str, int]]:
+def _parsed(path: Path, head: list[str], first: int) -> FrontMatter:
     fenced = head[0].rstrip() == "---"
     block = "\n".join(head if fenced else ["---", *head, "---"])
-    front, places, _, _ = split_front_matter(path, block + "\n", first if fenced else first - 1)
-    return front or {}, places
+    return split_front_matter(path, block + "\n", first if fenced else first - 1)[0] or FrontMatter()
 
 
 def _indented(lines: list[str], row: int) -> Iterator[str]:

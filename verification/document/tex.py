@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, split_front_matter
+from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.model import INLINE, Display, Document, Table
 from armproof.verification.document.tex_macros import blank, closing_brace, find_macros
 from armproof.verification.document.tex_tables import read_tabular
@@ -47,13 +47,13 @@ _ERRATUM = re.compile(
 def read_tex(path: Path, text: str) -> Document:
     """Return the document of a LaTeX file."""
     text = text.replace("\r\n", "\n")
-    front, lines = _front_matter(path, text)
+    front = _front_matter(path, text)
     scanner = _Scanner(text)
     displays = tuple(scanner.displays())
-    return Document(path, front, displays, tuple(scanner.tables), lines)
+    return Document(path, front.values, displays, tuple(scanner.tables), front.lines, remarks=front.remarks)
 
 
-def _front_matter(path: Path, text: str) -> tuple[dict, dict[str, int]]:
+def _front_matter(path: Path, text: str) -> FrontMatter:
     """Read the comments at the head of the file: fenced by `---`, or beginning with one of our keys."""
     head: list[str] = []
     first = 1
@@ -68,11 +68,10 @@ def _front_matter(path: Path, text: str) -> tuple[dict, dict[str, int]]:
         else:
             first += 1
     if not head:
-        return {}, {}
+        return FrontMatter()
     fenced = head[0] == "---"
     block = "\n".join(head if fenced else ["---", *head, "---"])
-    front, lines, _, _ = split_front_matter(path, block + "\n", first if fenced else first - 1)
-    return front or {}, lines
+    return split_front_matter(path, block + "\n", first if fenced else first - 1)[0] or FrontMatter()
 
 
 @dataclass

@@ -608,8 +608,9 @@ class Kind(MessageKind):
     FRONT_MATTER_NOT_YAML = "front_matter_not_yaml", "the front matter is not YAML: {reason}"
     FRONT_MATTER_NO_MAPPING = "front_matter_no_mapping", "the front matter must be a mapping of keys such as 'arm: scara'"
     KEY_TWICE = "key_twice", "the front-matter key '{key}' stands twice, first in line {first}"
-    UNKNOWN_KEY = "unknown_key", "unknown front-matter key '{key}'; the keys are {keys}"
-    KEY_NOT_TEXT = "key_not_text", "'{key}' must be text, not {value}"
+    FOREIGN_KEYS = "foreign_keys", "front-matter keys of other tools are left alone: {keys}; those that are read are {ours}"
+    FOREIGN_FRONT_MATTER = "foreign_front_matter", "the front matter between '+++' is left alone; what is read stands between '---'"
+    READ_AS_WESTERN = "read_as_western", "it is not in UTF-8: the letters with accents are read as those of Windows-1252"
     ARM_EMPTY = "arm_empty", "'arm' is empty; name an arm, a model file or a DH table, or leave the key out"
 
     # -- what the author accepts ----------------------------------------------------------------------------------------

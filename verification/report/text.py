@@ -137,6 +137,7 @@ def describe_document(result: DocumentResult, strict: bool) -> Iterator[Line]:
         (arm, FAINT),
         (f"  {Tally('display', result.equations)}{tables}", ""),
     )
+    yield from (((f"    {remark}", FAINT),) for remark in result.remarks)
     if result.inverse is not None and result.inverse.passes and result.inverse.verdict is not Verdict.UNCHECKED:
         verdict, message = look_up(result.inverse.verdict), _short(result.inverse.message)
         words = written("inverse kinematics {verdict}: {message}", verdict=verdict, message=message)

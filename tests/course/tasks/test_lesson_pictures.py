@@ -70,7 +70,7 @@ def test_a_sheet_is_proofread_after_the_student_has_tried() -> None:
 
 
 def test_what_is_no_sheet_gets_a_sentence() -> None:
-    assert "cannot be checked: sheet.md" in str(proofread.proofread("---\n: [\n---\n"))
+    assert "cannot be checked: sheet.md" in str(proofread.proofread("---\narm: [\n---\n"))
 
 
 def test_a_sheet_is_shown_without_its_front_matter() -> None:

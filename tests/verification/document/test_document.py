@@ -157,21 +157,58 @@ def test_the_keys_of_other_tools_are_left_alone(read):
 @pytest.mark.parametrize(
     ("front", "message"),
     [
-        (
-            "arm: scara\nrobot: 1",
-            r":3: unknown front-matter key 'robot'; the keys are title, source, arm, convention, symbols, transforms",
-        ),
         ("arm: scara\ntitle: x\narm: rx90", r":4: the front-matter key 'arm' stands twice, first in line 2"),
         ("arm:", r":2: 'arm' is empty; name an arm, a model file or a DH table, or leave the key out"),
-        ("title: [x]", r":2: 'title' must be text, not \['x'\]"),
-        ("title: &x a\nsource: *x", r":3: the front matter may not repeat a part by '\*x'; write it out"),
-        ("title: 'x", r":\d: the front matter is not YAML: "),
-        ("3", r":2: the front matter must be a mapping of keys such as 'arm: scara'"),
+        ("title: &x a\narm: *x", r":3: the front matter may not repeat a part by '\*x'; write it out"),
+        ("title: 'x\nlayout: }\narm: [scara\ntags: x", r":\d: the front matter is not YAML: "),
+        ("title: x: y\ntransforms: 'upper", r":\d: the front matter is not YAML: "),
+        ("- arm: scara", r":2: the front matter must be a mapping of keys such as 'arm: scara'"),
     ],
 )
 def test_front_matter_at_fault_is_refused_at_its_line(read, front: str, message: str):
     with pytest.raises(DocumentError, match=rf"page\.md{message}"):
         read(f"---\n{front}\n---\n")
+
+
+FOREIGN = {
+    "Jekyll": "layout: post\npermalink: /x/\nexcerpt_separator: <!--more-->\nlast modified: today",
+    "Quarto": "format:\n  html:\n    toc: true\nauthor:\n  - name: X\nexecute: {echo: false}",
+    "Docusaurus": "id: x\nsidebar_position: 3\ntags: [a, b]",
+    "no date": "date: 2020-13-45",
+    "a colon": "description: a: b",
+    "a template": "permalink: {{ page.url }}",
+    "a tab": "tags:\n\t- a",
+    "twice": "tags: a\ntags: b",
+    "repeated": "x: &a [1]\ny: [*a, *a]",
+    "left open": "summary: 'x",
+}
+
+
+@pytest.mark.parametrize("tool", FOREIGN)
+@pytest.mark.parametrize("name", ["page.md", "page.tex", "page.rst"])
+def test_the_keys_of_other_tools_never_stop_a_document_and_are_told_once(read, tool: str, name: str):
+    block = f"title: On arms: a note\n{FOREIGN[tool]}\narm: scara"
+    form = {"page.md": "---\n{}\n---\n\n$$ 1 = 1 $$\n", "page.tex": "% ---\n% {}\n% ---\n\\[ 1 = 1 \\]\n"}
+    comment = {"page.md": "\n", "page.tex": "\n% ", "page.rst": "\n   "}[name]
+    text = form.get(name, "..\n   ---\n   {}\n   ---\n\n.. math:: 1 = 1\n").format(block.replace("\n", comment))
+    document = read(text, name)
+    assert (document.front["arm"], document.front["title"]) == ("scara", "On arms: a note")
+    (remark,) = document.remarks
+    assert FOREIGN[tool].partition(":")[0] in str(remark) and "arm, convention, symbols" in str(remark)
+    assert [display.latex.strip() for display in document.displays] == ["1 = 1"]
+
+
+@pytest.mark.parametrize(
+    "head", ["+++\ntitle = 'x'\narm = 3\n+++\n", "---\n\nWords, and more\n\n---\n", "---\n# Notes\n"]
+)
+def test_what_is_no_front_matter_of_ours_is_none(read, head: str):
+    document = read(head + "\n$$ 1 = 1 $$\n")
+    assert document.front == {} and len(document.remarks) == head.startswith("+++")
+    assert [(display.line, display.latex.strip()) for display in document.displays] == [(head.count("\n") + 2, "1 = 1")]
+
+
+def test_displays_between_two_rules_are_no_front_matter(read):
+    assert len(read("---\nNote: this\n\n$$ 1 = 1 $$\n\n---\n\n$$ 2 = 2 $$\n").displays) == 2
 
 
 # -- notebooks and lessons ---------------------------------------------------------------------------------------------
@@ -196,6 +233,19 @@ def test_the_markdown_cells_of_a_notebook_are_read_by_cell_and_line(read):
         (2, 3, False),
         (3, 2, True),
     ]
+
+
+def test_a_notebook_of_version_3_is_read_by_its_worksheets(read):
+    heading = {"cell_type": "heading", "level": 2, "source": ["Arms"]}
+    cells = [heading, {"cell_type": "code", "input": "x"}, {"cell_type": "markdown", "source": ["$$ 1 = 1 $$"]}]
+    document = read(
+        json.dumps({"nbformat": 3, "worksheets": [{"cells": cells[:2]}, {"cells": cells[2:]}]}), "old.ipynb"
+    )
+    assert [(display.cell, display.line, display.section) for display in document.displays] == [(2, 1, "")]
+
+
+def test_an_empty_notebook_is_an_empty_document(read):
+    assert read("", "empty.ipynb").displays == ()
 
 
 def test_front_matter_may_share_a_cell_with_displays(read):
@@ -232,8 +282,8 @@ def test_the_markdown_cells_of_a_lesson_are_read_at_the_lines_of_its_file(read):
 
 
 def test_a_fault_in_the_front_matter_of_a_lesson_is_at_the_line_of_its_file(read):
-    with pytest.raises(DocumentError, match=r"lesson\.py:4: unknown front-matter key 'name'"):
-        read(LESSON.replace("# title", "# name"), "lesson.py")
+    with pytest.raises(DocumentError, match=r"lesson\.py:4: 'arm' is empty"):
+        read(LESSON.replace("# arm: scara\n# title: x", "# title: x\n# arm:"), "lesson.py")
 
 
 @pytest.mark.parametrize(
@@ -316,10 +366,27 @@ def test_a_folder_without_documents_is_refused(folder: Path):
         find_documents([folder / "empty"])
 
 
-@pytest.mark.parametrize("data", [b"\xff\xfe\x00", b"\x80", "é".encode("latin-1")])
+WESTERN = ["Vitesse en rad/s, angle donné : \u2019\u2026", "é", "\u20ac"]
+
+
+@pytest.mark.parametrize("text", WESTERN)
+@pytest.mark.parametrize("encoding", ["cp1252", "utf-16", "utf-8"])
+def test_old_encodings_are_read_with_a_remark(tmp_path: Path, text: str, encoding: str):
+    (tmp_path / "page.md").write_bytes(f"{text}\n\n# {text}\n\n$$ 1 = 1 $$\n".encode(encoding))
+    document = read_document(tmp_path / "page.md")
+    assert [(display.line, display.section) for display in document.displays] == [(5, text)]
+    assert len(document.remarks) == (encoding == "cp1252")
+
+
+def test_one_wrong_byte_spoils_no_other_letter(tmp_path: Path):
+    (tmp_path / "page.md").write_bytes("# é".encode() + b" \xe9\n\n$$ 1 = 1 $$\n")
+    assert [display.section for display in read_document(tmp_path / "page.md").displays] == ["é é"]
+
+
+@pytest.mark.parametrize("data", [b"\x00\x80", b"\x89PNG\r\n\x1a\n\xff"])
 def test_a_file_that_is_not_text_is_refused(tmp_path: Path, data: bytes):
     (tmp_path / "page.md").write_bytes(data)
-    with pytest.raises(DocumentError, match=r"page\.md:1: not a text file in UTF-8 \(byte 0\)"):
+    with pytest.raises(DocumentError, match=r"page\.md:1: not a text file in UTF-8 \(byte [01]\)"):
         read_document(tmp_path / "page.md")
 
 

@@ -160,11 +160,11 @@ def test_front_matter_is_read_in_every_format(name: str) -> None:
 @pytest.mark.parametrize(
     ("name", "text", "line"),
     [
-        ("page.tex", "% ---\n% arm: scara\n% arn: x\n% ---\n", 3),
-        ("page.tex", "\n% arm: scara\n% quantites: {}\n", 3),
+        ("page.tex", "% ---\n% arm: scara\n% arm: x\n% ---\n", 3),
+        ("page.tex", "\n% arm: scara\n% quantities: {\n", 3),
         ("page.tex", "% ---\n% arm: scara\n\\[ 1 = 1 \\]\n", 1),
-        ("page.rst", "..\n   arm: scara\n   quantites: {}\n", 3),
-        ("page.rst", "Title\n=====\n\n:arm: scara\n:quantites: {}\n", 5),
+        ("page.rst", "..\n   arm: scara\n   quantities: {\n", 3),
+        ("page.rst", "Title\n=====\n\n:arm: scara\n:quantities: {\n", 5),
     ],
 )
 def test_a_fault_in_front_matter_is_told_with_its_line(name: str, text: str, line: int) -> None:
