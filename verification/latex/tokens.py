@@ -103,6 +103,8 @@ _ENDS_OPERAND = frozenset(
 
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
 _SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
+_OPENS = re.compile(r"\s*\{")
+_OPENS_SPACED = re.compile(r"\s*\{(?:(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2})")
 _FORMULA = re.compile(r"\$([^$]*)\$")
 _RELATES = re.compile(r"[=<>]|\\(?:approx|[lg]eq?|neq?|in)(?![A-Za-z])")
 _PARENTHESIS = re.compile(r"\s*(?:\\left|\\[bB]igg?l?)?\s*\(")
@@ -365,11 +367,8 @@ class _Scanner:
         self.accent = self._accent(name, end)
         word = _STYLED_WORD.match(self.text, end)
         if word is None:
-            brace = re.compile(r"\s*\{").match(self.text, end)
-            spaced = brace and re.compile(
-                r"(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2}"
-            ).match(self.text, brace.end())
-            return self._sentence(start, brace.end() - 1) if brace and (name in WORD_STYLES or spaced) else ([], end)
+            words = (_OPENS if name in WORD_STYLES else _OPENS_SPACED).match(self.text, end)
+            return self._sentence(start, self.text.index("{", end)) if words else ([], end)
         content, after = word.group(1), word.end()
         if (
             name in ("mathrm", "text", "operatorname")
