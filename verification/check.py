@@ -248,7 +248,13 @@ class DocumentChecker:
     def check_display(self, display: Display) -> Record:
         """Return the record of one display."""
         record = Record(
-            display.line, display.latex, Verdict.UNREADABLE, display.erratum, cell=display.cell, section=display.section
+            display.line,
+            display.latex,
+            Verdict.UNREADABLE,
+            display.erratum,
+            cell=display.cell,
+            section=display.section,
+            file=display.file,
         )
         if not display.closed:
             return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
@@ -349,6 +355,6 @@ def _unreadable(display: Display, error: ReadError) -> Finding:
     line = pieces[-1].line if pieces else display.line + before.count("\n") + ("\n" in display.latex)
     column = offset - (before.rfind("\n") + 1) + 1
     place = {"line": line, "at": column, "problem": finding_of(error)}
-    if display.cell is None:
+    if display.cell is None or display.file:
         return say(Kind.UNREADABLE, **place)
     return say(Kind.UNREADABLE_IN_CELL, cell=display.cell, **place)

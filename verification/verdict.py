@@ -188,6 +188,7 @@ class Record:
     discrepancy: Discrepancy | None = None  # the sides at the counterexample, for a drawing
     corrections: tuple[Correction, ...] | None = None
     arm_index: int | None = None  # of the document's arms, that which it was compared with
+    file: str = ""  # in which it stands, of a document of several
 
     @property
     def is_decided(self) -> bool:
@@ -232,7 +233,7 @@ class Record:
         """Return the record as the report's JSON writes it."""
         return {
             "line": self.line,
-            **({} if self.cell is None else {"cell": self.cell}),
+            **({"file": self.file} if self.file else {} if self.cell is None else {"cell": self.cell}),
             "latex": self.latex,
             "verdict": self.verdict.value,
             "erratum": self.erratum,

@@ -70,7 +70,7 @@ def _lines(event: Event, strict: bool) -> Iterator[Line]:
 def _told(event: Told, clock: tuple[str, str], strict: bool) -> Iterator[Line]:
     record, seconds = event.record, (f"  ({event.seconds * 1e3:.0f} ms)", FAINT)
     notebook = event.path.suffix == ".ipynb"
-    place = f"{event.path}: {describe_place(record)}" if notebook else f"{event.path}:{record.line}"
+    place = f"{event.path}: {describe_place(record)}" if notebook else f"{record.file or event.path}:{record.line}"
     what = written("erratum {verdict}", verdict=look_up(record.verdict)) if record.erratum else look_up(record.verdict)
     yield (clock, (place, STRONG), (f"  {what}", GOOD if record.passes else BAD), seconds)
     if not record.passes:

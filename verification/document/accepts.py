@@ -60,8 +60,8 @@ def _of_markdown(path: Path, text: str, suffix: str) -> Iterator[Accept]:
 
 def _texts(path: Path, text: str, suffix: str) -> list[tuple[str, int, int | None]]:
     if suffix in (".ipynb", ".py"):
-        return [*split_cells(path, read_cells(path, text) if suffix == ".ipynb" else percent_cells(text))[2]]
-    _, _, body, first = split_front_matter(path, text)
+        return [*split_cells(path, read_cells(path, text) if suffix == ".ipynb" else percent_cells(text))[1]]
+    _, body, first = split_front_matter(path, text)
     return [(body, first, None)]
 
 

@@ -41,6 +41,7 @@ class Display:
     section: str = ""
     closed: bool = True
     opening: str = "$$"  # what it begins with in the file
+    file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
     said: tuple[str, ...] = ()  # the equations in the text between the display before and this one
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
 
@@ -61,6 +62,7 @@ class Table:
     erratum: bool = False
     cell: int | None = None
     section: str = ""
+    file: str = ""
     pieces: tuple[tuple[Piece | None, ...], ...] = field(default=(), compare=False, repr=False)
 
 

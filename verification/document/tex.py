@@ -13,28 +13,31 @@ An erratum is a display in an `erratum` environment, in one that begins with the
 from __future__ import annotations
 
 import re
-from bisect import bisect
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.model import INLINE, Display, Document, Table
-from armproof.verification.document.tex_macros import blank, closing_brace, find_macros
+from armproof.verification.document.tex_definitions import find_macros
+from armproof.verification.document.tex_macros import blank, closing_brace
+from armproof.verification.document.tex_project import Project
 from armproof.verification.document.tex_tables import read_tabular
 
 ENVIRONMENTS = (
-    "equation align gather multline flalign alignat eqnarray displaymath dmath dgroup math xalignat IEEEeqnarray"
+    "equation align gather multline flalign alignat eqnarray displaymath dmath dgroup math xalignat IEEEeqnarray empheq"
 ).split()
 _DISPLAY = re.compile(r"(?:%s)\*?" % "|".join(ENVIRONMENTS))
-_WITH_ARGUMENT = re.compile(r"(?:alignat|xalignat|IEEEeqnarray)\*?")
+_WITH_ARGUMENT = re.compile(r"(?:alignat|xalignat|IEEEeqnarray|empheq)\*?")
+_ARGUMENTS = re.compile(r"\s*(?:\[(?:[^][{}]|\{[^{}]*\})*\]\s*)?\{[^{}]*\}")
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%([^\n]*)")
 _HIDDEN = re.compile(
     r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\verb\*?([^\w\s*]).*?\2|\\(?:short)?intertext\s*\{[^{}]*\}",
     re.DOTALL,
 )
 _TOKEN = re.compile(
-    r"\\begin\s*\{(?P<begin>\w+\*?)\}|\\end\s*\{(?P<end>\w+\*?)\}|\\(?P<section>chapter|(?:sub)*section|paragraph)\*?\s*(?:\[[^\]]*\])?\s*\{"
+    r"\\begin\s*\{(?P<begin>\w+\*?)\}|\\end\s*\{(?P<end>\w+\*?)\}|\\(?P<section>chapter|(?:sub)*section|paragraph|frametitle)\*?\s*(?:\[[^\]]*\])?\s*\{"
     r"|(?P<bracket>\\\[)|(?P<macro>\\[A-Za-z]+)|\\.|(?P<dollars>\$\$?)",
     re.DOTALL,
 )
@@ -48,9 +51,18 @@ def read_tex(path: Path, text: str) -> Document:
     """Return the document of a LaTeX file."""
     text = text.replace("\r\n", "\n")
     front = _front_matter(path, text)
-    scanner = _Scanner(text)
+    project = Project(path.parent.resolve(), _without_comments)
+    project.add(text, path.name, (path.resolve(),))
+    scanner = _Scanner(project)
     displays = tuple(scanner.displays())
-    return Document(path, front.values, displays, tuple(scanner.tables), front.lines, remarks=front.remarks)
+    remarks = (*front.remarks, *project.left_out.values())
+    return Document(path, front.values, displays, tuple(scanner.tables), front.lines, remarks=remarks)
+
+
+def _without_comments(text: str) -> str:
+    """Return a text with its comments and what is shown as it is typed blank, as long as it was."""
+    visible = _COMMENT.sub(lambda m: m.group(1) + " " * (len(m.group()) - len(m.group(1))), text)
+    return _HIDDEN.sub(lambda m: blank(m.group()), visible)
 
 
 def _front_matter(path: Path, text: str) -> FrontMatter:
@@ -85,30 +97,28 @@ class _Region:
 class _Scanner:
     """Finds the displays of a LaTeX text, which keeps its length: what does not print is blank in `visible`."""
 
-    def __init__(self, text: str) -> None:
-        self.text = text
+    def __init__(self, project: Project) -> None:
+        self.project, self.place = project, project.place
+        self.text = text = project.text
         self.marks = [
             m.start() for m in _COMMENT.finditer(text) if re.match(r"[%\s]*errat(?:um|a)\b", m.group(2), re.I)
         ]
-        visible = _COMMENT.sub(lambda m: m.group(1) + " " * (len(m.group()) - len(m.group(1))), text)
-        visible = _HIDDEN.sub(lambda m: blank(m.group()), visible)
-        self.macros, self.visible = find_macros(visible)
+        self.macros, self.visible = find_macros(_without_comments(text), project.definitions)
         begin, end = (re.search(r"\\%s\s*\{document\}" % which, self.visible) for which in ("begin", "end"))
         self.start = begin.end() if begin else 0
         self.stop = end.start() if end else len(text)
-        self.newlines = [m.start() for m in re.finditer("\n", text)]
         self.section = ""
         self.regions: list[_Region] = []
         self.tables: list[Table] = []
 
     def line(self, offset: int) -> int:
-        """Return the line (from 1) of a place in the file."""
-        return bisect(self.newlines, offset - 1) + 1 if offset else 1
+        """Return the line (from 1) of a place in its file."""
+        return self.place(offset)[0]
 
-    def place(self, offset: int) -> tuple[int, int]:
-        """Return the line (from 1) and the column (from 0) of a place in the file."""
-        line = self.line(offset)
-        return line, offset - (self.newlines[line - 2] + 1 if line > 1 else 0)
+    def where(self, offset: int) -> dict[str, Any]:
+        """Return the file of a place and the stretch of text it is in, of a project of several files."""
+        file = self.project.file(offset)
+        return {"file": file, "cell": self.project.number(offset)} if file else {}
 
     def displays(self) -> Iterator[Display]:
         """Yield the displays in their order, and gather the tables."""
@@ -125,7 +135,9 @@ class _Scanner:
                     yield self._display(token, begin, end)
                 elif end >= 0:
                     latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
-                    yield Display(self.line(token.start()), latex, section=self.section, opening=INLINE)
+                    yield Display(
+                        self.line(token.start()), latex, section=self.section, opening=INLINE, **self.where(begin)
+                    )
                 position = after
             elif token.group("begin"):
                 position = self._enter(token)
@@ -145,8 +157,8 @@ class _Scanner:
             closing, again = r"(?<!\\)\\\]", r"(?<!\\)\\\["
         elif name and _DISPLAY.fullmatch(name):
             closing, again = (r"\\%s\s*\{%s\}" % (which, re.escape(name)) for which in ("end", "begin"))
-        elif (name := self.macros.opens(token.group("macro") or "")) is not None:
-            closing, again = self.macros.closings(name), re.escape(token.group("macro")) + r"(?![A-Za-z])"
+        elif (own := self.macros.opens(token.group("macro") or f"\\begin{{{name}}}")) is not None:
+            closing, again = self.macros.closings(own), re.escape(token.group()) + r"(?![A-Za-z])"
         else:
             return None
         begin = token.end()
@@ -162,7 +174,7 @@ class _Scanner:
     def _display(self, token: re.Match[str], begin: int, end: int) -> Display:
         opening = token.group().strip()
         if _WITH_ARGUMENT.fullmatch(token.group("begin") or ""):
-            argument = re.compile(r"\s*\{[^{}]*\}").match(self.visible, begin)
+            argument = _ARGUMENTS.match(self.visible, begin)
             begin = argument.end() if argument else begin
         marked = bool(self.marks) and self.marks[0] < token.start()
         self.marks = [mark for mark in self.marks if mark > token.start()]
@@ -170,11 +182,15 @@ class _Scanner:
         line = self.line(token.start())
         if end < 0:
             rest = self.visible[begin : self.stop].split("\n\n")[0]
-            return Display(line, rest, erratum, None, self.section, closed=False, opening=opening)
+            return Display(
+                line, rest, erratum, section=self.section, closed=False, opening=opening, **self.where(begin)
+            )
         while begin < end and self.visible[begin] == "\n":
             begin += 1
         latex, pieces = self.macros.expanded(self.visible[begin:end].rstrip("\n"), begin, self.place)
-        return Display(line, latex, erratum, None, self.section, opening=opening, pieces=pieces)
+        where = self.where(begin)
+        pieces = pieces if where.get("file", "") in ("", self.project.parts[0].file) else ()
+        return Display(line, latex, erratum, section=self.section, opening=opening, pieces=pieces, **where)
 
     # -- environments --------------------------------------------------------------------------------------------------
 
@@ -188,7 +204,9 @@ class _Scanner:
                 erratum = marked or any(region.erratum for region in self.regions)
                 table = read_tabular(self.visible[token.end() : end], token.end(), self.place)
                 if table is not None:
-                    self.tables.append(_with_context(table, self.line(token.start()), erratum, self.section))
+                    line = self.line(token.start())
+                    context = {"line": line, "erratum": erratum, "section": self.section, **self.where(token.start())}
+                    self.tables.append(replace(table, **context))
                     self.marks = [mark for mark in self.marks if mark > token.start()]
                 return end
         is_erratum = name.lower().startswith("errat") or _ERRATUM.match(self.visible, token.end()) is not None
@@ -204,7 +222,3 @@ class _Scanner:
 def _find(text: str, pattern: str, begin: int, end: int) -> int:
     found = re.compile(pattern).search(text, begin, end)
     return found.start() if found else -1
-
-
-def _with_context(table: Table, line: int, erratum: bool, section: str) -> Table:
-    return Table(line, table.header, table.rows, erratum, None, section, table.pieces)

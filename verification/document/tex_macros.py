@@ -1,4 +1,4 @@
-r"""The author's own macros in LaTeX: found by `\newcommand` and its like, expanded a bounded number of times."""
+r"""The author's own macros in LaTeX: expanded a bounded number of times."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ from armproof.verification.document.model import Piece
 
 MOST_EXPANSIONS = 500  # in one display
 LONGEST = 50_000  # characters of a display
-_COMMAND = re.compile(
-    r"\\(?:re|provide)?newcommand\*?\s*(?:\{\s*(\\[A-Za-z]+)\s*\}|(\\[A-Za-z]+))\s*(?:\[(\d)\]\s*)?(?:\[([^\]]*)\]\s*)?\{"
-    r"|\\def\s*(\\[A-Za-z]+)\s*((?:#\d)*)\s*\{|\\DeclareMathOperator\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*\{"
-)
 _BOUNDARY = re.compile(r"\s*\\(begin|end)\s*\{(\w+\*?)\}\s*")
-_USE = re.compile(r"\\[A-Za-z]+")
+_USE = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+")
 Place = Callable[[int], tuple[int, int]]
 
 
 @dataclass(frozen=True)
 class Macro:
-    """A macro: how many arguments it takes, the first one's default, and its body with #1, #2, …"""
+    """A macro: how many arguments it takes, the first one's default, and its body with #1, #2, …
+
+    `delimiters` is what stands between the arguments of a macro that is called as \\C(x).
+    """
 
     arguments: int
     default: str | None
     body: str
+    delimiters: str = ""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Macros:
 
         What expands for ever, or past all bounds, is left as it stands.
         """
-        used = any(found.group() in self.macros for found in _USE.finditer(latex))
+        used = any(_plain(found) in self.macros for found in _USE.finditer(latex))
         characters = [_Character(c, offset + k, offset + k + 1) for k, c in enumerate(latex)]
         characters = (self._expand(characters) or characters) if used else characters
         text = "".join(c.text for c in characters)
@@ -75,7 +75,7 @@ class Macros:
             text = "".join(c.text for c in characters)
             if len(text) > LONGEST:
                 return None
-            use = next((found for found in _USE.finditer(text) if found.group() in self.macros), None)
+            use = next((found for found in _USE.finditer(text) if _plain(found) in self.macros), None)
             if use is None:
                 return characters
             replaced = self._replaced(text, characters, use)
@@ -86,9 +86,15 @@ class Macros:
 
     def _replaced(self, text: str, characters: list[_Character], use: re.Match[str]) -> list[_Character] | None:
         """Return the characters with one use of a macro replaced by its body; None where its arguments are not all there."""
-        macro = self.macros[use.group()]
+        macro = self.macros[_plain(use)]
         end = use.end()
         arguments: list[list[_Character]] = []
+        if macro.delimiters:
+            literals = map(re.escape, re.split(r"#\d", macro.delimiters))
+            called = re.compile(r"\s*" + r"([^\n]{0,300}?)".join(literals)).match(text, end)
+            if called is None:
+                return None
+            arguments, end = [characters[slice(*called.span(k + 1))] for k in range(macro.arguments)], called.end()
         if macro.default is not None:
             optional = re.compile(r"\s*\[([^\]]*)\]").match(text, end)
             here = characters[use.start()]
@@ -112,21 +118,8 @@ class Macros:
         return [*characters[: use.start()], *body, *characters[end:]]
 
 
-def find_macros(text: str) -> tuple[Macros, str]:
-    """Return the macros that a text defines, and the text with their definitions blank."""
-    macros: dict[str, Macro] = {}
-    for found in _COMMAND.finditer(text):
-        close = closing_brace(text, found.end() - 1)
-        if close < 0:
-            continue
-        braced, plain, count, default, defined, parameters, operator = found.groups()
-        body = text[found.end() : close]
-        if operator:
-            body = rf"\operatorname{{{body}}}"
-        number = int(count) if count else (parameters or "").count("#")
-        macros[braced or plain or defined or operator] = Macro(number, default, body)
-        text = text[: found.start()] + blank(text[found.start() : close + 1]) + text[close + 1 :]
-    return Macros(macros), text
+def _plain(use: re.Match[str]) -> str:
+    return re.sub(r"\s", "", use.group())
 
 
 def blank(text: str) -> str:

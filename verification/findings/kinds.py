@@ -610,6 +610,7 @@ class Kind(MessageKind):
     KEY_TWICE = "key_twice", "the front-matter key '{key}' stands twice, first in line {first}"
     FOREIGN_KEYS = "foreign_keys", "front-matter keys of other tools are left alone: {keys}; those that are read are {ours}"
     FOREIGN_FRONT_MATTER = "foreign_front_matter", "the front matter between '+++' is left alone; what is read stands between '---'"
+    NOT_INPUT = "not_input", "'{file}', which it inputs, is left out: no such file is below its folder, or it inputs itself"
     READ_AS_WESTERN = "read_as_western", "it is not in UTF-8: the letters with accents are read as those of Windows-1252"
     ARM_EMPTY = "arm_empty", "'arm' is empty; name an arm, a model file or a DH table, or leave the key out"
 

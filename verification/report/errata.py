@@ -71,15 +71,15 @@ class Mistake:
 
 def mistakes(result: DocumentResult) -> list[Mistake]:
     """Return what is refuted in a document, its errata among it; an error said again stands with the first."""
-    found: dict[tuple[int | None, int], Mistake] = {}
+    found: dict[tuple[int | str | None, int], Mistake] = {}
     for record, kind in ordered_records(result):
         if record.verdict is not Verdict.REFUTED:
             continue
         line = next((f.terms["line"] for f in record.findings if f.kind is Kind.SAME_ERROR), 0)
-        if record.cell is None and (None, line) in found:
+        if record.cell is None and not record.file and (None, line) in found:
             found[None, line].again.append(record.line)
         else:
-            found[record.cell, record.line] = Mistake(result.path, record, kind)
+            found[record.file or record.cell, record.line] = Mistake(result.path, record, kind)
     return list(found.values())
 
 
@@ -96,10 +96,10 @@ def write_sheet(found: Iterable[Mistake], notation: Notation) -> str:
 def _one(index: int, mistake: Mistake, notation: Notation) -> str:
     record = mistake.record
     place = Kind.ERRATA_PLACE if record.cell is None else Kind.ERRATA_PLACE_IN_CELL
-    where = say(place, index=index, path=Path(mistake.path).name, line=record.line, cell=record.cell)
+    where = say(place, index=index, path=record.file or Path(mistake.path).name, line=record.line, cell=record.cell)
     section = f": {record.section}" if record.section else ""
     lines = [notation.heading.format(notation.write([*pieces(where), *_spelled(section)]))]
-    if source := _said_by_source(Path(mistake.path), record):
+    if source := _said_by_source(Path(mistake.path).parent / (record.file or Path(mistake.path).name), record):
         lines.append(notation.source.format(notation.write(_spelled(source))))
     lines += [notation.item.format(notation.write(pieces(said))) for said in _said(mistake)]
     return "".join(lines) + "\n"

@@ -36,6 +36,7 @@ def github_report(results: Iterable[DocumentResult | Failure], *, strict: bool =
 
 
 def _annotate(level: str, path: str, record: Record, kind: str) -> str:
+    path = str(Path(path).parent / record.file) if record.file else path
     title = describe_verdict(record, kind)
     parts = [record.message, *(describe_entry(entry, record) for entry in record.entries)]
     if record.cell is not None:  # a notebook's line counts within its cell

@@ -95,13 +95,19 @@ def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
     """
     records = [(record, "") for record in result.equations] + [(record, look_up("table")) for record in result.tables]
     records += [(result.inverse, look_up("inverse kinematics"))] if result.inverse is not None else []
-    if not result.path.endswith(".ipynb"):
-        records = [(replace(record, cell=None), kind) for record, kind in records]
-    return sorted(records, key=lambda item: (-1 if item[0].cell is None else item[0].cell, item[0].line))
+    numbered = result.path.endswith(".ipynb") or any(record.file for record, _ in records)
+    by_place = sorted(
+        records, key=lambda item: (-1 if not numbered or item[0].cell is None else item[0].cell, item[0].line)
+    )
+    if result.path.endswith(".ipynb"):
+        return by_place
+    return [(replace(record, cell=None), kind) for record, kind in by_place]
 
 
 def describe_place(record: Record) -> str:
-    """Return where a display stands: "line 41", or "cell 3, line 5" in a notebook."""
+    """Return where a display stands: "line 41", "chapters/dh.tex, line 3", or "cell 3, line 5" in a notebook."""
+    if record.file:
+        return f"{record.file}, {written('line {line}', line=record.line)}"
     if record.cell is None:
         return written("line {line}", line=record.line)
     return written("cell {cell}, line {line}", cell=record.cell, line=record.line)

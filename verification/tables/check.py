@@ -67,7 +67,9 @@ def read_array(display: Display) -> ArrayTable | None:
         return None
     spans = [[row[k] if k < len(row) else (row[-1][1], row[-1][1]) for k in kept] for row in cells]
     texts = [tuple(_RULE.sub("", latex[a:b]).strip() for a, b in row) for row in spans]
-    table = Table(display.line, texts[0], tuple(texts[1:]), display.erratum, display.cell, display.section)
+    table = Table(
+        display.line, texts[0], tuple(texts[1:]), display.erratum, display.cell, display.section, display.file
+    )
     return ArrayTable(table, tuple(tuple(row) for row in spans))
 
 
@@ -127,7 +129,15 @@ def check_array_table(checker: ChainChecker, display: Display) -> Record | None:
 
 
 def _check_upright(checker: ChainChecker, table: Table) -> Record | None:
-    record = Record(table.line, _latex(table), Verdict.UNCHECKED, table.erratum, cell=table.cell, section=table.section)
+    record = Record(
+        table.line,
+        _latex(table),
+        Verdict.UNCHECKED,
+        table.erratum,
+        cell=table.cell,
+        section=table.section,
+        file=table.file,
+    )
     try:
         if (columns := read_columns(table.header)) is not None:
             return DHTableCheck(checker, table, columns, record).record()

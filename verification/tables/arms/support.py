@@ -102,7 +102,7 @@ class _Settled:
             data = self._data(1)
             return Record(
                 record.line, record.latex, data.verdict, record.erratum, data.findings, (data,), cell=record.cell,
-                section=record.section,
+                section=record.section, file=record.file,
             )  # fmt: skip
         if record.verdict is Verdict.REFUTED and not record.erratum:
             other = say(Kind.SECOND_TABLE, source=self.taken.source, line=self.taken.line)

@@ -1,0 +1,73 @@
+r"""What an author defines in LaTeX: commands by `\newcommand`, `\def` and their like, environments, names for others."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from armproof.verification.document.tex_macros import Macro, Macros, blank, closing_brace
+
+_NAME = r"\s*(?:\{\s*(?P<braced>\\[A-Za-z]+)\s*\}|(?P<plain>\\[A-Za-z]+))\s*"
+_COMMAND = re.compile(
+    rf"\\(?P<kind>(?:re|provide)?newcommand|DeclareRobustCommand|(?:New|Renew|Provide|Declare)DocumentCommand|DeclareMathOperator|DeclarePairedDelimiter)\*?{_NAME}"
+    r"(?:\[(?P<count>\d)\]\s*)?(?:\[(?P<default>[^\]]*)\]\s*)?(?=\{)"
+    r"|\\def\s*(?P<defined>\\[A-Za-z]+)(?P<parameters>[^{}\\\n]{0,80})(?=\{)"
+    r"|\\let\s*(?P<let>\\[A-Za-z]+)\s*=?\s*(?P<meaning>\\[A-Za-z]+)"
+    r"|\\(?:re)?newenvironment\*?\s*\{\s*(?P<environment>\w+\*?)\s*\}\s*(?:\[(?P<size>\d)\]\s*)?(?:\[(?P<first>[^\]]*)\]\s*)?(?=\{)"
+)
+_PARAMETERS = re.compile(r"(?:O\{(?P<default>[^{}]*)\})?(?P<plain>[m\s]*)")
+
+
+def find_macros(text: str, packages: str = "") -> tuple[Macros, str]:
+    """Return the macros that a text and its packages define, and the text with their definitions blank."""
+    macros: dict[str, Macro] = {}
+    for source in (packages, text):
+        letters = list(source)
+        position = 0
+        while (found := _COMMAND.search(source, position)) is not None:
+            bodies, position = _groups(source, found.end(), 1 + (found["kind"] == "DeclarePairedDelimiter"))
+            if found["environment"] or (found["kind"] or "").endswith("DocumentCommand"):
+                bodies, position = _groups(source, found.end(), 2)
+            if not found["let"] and not bodies:
+                continue
+            macros.update(_macros(found, bodies))
+            letters[found.start() : position] = blank(source[found.start() : position])
+        text = "".join(letters)
+    return Macros(macros), text
+
+
+def _groups(text: str, position: int, count: int) -> tuple[list[str], int]:
+    """Return the groups in braces that stand at a place and where the last one ends; none where they are not all there."""
+    start, groups = position, []
+    for _ in range(count):
+        opened = re.compile(r"\s*\{").match(text, position)
+        close = closing_brace(text, opened.end() - 1) if opened else -1
+        if opened is None or close < 0:
+            return [], start
+        groups.append(text[opened.end() : close])
+        position = close + 1
+    return groups, position
+
+
+def _macros(found: re.Match[str], bodies: list[str]) -> Iterator[tuple[str, Macro]]:
+    """Yield what one definition defines."""
+    name, kind = found["braced"] or found["plain"] or "", found["kind"] or ""
+    if found["let"]:
+        yield found["let"], Macro(0, None, found["meaning"])
+    elif found["environment"]:
+        yield f"\\begin{{{found['environment']}}}", Macro(int(found["size"] or 0), found["first"], bodies[0])
+        yield f"\\end{{{found['environment']}}}", Macro(0, None, bodies[1])
+    elif found["defined"]:
+        parameters = found["parameters"].strip()
+        called = "" if re.fullmatch(r"(?:#\d\s*)*", parameters) else parameters
+        yield found["defined"], Macro(parameters.count("#"), None, bodies[0], called)
+    elif kind == "DeclareMathOperator":
+        yield name, Macro(0, None, rf"\operatorname{{{bodies[0]}}}")
+    elif kind == "DeclarePairedDelimiter":
+        yield name, Macro(1, None, rf"\left{bodies[0]} #1 \right{bodies[1]}")
+    elif kind.endswith("DocumentCommand"):
+        if taken := _PARAMETERS.fullmatch(bodies[0].strip()):
+            default = taken["default"]
+            yield name, Macro(taken["plain"].count("m") + (default is not None), default, bodies[1])
+    else:
+        yield name, Macro(int(found["count"] or 0), found["default"], bodies[0])
