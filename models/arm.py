@@ -53,6 +53,7 @@ class Arm:
         drake: the arm as Drake has it, for `drake_of`; None if the arm was read from a value.
         dh: the DH table, if the arm was given by one.
         path: the model file, if the arm was read from one.
+        model: the text that Drake read, where it is not that of the file.
         digest: SHA-256 of what the arm was loaded from: the model file and its card, or the table.
         warnings: what Drake's parser warned of.
         kept: what has been computed of the arm, for `once_per_arm`.
@@ -70,6 +71,7 @@ class Arm:
     drake: Any = field(default=None, repr=False)
     dh: DHTable | None = None
     path: Path | None = None
+    model: str = field(default="", repr=False)
     digest: str = ""
     warnings: tuple[str, ...] = ()
     kept: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from armproof.models.arm import Arm
-from armproof.models.catalogue import load_arm
+from armproof.models.catalogue import arm_of
 from armproof.models.errors import ArmproofError
 from armproof.verification.accepted import with_accepted
 from armproof.verification.algebra.ring import Ring
@@ -105,11 +105,8 @@ def _moved(record: Record, first: int) -> Record:
 
 def load_arm_of(document: Document) -> Arm | None:
     """Return the arm that a document's front matter names; raises DocumentError where that cannot be loaded."""
-    spec = document.front.get("arm")
-    if spec is None:
-        return None
     try:
-        return load_arm(spec, document.path.parent)
+        return arm_of(document.front, document.path.parent)
     except ArmproofError as error:
         raise document.fault("arm", error) from None
 

@@ -19,7 +19,7 @@ from armproof.course.translation.catalogue import translated_sentence, translati
 from armproof.course.translation.documents import translated
 from armproof.course.words import say
 from armproof.models.arm import Arm
-from armproof.models.catalogue import load_arm
+from armproof.models.catalogue import arm_of
 from armproof.verification.document import Document
 from armproof.verification.document.front_matter import read_text, split_front_matter
 from armproof.verification.document.markdown import markdown_reader
@@ -57,8 +57,7 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
         raise PrintError("{path}: it does not pass, so it is not printed; --draft prints it as a draft", path=document.path)  # fmt: skip
     lang = check_language(edition.lang or str(document.front.get("lang") or document.front.get("language") or "en"))
     document = _in_language(document, lang)
-    spec = document.front.get("arm")
-    arm = load_arm(spec, document.path.parent) if spec is not None else None
+    arm = arm_of(document.front, document.path.parent)
     inline = InlineReader(read_names(arm, document.front).reader.read, document.path.parent, lang)
     reader = BlockReader(inline, result)
     blocks = [block for body, first, cell in _bodies(document.path, lang) for block in reader.read(body, first, cell)]

@@ -15,7 +15,7 @@ from armproof.course.sheet.model import Block, Heading, Inline, Link, Paragraph,
 from armproof.course.sheet.reading import BlockReader
 from armproof.course.site.cells import Cell
 from armproof.models.arm import Arm
-from armproof.models.catalogue import load_arm
+from armproof.models.catalogue import arm_of
 from armproof.verification.document import Document
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.naming.names import read_names
@@ -77,8 +77,7 @@ class LessonReader:
     """
 
     def __init__(self, document: Document, result: DocumentResult, pages: Mapping[str, str], solutions: bool) -> None:
-        spec = document.front.get("arm")
-        self.arm: Arm | None = load_arm(spec, document.path.parent) if spec is not None else None
+        self.arm: Arm | None = arm_of(document.front, document.path.parent)
         self.read: Read = read_names(self.arm, document.front).reader.read
         self.inline = LessonInline(self.read, document.path.parent, pages)
         self.solutions = solutions

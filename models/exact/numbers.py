@@ -121,6 +121,11 @@ def angle_value(name: str) -> float:
     return int(head.rstrip("*") or 1) * pi / int(denominator)
 
 
+def is_number(name: str) -> bool:
+    """Whether the name of an angle is that of a number: "2*pi/5", "pi/5" or "0.3"."""
+    return name[:1].isdigit() or name.startswith("pi/")
+
+
 def constant_value(generator: Generator, values: Mapping[str, float]) -> float:
     """Return the number of a generator that no joint moves.
 

@@ -17,31 +17,38 @@ from armproof.models.exact.polynomial import generator, scale
 from armproof.models.exact.symbolic import SymbolicPlant
 from armproof.models.loading.card import Card, Place
 from armproof.models.loading.chain import Chain, find_chain
-from armproof.models.loading.reader import read_model
+from armproof.models.loading.reader import Model, read_model
 from armproof.models.numeric.drake_arm import DrakeArm
 
 
-def load_plain(path: Path) -> Arm:
+def load_plain(path: Path, tip: str = "", lock: Mapping[str, float] = MappingProxyType({})) -> Arm:
     """Load a model file without a card.
 
     The joint variables are theta_i (revolute) and d_i (prismatic), counted over the moving joints; frame 0 is the base
-    link, frame i the link that joint i carries, and every link is a frame under its own name.
+    link, frame i the link that joint i carries, the last one the tip if there is one, and every link is a frame under its
+    own name. `tip` and `lock` are those of `read_model`.
 
     Raises:
         ModelError: the file cannot be read, or is not one serial chain.
     """
-    plant, chain, warnings = _read_chain(path)
+    model, chain = _read_chain(path, tip, lock)
+    plant = model.plant
     symbols = [
         f"{'theta' if joint.type_name() == 'revolute' else 'd'}_{i}" for i, joint in enumerate(chain.joints, start=1)
     ]
     numbered = [chain.base, *(joint.child_body() for joint in chain.joints)]
+    numbered[-1] = plant.GetBodyByName(tip) if tip else numbered[-1]
     frames = {str(i): body.body_frame() for i, body in enumerate(numbered)}
     for frame in frames_of(plant):
         if frame.is_body_frame() and not frame.is_world_frame():
             frames.setdefault(frame.name(), frame)
     name = path.name.split(".")[0]
     texts: dict[str, Any] = {"name": name, "title": name, "source": path.name, "zero": ""}
-    return _arm(plant, chain, frames, symbols, **texts, path=path, digest=_digest(path), warnings=warnings)
+    more: dict[str, Any] = {
+        "path": path,
+        "digest": _digest(path, settings=f"{tip} {dict(lock)}" if tip or lock else ""),
+    }
+    return _arm(plant, chain, frames, symbols, **texts, **more, warnings=model.warnings, model=model.text)
 
 
 def load_card(card: Card, name: str) -> Arm:
@@ -50,7 +57,8 @@ def load_card(card: Card, name: str) -> Arm:
     Raises:
         ModelError: the model file cannot be read, or the card names what the model does not have; with file and line.
     """
-    plant, chain, warnings = _read_chain(card.model)
+    model, chain = _read_chain(card.model)
+    plant = model.plant
     names = [joint.name() for joint in chain.joints]
     if list(card.joints) != names:
         card.fail("joints", Fault.JOINTS_OF_CARD, joints=list(card.joints), names=names)
@@ -58,21 +66,21 @@ def load_card(card: Card, name: str) -> Arm:
     frames = {frame: _find_frame(card, plant, frame, place) for frame, place in card.frames.items()}
     symbols, digest = list(card.joints.values()), _digest(card.path, card.model)
     texts: dict[str, Any] = {"name": name, "title": card.title, "source": card.source, "zero": card.zero}
-    more = {"path": card.model, "digest": digest, "warnings": warnings}
+    more = {"path": card.model, "digest": digest, "warnings": model.warnings, "model": model.text}
     try:
         return _arm(plant, chain, frames, symbols, lengths, offsets, **texts, **more)
     except ModelError as error:
         raise ModelError(Fault.IN_MODEL, source=card.path, reason=error) from None
 
 
-def _digest(*files: Path) -> str:
-    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+def _digest(*files: Path, settings: str = "") -> str:
+    return sha256(b"".join(file.read_bytes() for file in files) + settings.encode()).hexdigest()
 
 
-def _read_chain(path: Path) -> tuple[Any, Chain, tuple[str, ...]]:
-    plant, warnings = read_model(path)
-    chain = find_chain(plant, str(path))
-    return plant, chain, warnings + nearly_right_angles(plant, str(path))
+def _read_chain(path: Path, tip: str = "", lock: Mapping[str, float] = MappingProxyType({})) -> tuple[Model, Chain]:
+    model = read_model(path, tip, lock)
+    chain = find_chain(model.plant, str(path))
+    return replace(model, warnings=model.warnings + nearly_right_angles(model.plant, str(path))), chain
 
 
 def _arm(

@@ -3,27 +3,42 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Mapping
+from dataclasses import dataclass
 from logging.handlers import BufferingHandler
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 from xml.parsers import expat
 
 from armproof.models.errors import Fault, ModelError
+from armproof.models.loading.urdf import made_ready
 
 SUFFIXES = (".urdf", ".sdf", ".dmd.yaml")
 
 
-def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
+@dataclass(frozen=True)
+class Model:
+    """What was read: the plant, not finalized yet, the text where it is not the file's own, and what is to be remarked."""
+
+    plant: Any
+    text: str
+    warnings: tuple[str, ...]
+
+
+def read_model(path: Path, tip: str = "", lock: Mapping[str, float] = MappingProxyType({})) -> Model:
     """Parse a model file into a MultibodyPlant that is not finalized yet.
 
     Visual and collision geometry is not read, so meshes need not be there. Packages below the folder of the file
     are found by their package.xml.
 
-    Returns:
-        The plant, and the parser's warnings ("file:line: warning: …").
+    Args:
+        path: the file.
+        tip: the link that the arm ends in; joints that do not carry it are fixed. Empty: all moving joints are the arm's.
+        lock: joints that are fixed, each at its value (rad, m).
 
     Raises:
-        ModelError: the file is missing, of an unknown kind, or rejected by Drake's parser.
+        ModelError: the file is missing, of an unknown kind, or rejected by Drake's parser; there is no such link or joint.
     """
     if not path.name.endswith(SUFFIXES):
         raise ModelError(Fault.MODEL_SUFFIX, path=path, suffixes=list(SUFFIXES))
@@ -33,6 +48,7 @@ def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
     from pydrake.multibody.plant import MultibodyPlant
 
     _check_markup(path)
+    text, remarks = made_ready(path, tip, lock)
     plant = MultibodyPlant(time_step=0.0)
     parser = Parser(plant)
     if path.name.endswith(".dmd.yaml"):
@@ -42,13 +58,22 @@ def read_model(path: Path) -> tuple[Any, tuple[str, ...]]:
     propagate, logger.propagate = logger.propagate, False
     logger.addHandler(collector)
     try:
-        parser.AddModels(path.resolve())
+        if text:
+            parser.AddModelsFromString(text, "urdf")
+        else:
+            parser.AddModels(path.resolve())
     except (RuntimeError, ValueError) as error:
-        raise _parser_error(path, str(error)) from None
+        raise _parser_error(path, _of_file(str(error), path)) from None
     finally:
         logger.removeHandler(collector)
         logger.propagate = propagate
-    return plant, tuple(record.getMessage() for record in collector.buffer)
+    warnings = (_of_file(record.getMessage(), path) for record in collector.buffer)
+    return Model(plant, text, (*remarks, *warnings))
+
+
+def _of_file(message: str, path: Path) -> str:
+    """Return a message on a text as one on its file."""
+    return message.replace("<literal-string>.urdf", str(path.resolve()))
 
 
 def _check_markup(path: Path) -> None:

@@ -12,6 +12,7 @@ from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.offset import frame_at
 from armproof.models.numeric.drake_arm import frame_of
 from armproof.models.numeric.plant import NumericKinematics
+from armproof.models.showing.shapes import with_shapes
 
 _TRIADS_IN_REACH = 8  # a triad's axis is this part of the arm's reach
 
@@ -46,9 +47,7 @@ def add_arm(parser: Any, arm: Arm) -> None:
     from pydrake.visualization import AddFrameTriadIllustration
 
     path = _model_file(arm)
-    if path.name.endswith(".dmd.yaml"):
-        parser.package_map().PopulateFromFolder(path.parent)
-    parser.AddModels(path)
+    _add_model(parser, arm, path)
     plant = parser.plant()
     _weld_base(plant)
     length = _triad_length(arm)
@@ -60,6 +59,17 @@ def add_arm(parser: Any, arm: Arm) -> None:
             length=length,
             radius=length / 40,
         )
+
+
+def _add_model(parser: Any, arm: Arm, path: Path) -> None:
+    """Add the model as Drake read it; links whose meshes are not there as rods from joint to joint."""
+    if path.name.endswith(".dmd.yaml"):
+        parser.package_map().PopulateFromFolder(path.parent)
+    shown = with_shapes(arm.model or path.read_text(encoding="utf-8"), path.parent) if path.suffix == ".urdf" else ""
+    if shown or arm.model:
+        parser.AddModelsFromString(shown or arm.model, "urdf")
+    else:
+        parser.AddModels(path)
 
 
 def _model_file(arm: Arm) -> Path:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import gettext
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from importlib.metadata import EntryPoint, entry_points
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
@@ -148,16 +148,37 @@ def show_version(version: Version = False) -> None:  # noqa: D103 - the docstrin
         raise typer.Exit
 
 
-def load(name: str) -> Arm:
+Tip = Annotated[str | None, typer.Option("--tip", metavar="LINK", help="Of a .urdf: the link that the arm ends in.")]
+Lock = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--lock",
+        metavar="JOINT[=VALUE]",
+        help="Of a .urdf: a joint that is fixed, at 0 or at a value; may be repeated.",
+    ),
+]
+
+
+def load(name: str, tip: str | None = None, lock: Sequence[str] | None = None) -> Arm:
     """Load an arm, and say what is doubtful about its model; ends the command where there is no such arm."""
     from armproof.models.catalogue import load_arm
 
     try:
-        arm = load_arm(name)
+        arm = load_arm(name, tip=tip, lock=_locked(lock or ()))
     except ArmproofError as error:
         give_up(error)
     complain(written("warning: {text}", text=warning) for warning in arm.warnings)
     return arm
+
+
+def _locked(texts: Iterable[str]) -> dict[str, float]:
+    """Return the joints that are fixed and their values: of "finger" and "finger=0.02"."""
+    try:
+        return {joint: float(value or 0) for joint, _, value in (text.partition("=") for text in texts)}
+    except ValueError:
+        raise ArmproofError(
+            "--lock is a joint, or joint=value in rad or m, not '{given}'", given=", ".join(texts)
+        ) from None
 
 
 @contextmanager

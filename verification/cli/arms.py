@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import Language, give_up, load
+from armproof.verification.cli.application import Language, Lock, Tip, give_up, load
 from armproof.verification.report.text import write_lines
 
 ArmName = Annotated[str, typer.Argument(metavar="ARM", help="An arm, or a path to a model file.", show_default=False)]
@@ -17,7 +17,7 @@ AnyArm = Annotated[
 ]
 
 
-def arms(arm: AnyArm = None, lang: Language = "") -> None:
+def arms(arm: AnyArm = None, tip: Tip = None, lock: Lock = None, lang: Language = "") -> None:
     """List the arms, or the joints, lengths and frames of one."""
     from armproof.verification.report.arms import describe_arm, list_arms
 
@@ -26,14 +26,14 @@ def arms(arm: AnyArm = None, lang: Language = "") -> None:
 
         write_lines(list_arms([load(name) for name in arm_names()]))
     else:
-        write_lines(describe_arm(load(arm)))
+        write_lines(describe_arm(load(arm, tip, lock)))
 
 
-def view(arm: ArmName, browser: Browser = True, lang: Language = "") -> None:
+def view(arm: ArmName, browser: Browser = True, tip: Tip = None, lock: Lock = None, lang: Language = "") -> None:
     """Show an arm in Drake's visualizer, with its frames and joint sliders."""
     from armproof.models.showing.viewer import view_arm
 
-    loaded = load(arm)
+    loaded = load(arm, tip, lock)
     try:
         view_arm(loaded, browser=browser)
     except ArmproofError as error:

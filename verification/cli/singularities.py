@@ -11,7 +11,7 @@ import typer
 
 from armproof.models.errors import ArmproofError
 from armproof.models.language import of_programs
-from armproof.verification.cli.application import FAILS, Language, give_up, load
+from armproof.verification.cli.application import FAILS, Language, Lock, Tip, give_up, load
 from armproof.verification.report.text import write_lines
 
 
@@ -36,6 +36,8 @@ def singularities(
     axes: Axes = None,
     rows: Rows = None,
     columns: Columns = None,
+    tip: Tip = None,
+    lock: Lock = None,
     report_format: ReportFormat = Format.text,
     lang: Language = "",
 ) -> None:
@@ -46,7 +48,7 @@ def singularities(
     from armproof.verification.report.singularities import singularity_json, singularity_lines
     from armproof.verification.singularities.analysis import analyse_singularities
 
-    model = load(arm)
+    model = load(arm, tip, lock)
     try:
         numbers = (read_numbers("--rows", rows), read_numbers("--columns", columns))
         with of_programs() if report_format is Format.json else nullcontext():

@@ -19,7 +19,18 @@ from armproof.verification.findings import Finding, Kind, say
 MAX_BYTES = 20_000_000
 ATTEMPTS = 5  # at a file that changes while it is read
 PAUSE = 0.02
-FRONT_MATTER_KEYS = ("title", "source", "arm", "convention", "symbols", "transforms", "quantities", "inverse")
+FRONT_MATTER_KEYS = (
+    "title",
+    "source",
+    "arm",
+    "convention",
+    "symbols",
+    "transforms",
+    "quantities",
+    "inverse",
+    "tip",
+    "lock",
+)
 _SHARED = ("title", "source")  # with other tools: any text will do
 QUIET_KEYS = frozenset(["lang", "figures", "jupyter", "jupytext", "kernelspec"])  # read elsewhere, or a notebook's own
 _OURS = re.compile(r"^[\s-]*[\"']?(?:%s)[\"']?\s*:" % "|".join(FRONT_MATTER_KEYS[2:]), re.MULTILINE)

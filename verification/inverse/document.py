@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from armproof.models.arm import Arm
-from armproof.models.catalogue import load_arm
+from armproof.models.catalogue import arm_of
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document, read_document
@@ -45,8 +45,7 @@ def read_inverse(source: Path | str | Document) -> InverseKinematics:
     if "inverse" not in document.front:
         raise DocumentError(say(Kind.NO_INVERSE), path=document.path)
     try:
-        spec = document.front.get("arm")
-        arm = load_arm(spec, document.path.parent) if spec is not None else None
+        arm = arm_of(document.front, document.path.parent)
         return InverseKinematics(read_derivation(document, read_names(arm, document.front)))
     except DocumentError as error:
         raise document.fault(error.key or "inverse", error) from None

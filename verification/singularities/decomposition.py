@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from enum import Enum
 
+from armproof.models.exact.numbers import is_number
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.singularities.elimination import BeyondReach, arrange, resultant, variables
 from armproof.verification.singularities.factors import Factor, Kind
@@ -42,7 +43,9 @@ class Decomposer:
         """Take the coordinates, the symbols that are positive, and the time for all that is decomposed."""
         self.half, self.positive, self.lengths = half, positive, lengths
         self.budget = Budget() if budget is None else budget
-        self.constant = frozenset(half.slot(g) for g in half.others if g[1] in positive or g[0] == "sqrt")
+        self.constant = frozenset(half.slot(g) for g in half.others if g[1] in positive or g[0] == "sqrt") | frozenset(
+            half.slots(angle)[0] for angle in half.angles if is_number(angle)
+        )
         self._factors: dict[str, list[Factor]] = {}
 
     def decompose(

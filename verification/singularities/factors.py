@@ -7,9 +7,12 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
+from math import cos, prod, sin
 
 from flint import fmpq
 
+from armproof.models.exact.numbers import angle_value, is_number
+from armproof.models.exact.polynomial import root_value
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 
 MOST_ANGLES = 4  # in a sum of angles that is recognised
@@ -52,7 +55,7 @@ class Factor:
         angles, others = self.half.used(self.polynomial)
         if never_zero(self.half, self.polynomial, self.positive):
             return Kind.NEVER
-        if not angles and all(name in self.positive or name.isdigit() for _, name in others):
+        if all(map(is_number, angles)) and all(name in self.positive or name.isdigit() for _, name in others):
             return Kind.LENGTHS
         return Kind.ANGLE if self.angle_sum is not None else Kind.EQUATION
 
@@ -91,11 +94,31 @@ def never_zero(half: HalfAngles, polynomial: Polynomial, positive: Collection[st
     """
     if polynomial.is_zero():
         return False
+    if (constant := _number(half, polynomial)) is not None:
+        return abs(constant) > 1e-9
     free = [slot for angle in half.angles for slot in half.slots(angle)]
     free += [half.slot(g) for g in half.others if not (g[1] in positive or g[0] == "sqrt")]
     if _one_sign(polynomial, free) and not _vanish_together(half, polynomial, free):
         return True
     return any(_is_definite(half, polynomial, angle, positive) for angle in half.used(polynomial)[0])
+
+
+def _number(half: HalfAngles, polynomial: Polynomial) -> float | None:
+    """Return the value of a polynomial of constants alone, such as the sine of 0.3; None where it holds a variable."""
+    angles, others = half.used(polynomial)
+    if not all(map(is_number, angles)) or any(kind != "sqrt" for kind, _ in others):
+        return None
+    values = [0.0] * half.context.nvars()
+    for angle in angles:
+        t, u = half.slots(angle)
+        values[t], values[u] = sin(angle_value(angle) / 2), cos(angle_value(angle) / 2)
+    for generator in others:
+        values[half.slot(generator)] = root_value(generator[1])
+    terms = ((int(c.p) / int(c.q), powers) for powers, c in polynomial.terms())
+    return sum(
+        factor * prod(value ** int(power) for value, power in zip(values, powers, strict=True) if power)
+        for factor, powers in terms
+    )
 
 
 def _one_sign(polynomial: Polynomial, free: list[int]) -> bool:

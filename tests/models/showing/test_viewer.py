@@ -67,3 +67,26 @@ def position(plant, inspector, context, geometry) -> np.ndarray:
 def test_an_arm_without_a_shape_cannot_be_viewed():
     with pytest.raises(ModelError, match=r"was given by a DH table and has no shape"):
         view_arm(load_arm(TABLE))
+
+
+def test_a_link_without_its_mesh_is_a_rod_to_the_next_joint(tmp_path):
+    mesh = '<visual><geometry><mesh filename="package://nowhere/arm.obj"/></geometry></visual>'
+    joints = "".join(
+        f'<joint name="j{k}" type="revolute"><parent link="l{k}"/><child link="l{k + 1}"/><origin xyz="0.3 0 {k}"/>'
+        '<axis xyz="0 0 1"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>'
+        for k in range(2)
+    )
+    links = f'<link name="l0">{mesh}{mesh.replace("visual", "collision")}</link><link name="l1">{mesh}</link><link name="l2"/>'
+    path = tmp_path / "arm.urdf"
+    path.write_text(f'<robot name="r">{links}{joints}</robot>')
+    _, inspector, _ = scene(load_arm(path))
+    shapes = [
+        type(inspector.GetShape(geometry)).__name__
+        for geometry in inspector.GetAllGeometryIds()
+        if "_frames::" not in inspector.GetName(geometry)
+    ]
+    assert sorted(shapes) == ["Cylinder", "Cylinder", "Sphere", "Sphere"]
+    path.write_text(
+        f'<robot name="r">{links}{joints}</robot>'.replace(mesh, "").replace(mesh.replace("visual", "collision"), "")
+    )
+    assert scene(load_arm(path))[1].num_geometries() == 3 * len(load_arm(path).frames)

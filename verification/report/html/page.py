@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Any
 
 from markupsafe import Markup
 
-from armproof.models.arm import Arm
-from armproof.models.catalogue import load_arm
+from armproof.models.catalogue import arm_of
 from armproof.verification.diagnosis import counterexample
 from armproof.verification.document import Document
 from armproof.verification.evaluation import sampled
@@ -43,7 +41,7 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         strict: whether an unchecked equation fails the document.
     """
     front = result.front or document.front  # with the arm that was inferred
-    arm = _arm(document, front)
+    arm = arm_of(front, document.path.parent)  # loaded already, when it was checked
     read = read_names(arm, front).reader.read
     painter = painter_of(arm)
     writer = ItemWriter(read, painter)
@@ -77,12 +75,6 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         samples=sampled.SAMPLES,
         largest=max((r.max_error for r in records if r.max_error is not None and r.samples), default=None),
     )
-
-
-def _arm(document: Document, front: Mapping[str, Any]) -> Arm | None:
-    """Return the document's arm, which checking it has loaded already."""
-    spec = front.get("arm")
-    return load_arm(spec, document.path.parent) if spec is not None else None
 
 
 def _is_unsettled(record: Record) -> bool:
