@@ -54,8 +54,8 @@ def load_arm(
         raise ModelError(Fault.NOT_AN_ARM, given=what, arms=list(arm_names()))
     if len(str(spec)) > 1000 or "\0" in str(spec):
         raise ModelError(Fault.ARM_TOO_LONG, count=len(str(spec)))
-    if str(spec) in arm_names():
-        return _load_file(*_stamped(_MODELS / str(spec) / CARD_NAME))
+    if str(spec).isidentifier() and (card := _MODELS / str(spec) / CARD_NAME).is_file():
+        return _load_file(*_stamped(card))
     path = Path(base_dir) / spec
     if path.name.endswith(SUFFIXES):
         card = path.parent / CARD_NAME

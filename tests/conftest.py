@@ -7,6 +7,8 @@ from functools import lru_cache
 from pathlib import Path
 
 import pytest
+from xdist.remote import Producer
+from xdist.scheduler import LoadFileScheduling
 
 TESTS = Path(__file__).parent
 gc.set_threshold(
@@ -14,7 +16,9 @@ gc.set_threshold(
 )  # of thousands of tests and modules nothing is garbage: to look through them took a sixth of the time
 DOCUMENTS = ("scara-000", "dh-modified-001", "planar-2r-002", "quintic-004", "spherical-wrist-inverse")
 ARMS = ("planar_2r", "scara", "rx90")
-TABLES = ("odd table", "puma table")  # arms of tests/course/figures that are given by DH tables
+OTHERS = ("odd table", "puma table", "slanted")  # arms of tests/course/figures that are not of the catalogue
+# Files that share what is long in starting: Chromium and the report of the course. One worker runs them all.
+TOGETHER = ("tests/verification/report/", "tests/course/site/test_in_browser.py")
 # Of these tests, the ones whose parameters name another document or arm wait for the sweep; () leaves none. The equations
 # of every document are tests of their own, and each has the verdict that it should have.
 SWEPT = {
@@ -25,16 +29,17 @@ SWEPT = {
     "course/authoring/test_new.py::test_slips": ("planar_2r",),
     "course/authoring/test_new.py::test_a_new_lesson_passes_as_it_is_written": (),
     "course/figures/test_command.py": ("odd table",),
-    "course/figures/test_crossing.py": ("planar_2r",),
+    "course/figures/test_crossing.py": ("planar_2r", "slanted"),
     "course/figures/test_files.py::test_the_same_figure_gives_the_same_bytes": (),  # another process gives them, too
     "course/figures/test_legibility.py": ("scara",),
-    "course/figures/": ("scara",),  # and arms that are not of the catalogue
-    "course/test_words_decide_nothing.py": ("scara-004", "rx90-001", "quintic-004", "scara_jacobian"),
+    "course/figures/": ("scara", "slanted"),
+    "course/test_words_decide_nothing.py": ("scara-004", "scara_jacobian"),
     "course/printing/test_handouts.py": ("scara-000", "spherical-wrist-inverse"),
     **{
         f"course/tasks/test_tasks.py::test_every_wrong_answer_gets_its_own_message[{task}]": ()
         for task in ("scara_inverse-inverse", "inverse_velocity-left_inverse", "inverse_velocity-rates")
     },
+    "models/": (*ARMS, "polar_rp", "slanted"),
     "mutation/test_mutation.py": (*DOCUMENTS, "rx90-001"),
     "test_arms_documents.py": (*ARMS, "polar_rp"),
     "verification/algebra/test_closed_form.py": ARMS,
@@ -44,6 +49,7 @@ SWEPT = {
     "verification/functions/test_styles.py": ("scara",),
     "verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course": (),
     "verification/running/test_incremental.py::test_a_handout_changed_at_random": DOCUMENTS,
+    "verification/singularities/test_singularities.py": (*ARMS, "spherical_wrist"),
     "verification/tables/test_origin_tables.py": ARMS,
     "verification/tables/test_tables.py::test_every_change": ARMS,
     "verification/test_handouts.py::test_one_flipped": DOCUMENTS[:3],
@@ -59,12 +65,25 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items[:] = [item for item in items if item not in set(waiting)]
 
 
+class Together(LoadFileScheduling):
+    """Give the tests of a file, and those of the files that share a browser, to one worker."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        return "together" if nodeid.startswith(TOGETHER) else super()._split_scope(nodeid)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadFileScheduling | None:
+    return Together(config, log) if config.getvalue("dist") == "loadfile" else None
+
+
 def parameters(item: pytest.Item) -> str:
     return item.callspec.id if isinstance(item, pytest.Function) and hasattr(item, "callspec") else ""
 
 
 def waits_for_the_sweep(nodeid: str, named: str) -> bool:
-    kept = next((kept for start, kept in SWEPT.items() if nodeid.startswith(f"tests/{start}")), None)
+    place = nodeid.removeprefix("tests/")
+    kept = next((kept for start, kept in SWEPT.items() if place.startswith(start)), None)
     if kept is None or (kept and not named) or not names_a_member(named, kept):
         return False
     return not any(re.search(rf"(?<![\w-]){name}(?![\w-])|(?:^|-){name}(?:$|-|\.)", named) for name in kept)
@@ -82,4 +101,4 @@ def members() -> frozenset[str]:
     """The documents and the arms that there are."""
     documents = {path.stem for path in (TESTS.parent / "course/handouts").glob("*.md")}
     arms = {path.parent.name for path in (TESTS.parent / "models").glob("*/arm.yaml")}
-    return frozenset(documents | arms | set(TABLES))
+    return frozenset(documents | arms | set(OTHERS))

@@ -24,10 +24,15 @@ LAYERS = ("course", "verification", "models")  # each may import those to its ri
 
 
 @cache
+def imports_of(source: str) -> tuple[ast.Import | ast.ImportFrom, ...]:
+    """Return the import statements of a module, wherever in it."""
+    return tuple(node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Import | ast.ImportFrom))
+
+
 def imported_packages(source: str) -> frozenset[str]:
-    """Return the top-level packages that a module imports, wherever in it; of our own, the rooms."""
+    """Return the top-level packages that a module imports; of our own, the rooms."""
     found = set()
-    for node in ast.walk(ast.parse(source)):
+    for node in imports_of(source):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
@@ -66,7 +71,7 @@ def undeclared_imports(place: str, source: str) -> set[str]:
     extras = [name for start, name in DECLARED_FOR.items() if place.startswith(start)]
     lines = [*PROJECT["dependencies"], *(line for name in extras for line in PROJECT["optional-dependencies"][name])]
     declared = {re.split(r"[^\w.-]", line)[0].lower() for line in lines}
-    nodes = list(ast.walk(ast.parse(source)))
+    nodes = imports_of(source)
     found = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     found |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0 and node.module}
     foreign = {name.partition(".")[0] for name in found} - {*sys.stdlib_module_names, "armproof"}

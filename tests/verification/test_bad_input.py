@@ -475,22 +475,22 @@ def test_any_slip_in_a_formula_of_the_handouts_is_read_or_refused(formula: str, 
 # -- the sources -------------------------------------------------------------------------------------------------------
 
 
+ALONE = ("eval", "exec", "compile", "__import__")  # and not as methods: re.compile makes no code
+ANYWHERE = (
+    *("parse_expr", "sympify", "literal_eval"),
+    *("popen", "Popen", "check_output", "unsafe_load", "full_load"),
+)
+
+
 def executing_calls(source: str) -> Iterator[str]:
     """Yield the calls of a module that turn text into code."""
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Call):
-            name = ast.unparse(node.func)
-            if name in ("eval", "exec", "compile", "__import__") or name.split(".")[-1] in (
-                "parse_expr",
-                "sympify",
-                "literal_eval",
-            ):
-                yield name
-            if (
-                name.split(".")[-1] in ("popen", "Popen", "check_output", "unsafe_load", "full_load")
-                or name == "os.system"
-            ):
-                yield name
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name | ast.Attribute):
+            last = node.func.id if isinstance(node.func, ast.Name) else node.func.attr
+            if last in (*ALONE, *ANYWHERE, "system"):
+                name = ast.unparse(node.func)
+                if name in (*ALONE, "os.system") or last in ANYWHERE:
+                    yield name
 
 
 # Grading runs what students wrote, in a process of its own that is shut off from everything else.

@@ -212,13 +212,15 @@ class Ring:
 
     def from_entry(self, entry: Entry) -> Scalar:
         """Return a traced entry (armproof.models.exact.trace) as a scalar of this ring."""
+        for generator in dict.fromkeys(each for monomial in entry for each, _ in monomial):
+            self.generator(generator)  # all before the first is used: a new one may need a new context
+        polynomials = self.polynomials
         terms = (
-            prod(
-                (self.generator(generator) ** power for generator, power in monomial), start=self.rational(coefficient)
-            )
-            for monomial, coefficient in entry.items()
+            prod((polynomials.variable(each) ** power for each, power in monomial), start=polynomials.constant(number))
+            for monomial, number in entry.items()
         )
-        return sum(terms, self.zero)
+        self.budget.check()
+        return self.scalar(self.reduce(sum(terms, polynomials.constant(0))))
 
     def lift(self, value: Scalar) -> Scalar:
         """Bring the scalar, in place, into the ring as it is today (it may have grown since the scalar was made)."""

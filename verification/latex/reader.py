@@ -53,6 +53,23 @@ class Reader:
         return statements[0].members[0]
 
     def _parse(self, latex: str) -> list[n.Statement]:
+        """Return the statements of a text; one that was read before is read anew only where another of its names is bound."""
+        known = _known_readings(latex, self.spelling)
+        for bound, statements in known:
+            if all(self.is_bound(name) == said for name, said in bound.items()):
+                return list(statements)
+        asked: dict[str, bool] = {}
+
+        def is_bound(name: str) -> bool:
+            return asked.setdefault(name, self.is_bound(name))
+
+        reader = Reader(is_bound, self.words)
+        reader.spelling = self.spelling
+        statements = reader._build(latex)
+        known.append((asked, statements))
+        return list(statements)
+
+    def _build(self, latex: str) -> list[n.Statement]:
         text = prepared(normalise_unicode(latex))
         try:
             tree: Tree = _grammar().parse((text, self.spelling))  # type: ignore[arg-type]
@@ -103,6 +120,12 @@ def _unexpected(error: UnexpectedToken, text: str) -> ReadError:
         say(Kind.UNEXPECTED_BUT, text=found, expected=expected) if expected else say(Kind.UNEXPECTED, text=found)
     )
     return ReadError(unexpected, token.start_pos or 0)
+
+
+@lru_cache(maxsize=1024)
+def _known_readings(latex: str, spelling: Spelling) -> list[tuple[dict[str, bool], list[n.Statement]]]:
+    """Return the list of what a text so spelt was read as, each with the names asked for and whether they were bound."""
+    return []
 
 
 @lru_cache(maxsize=1)

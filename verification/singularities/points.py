@@ -15,6 +15,7 @@ from armproof.verification.singularities.half_angles import HalfAngles, Polynomi
 
 STEPS = 30
 ZERO = 1e-12  # what a condition may be off at a point that counts as on it, relative to the size of its terms
+_AT_REST = 1e-14  # a step below which a point has arrived: the next one would be rounding
 _FRACTION = re.compile(r"(.+)/(\d+)")
 
 
@@ -122,10 +123,13 @@ class Sampler:
 
     def gradients(self, polynomials: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
         """Return ∂polynomial/∂q at N configurations, (N, polynomials, n)."""
+        return self._gradients([self._derivatives(polynomial) for polynomial in polynomials], q)
+
+    def _gradients(self, derivatives: Sequence[Mapping[int, Polynomial]], q: np.ndarray) -> np.ndarray:
         x = self.coordinates(q)
-        found = np.zeros((len(q), len(polynomials), len(self.unknowns)))
-        for k, polynomial in enumerate(polynomials):
-            for j, derivative in self._derivatives(polynomial).items():
+        found = np.zeros((len(q), len(derivatives), len(self.unknowns)))
+        for k, of_one in enumerate(derivatives):
+            for j, derivative in of_one.items():
                 found[:, k, j] = _evaluate(derivative, x)
         return found
 
@@ -158,15 +162,18 @@ class Sampler:
     def project(self, polynomials: Sequence[Polynomial], q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return configurations near the given ones at which all polynomials vanish (Gauss–Newton), and which succeeded."""
         q = q.copy()
-        if not polynomials:
-            return q, np.ones(len(q), dtype=bool)
+        moving = np.arange(len(q) if polynomials else 0)
+        derivatives = [self._derivatives(polynomial) for polynomial in polynomials]
         for _ in range(STEPS):
-            value, gradient = self.values(polynomials, q), self.gradients(polynomials, q)
-            if not (np.abs(value) > 1e-16).any():
+            if not len(moving):
                 break
+            value, gradient = self.values(polynomials, q[moving]), self._gradients(derivatives, q[moving])
             step = np.einsum("nij,nj->ni", np.linalg.pinv(gradient, rcond=1e-9), value)
             length = np.linalg.norm(step, axis=1, keepdims=True)
-            q -= step * np.minimum(1.0, 1.0 / np.maximum(length, 1e-300))
+            q[moving] -= step * np.minimum(1.0, 1.0 / np.maximum(length, 1e-300))
+            moving = moving[length[:, 0] > _AT_REST]
+        if not polynomials:
+            return q, np.ones(len(q), dtype=bool)
         turning = [k for k, unknown in enumerate(self.unknowns) if unknown.is_angle]
         q[:, turning] = np.mod(q[:, turning] + np.pi, 2 * np.pi) - np.pi
         return q, (np.abs(self.values(polynomials, q)) <= ZERO * self.sizes(polynomials, q)).all(axis=1)

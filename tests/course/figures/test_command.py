@@ -123,19 +123,21 @@ def test_help_loads_nothing_heavy() -> None:
     assert done.stdout.splitlines()[-1] == "[]"
 
 
-def loaded(code: str) -> set[str]:
-    """The modules of this project that are there once some code has run in a process of its own."""
-    code = f"import sys\n{code}\nprint(*(name for name in sys.modules if name.startswith('armproof.')))"
+def loaded(*lines: str) -> list[set[str]]:
+    """The modules of this project that are there after each line of some code that runs in a process of its own."""
+    tell = "print(*(name for name in sys.modules if name.startswith('armproof.')))"
+    code = "\n".join(["import sys", *(f"{line}\n{tell}" for line in lines)])
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
-    return set(done.stdout.split())
+    return [set(line.split()) for line in done.stdout.splitlines()]
 
 
 def test_a_kind_is_found_without_the_others() -> None:
     find = "from armproof.course.figures.registry import KINDS, find_kind; KINDS"
-    assert not {name for name in loaded(find) if ".kinds" in name}
-    sketch, singular = (loaded(f"{find}; find_kind('{name}')") for name in ("sketch", "singular"))
+    nothing, sketch, singular = loaded(find, "find_kind('sketch')", "find_kind('singular')")
+    assert not {name for name in nothing if ".kinds" in name}
     assert {name for name in sketch if ".kinds." in name} == {"armproof.course.figures.kinds.sketch"}
     assert "armproof.verification.singularities" in singular - sketch
+    assert {name for name in singular - sketch if ".kinds." in name} == {"armproof.course.figures.kinds.singular"}
 
 
 def test_every_module_has_a_kind_with_a_title() -> None:

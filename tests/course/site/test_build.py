@@ -12,7 +12,7 @@ import typer
 from typer.testing import CliRunner
 
 from armproof.course.errors import SiteError
-from armproof.course.site import build, cells, command
+from armproof.course.site import build, cells, command, work
 from armproof.course.site.build import build_site
 from armproof.course.site.cells import cells_of
 from armproof.course.site.order import Built, Order
@@ -27,6 +27,18 @@ app.command()(command.site)
 
 def run(*arguments: object):
     return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+@pytest.fixture(scope="module", autouse=True)
+def loaded(lesson, tmp_path_factory) -> None:
+    """Build once in this process what the processes of the builds, copies of it, would each load and trace anew."""
+    source, place = lesson()
+    order, folder = Order((source.path,), place), tmp_path_factory.mktemp("loaded")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(cells, "execute", lambda source, place, *, solved: cells_of(source))
+        described = work.describe(order)
+        assert not work.build_lesson(order, described, 0, folder).problem
+        work.build_rest(order, described, folder)
 
 
 @pytest.fixture

@@ -31,14 +31,13 @@ HALF = RING.rational(Fraction(1, 2))
         (ROOT, "a b"),
         (ARC, "a b"),
     ],
-    ids=str,
 )
 def test_symbols_are_found_wherever_they_stand(value: Scalar, names: str) -> None:
     assert symbols_in([value]) == set(names.split())
     assert symbols_in([RING.one, value, X]) == {*names.split(), "x"}
 
 
-@pytest.mark.parametrize("variable", [A * 2, A * A, A + B, A / B, RING.one, PI, ROOT], ids=str)
+@pytest.mark.parametrize("variable", [A * 2, A * A, A + B, A / B, RING.one, PI, ROOT])
 def test_nothing_but_a_free_symbol_is_a_variable(variable: Scalar) -> None:
     with pytest.raises(EvaluationError):
         derivative(A * A, variable)
@@ -62,7 +61,6 @@ def test_roots_and_arc_functions_are_differentiated_by_the_chain_rule() -> None:
         (cos_sin(PI * RING.rational(Fraction(1, 5)))[0], True),
         (cos_sin(RING.rational(Fraction(3, 10)))[1], True),
     ],
-    ids=str,
 )
 def test_roots_arcs_and_cosines_of_constants_leave_a_difference_open(value: Scalar, is_open: bool) -> None:
     assert leaves_open(value) is is_open

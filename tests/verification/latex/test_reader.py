@@ -8,6 +8,7 @@ import pytest
 from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader, key_as_latex
+from armproof.verification.latex.tokens import Spelling
 from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
@@ -65,9 +66,9 @@ def test_a_place_is_told_by_line_and_column(judge: Judge) -> None:
     ],
 )  # fmt: skip
 def test_hostile_displays_end_quickly_and_without_a_traceback(judge: Judge, latex: str) -> None:
-    started = time.perf_counter()
+    started = time.thread_time()
     assert judge(latex).verdict in (Verdict.UNREADABLE, Verdict.UNCHECKED, Verdict.DEFINED)
-    assert time.perf_counter() - started < 2.0
+    assert time.thread_time() - started < 2.0
 
 
 @pytest.mark.parametrize(
@@ -140,3 +141,21 @@ def test_a_correction_spells_a_greek_letter_in_full(judge: Judge) -> None:
     record = judge(r"(\lambda + a_1)^2 = \lambda^2 - 2\lambda a_1 + a_1^2".replace("a_1", "l_1"), **front)
     assert record.verdict is Verdict.REFUTED
     assert r"\lambda^2 + 2\lambda l_1" in record.entries[0].correct.replace(r" \lambda", r"\lambda")
+
+
+def test_a_text_read_before_is_read_anew_where_its_names_or_its_spelling_are_others() -> None:
+    def first(reader: Reader, latex: str) -> n.Node:
+        [statement] = reader.read(latex)
+        assert isinstance(statement, n.Chain)
+        return statement.members[0]
+
+    latex, bound, apart = r"f(x) = \varphi", Reader(lambda name: True), Reader()
+    assert isinstance(first(Reader(), latex), n.Product)
+    assert isinstance(first(bound, latex), n.Call)
+    assert isinstance(first(Reader(), latex), n.Product)
+    assert first(Reader(), latex) is first(Reader(), latex)  # from memory, and not to be changed by who takes the list
+    Reader().read(latex).clear()
+    assert Reader().read(latex)
+    apart.spelling = Spelling(told_apart=frozenset({"varphi"}))
+    letters = [reader.read_expression(r"\varphi") for reader in (Reader(), apart, Reader())]
+    assert [letter.base for letter in letters if isinstance(letter, n.Name)] == ["phi", "varphi", "phi"]

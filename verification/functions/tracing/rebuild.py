@@ -17,6 +17,7 @@ import numpy as np
 from armproof.verification.functions.tracing.arrays import as_objects
 from armproof.verification.functions.tracing.replacements import Replacements
 
+_INSTALLED = {"site-packages", "dist-packages"}
 _ROOMS = Path(__file__).resolve().parents[3]
 
 
@@ -26,7 +27,9 @@ def is_library(filename: str) -> bool:
     if filename.startswith("<frozen"):
         return True
     path = str(Path(filename).resolve()) if not filename.startswith("<") else filename
-    places = [sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib", "purelib", "platlib")]
+    if not _INSTALLED.isdisjoint(Path(path).parts):  # in this environment, or in one that it reads from
+        return True
+    places = [sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib")]
     places += [str(_ROOMS / room) for room in ("models", "verification")]
     return any(path.startswith(f"{Path(place).resolve()}/") for place in places)
 
