@@ -88,7 +88,9 @@ def test_each_trusted_file_is_there_and_has_tests():
     for file in trusted_files():
         own, room, course = selection(file)
         assert (ROOT / file).exists() and all((ROOT / test).exists() for test in (*own, *room, *course)), file
-    assert selection("models/exact/numbers.py")[0] == ["tests/models/exact/test_numbers.py"]
+    assert selection("models/loading/card.py")[0] == ["tests/models/loading/test_card.py"]
+    assert "tests/verification/naming/test_quantities.py" in selection("verification/algebra/quantity_kinds.py")[0]
+    assert not selection("verification/check.py")[0]  # what all tests import, none is about
 
 
 def test_a_sample_is_drawn_from_all_files():

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 COURSE = ("tests/verification/test_soundness.py", "course/handouts")  # false twins are refuted, what is right is proved
+FEW = 4  # what more tests import than that, they use and are not about
 NEAREST = {  # the tests of a room that has no folder of its own name, or that are spread over others
     "models/exact": ("tests/models/exact", "tests/models/dh", "tests/models/loading"),
     "verification/functions/tracing": ("tests/verification/functions",),
@@ -56,9 +58,22 @@ def _all_of(room: str, excepted: str) -> list[str]:
 
 
 def selection(file: str) -> tuple[list[str], list[str], list[str]]:
-    """Return the tests to run on a change of a file: those that are named after it, of its room, and of the course."""
+    """Return the tests to run on a change of a file: those that are about it, of its room, and of the course."""
     path = Path(file)
     room = path.parent.as_posix()
     folders = [folder for folder in NEAREST.get(room, (f"tests/{room}",)) if (ROOT / folder).exists()]
-    own = [found for folder in folders for found in (ROOT / folder).glob(f"test_{path.stem}*.py")]
+    own = {found for folder in folders for found in (ROOT / folder).glob(f"test_{path.stem}*.py")}
+    importing = _importing(".".join(path.with_suffix("").parts))
+    own |= importing if len(importing) <= FEW else set()
     return sorted(found.relative_to(ROOT).as_posix() for found in own), folders, list(COURSE)
+
+
+@cache
+def _texts() -> dict[Path, str]:
+    rooms = (ROOT / "tests/models", ROOT / "tests/verification")
+    return {path: path.read_text("utf-8") for room in rooms for path in room.rglob("test_*.py")}
+
+
+def _importing(module: str) -> set[Path]:
+    """Return the tests that import a module."""
+    return {path for path, text in _texts().items() if f"from armproof.{module} import" in text}
