@@ -66,6 +66,8 @@ def _plain(true: Value, printed: Value, algebra: Algebra) -> tuple[Value, Value]
         if isinstance(value, Identity):
             if isinstance(other, Matrix):
                 return identity(algebra, other.shape[0], value.scale)
+            if isinstance(other, Identity) or is_zero(value.scale):
+                return value.scale
             raise ShapeMismatch(say(Kind.IDENTITY_FOR_SCALAR))
         if isinstance(value, list):
             other_is_row = isinstance(other, Matrix) and other.shape[0] == 1

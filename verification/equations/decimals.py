@@ -83,6 +83,10 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool, 
     if errors is None:
         return False
     tolerance = 0.45 * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
+    if decimals_of_numbers(outcome) is not None:
+        tolerance = max(_rounding(side.node, side.node).near for side in (outcome.true, outcome.printed)) / (
+            1 + errors.size
+        )
     holding = errors.where_equal(tolerance)
     left, right = sorted((outcome.true.node, outcome.printed.node), key=lambda node: node.span)
     counts = errors.on_a_branch(tolerance)
@@ -99,6 +103,14 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool, 
     return True
 
 
+def decimals_of_numbers(outcome: Outcome) -> int | None:
+    """Return to how many decimals a number is printed that stands for another: 1.57 for π/2; None of anything else."""
+    sides = [side.node for side in (outcome.true, outcome.printed) if side is not None]
+    if outcome.pair is None or not outcome.pair.is_scalar or not all(map(is_number, sides)):
+        return None
+    return (fewest_decimals(sides) or None) if finest_decimals(sides) else None
+
+
 def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
     """Whether a wrong entry may be wrong by rounding: 0.334 for 0.333 is not, the decimals printed hold 0.333 exactly."""
     assert outcome.true is not None and outcome.printed is not None
@@ -107,7 +119,7 @@ def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
     decimals = max(decimals, finest_decimals((outcome.true.node, outcome.printed.node)))
     true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
     for difference in (true[r][c] - printed[r][c] for r, c in outcome.wrong):
-        roots = any(kind == "sqrt" for kind, _ in difference.generators)
+        roots = any(kind in ("sqrt", "pi") for kind, _ in difference.generators)
         if roots or not difference.denominator.is_one() or leaves_open(difference):
             continue
         if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):

@@ -22,7 +22,7 @@ from armproof.verification.equations.alignment import (
     exactly_equal,
 )
 from armproof.verification.equations.at_stated_values import StatedValues
-from armproof.verification.equations.decimals import holds_to_its_decimals
+from armproof.verification.equations.decimals import decimals_of_numbers, holds_to_its_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
@@ -78,7 +78,7 @@ class Equality:
         assert best is not None
         outcome.pair, outcome.wrong = best
         outcome.findings = _noted(best[0])
-        decimals = self.members.decimals(true.node, printed.node)
+        decimals = decimals_of_numbers(outcome) or self.members.decimals(true.node, printed.node)
         if decimals is not None and holds_to_its_decimals(self.route, outcome, branches, decimals):
             return outcome
         return self.route.doubt(outcome, branches)

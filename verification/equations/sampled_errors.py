@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,11 +29,13 @@ class SampledErrors:
         scaled: by 1 + size, (rows, columns, samples).
         counted: the samples at which they count, (samples,): the formulas have a value there.
         at_random: the samples that are drawn at random, (samples,).
+        size: the largest true value among them.
     """
 
     scaled: np.ndarray
     counted: np.ndarray
     at_random: np.ndarray
+    size: float
 
     @property
     def samples(self) -> int:
@@ -56,7 +58,7 @@ class SampledErrors:
 
     def where_equal(self, tolerance: float) -> SampledErrors:
         """Return the errors where only samples count at which every entry agrees."""
-        return SampledErrors(self.scaled, self._equal(tolerance) & self.counted, self.at_random)
+        return replace(self, counted=self._equal(tolerance) & self.counted)
 
     def on_a_branch(self, tolerance: float) -> tuple[int, int] | None:
         """Return at how many of how many configurations every entry agrees, or None where it is no branch.
@@ -113,7 +115,7 @@ def errors_between(
         assert best is not None and sizes is not None
         scaled = best / (1.0 + sizes)
         finite = sampled.regular & np.isfinite(scaled).all(axis=(0, 1)) & (sizes < SINGULAR).all(axis=(0, 1))
-    return SampledErrors(scaled, finite, sampled.random)
+    return SampledErrors(scaled, finite, sampled.random, float(sizes[..., finite].max(initial=0.0)))
 
 
 def with_lengths(sampled: SampledAlgebra, stated: Mapping[str, float]) -> Iterator[SampledAlgebra]:

@@ -64,8 +64,8 @@ def selection(file: str) -> tuple[list[str], list[str], list[str]]:
     folders = [folder for folder in NEAREST.get(room, (f"tests/{room}",)) if (ROOT / folder).exists()]
     own = {found for folder in folders for found in (ROOT / folder).glob(f"test_{path.stem}*.py")}
     importing = _importing(".".join(path.with_suffix("").parts))
-    own |= importing if len(importing) <= FEW else set()
-    return sorted(found.relative_to(ROOT).as_posix() for found in own), folders, list(COURSE)
+    tests = [*sorted(own), *(sorted(importing - own) if len(importing) <= FEW else ())]
+    return [found.relative_to(ROOT).as_posix() for found in tests], folders, list(COURSE)
 
 
 @cache
