@@ -6,15 +6,16 @@ from collections.abc import Iterator, Sequence
 
 from markupsafe import Markup
 
-from armproof.course.feedback import Lesson, Task
+from armproof.course.feedback import Lesson, Outcome, Task
 from armproof.course.sheet import model as s
 from armproof.course.site.cells import Cell, Output
 from armproof.course.site.outputs import show_outputs
 from armproof.course.site.reading import LessonReader
 from armproof.course.site.writer import Entry, PageWriter, python
+from armproof.models.errors import written
+from armproof.models.language import look_up
 
 NOTHING = Markup("")
-_WAITING = "not attempted"  # what a task says before there is an answer
 
 
 class BodyWriter:
@@ -62,8 +63,8 @@ class BodyWriter:
             return self._code(cell)
         hints = Markup("").join(self._hints(task) for _, task in new)
         questions = Markup("").join(self._question(number, task) for number, task in new)
-        label = ", ".join(f"Task {number}" for number, _ in new)
-        title = Markup("{}: {}").format(label, Markup(", ").join(self.inline(task.title) for _, task in new))
+        label = ", ".join(written("Task {number}", number=number) for number, _ in new)
+        title = Markup("{} – {}").format(label, Markup(", ").join(self.inline(task.title) for _, task in new))
         anchor = self._writer.section(f"task-{new[0][0]}", title)
         return Markup('<section class="task" id="{}" aria-label="{}">{}{}</section>').format(
             anchor, label, questions, self._code(cell, hints)
@@ -86,9 +87,9 @@ class BodyWriter:
     def _code(self, cell: Cell, hints: Markup = NOTHING) -> Markup:
         """Return a code cell and what running it gave; the solution, and what it gave, folded behind the hints."""
         shown = self._outputs(cell)
-        solved = python(cell.solved, "Solution") if self.solutions and cell.has_solution else Markup("")
+        solved = python(cell.solved, look_up("Solution")) if self.solutions and cell.has_solution else Markup("")
         if (solved or shown) and self.solutions and (solved or cell.calls("check") or cell.calls("show")):
-            label = "Solution" if solved else "With the solution"
+            label = look_up("Solution") if solved else look_up("With the solution")
             shown = Markup('{}<details class="solution"><summary>{}</summary>{}{}</details>').format(
                 hints, label, solved, shown
             )
@@ -107,7 +108,7 @@ class BodyWriter:
 
     def _words(self) -> str:
         """Return what a picture without words of its own is called."""
-        return f"Figure: {self._heading}" if self._heading else "Figure"
+        return written("Figure: {heading}", heading=self._heading) if self._heading else look_up("Figure")
 
     def _markdown(self, text: str) -> Markup:
         return self._writer.body(self.reader.text(text))
@@ -115,8 +116,9 @@ class BodyWriter:
     # -- tasks ------------------------------------------------------------------------------------------------------
 
     def _question(self, number: int, task: Task) -> Markup:
-        head = Markup('<p class="task-head"><span>Task {} of {}</span> <strong>{}</strong></p>').format(
-            number, len(self.lesson.tasks), self.inline(task.title)
+        place = written("Task {number} of {count}", number=number, count=len(self.lesson.tasks))
+        head = Markup('<p class="task-head"><span>{}</span> <strong>{}</strong></p>').format(
+            place, self.inline(task.title)
         )
         return head + Markup('<div class="question">{}</div>').format(self._markdown(task.text))
 
@@ -125,7 +127,7 @@ class BodyWriter:
         inside = Markup("")
         total = len(task.hints)
         for number in range(total, 0, -1):
-            label = f"Hint {number} of {total}" if total > 1 else "Hint"
+            label = written("Hint {number} of {count}", number=number, count=total) if total > 1 else look_up("Hint")
             inside = Markup('<details class="hint"><summary>{}</summary>{}{}</details>').format(
                 label, self._markdown(task.hints[number - 1]), inside
             )
@@ -138,4 +140,6 @@ def _is_waiting(cell: Cell, output: Output) -> bool:
     if cell.calls("show") and "text/markdown" in data:
         return True
     text = data.get("text/plain", "")
-    return bool(cell.calls("check")) and _WAITING in (text if isinstance(text, str) else "".join(text))
+    return bool(cell.calls("check")) and Outcome.NOT_ATTEMPTED.words in (
+        text if isinstance(text, str) else "".join(text)
+    )

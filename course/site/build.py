@@ -69,16 +69,20 @@ def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
     """Yield what became of each lesson; the processes begin before Drake is imported."""
     with start_pool(workers) as pool:
         try:
-            described = pool.submit(work.describe, order).result()
-            futures = {pool.submit(work.build_lesson, order, described, k, part): k for k in range(len(order.sources))}
-            rest = pool.submit(work.build_rest, order, described, part)
+            editions = [(each, pool.submit(work.describe, each).result()) for each in order.in_each_language()]
+            futures = {
+                pool.submit(work.build_lesson, each, described, k, part): k
+                for each, described in editions for k in range(len(order.sources))
+            }  # fmt: skip
+            rest = [pool.submit(work.build_rest, each, described, part) for each, described in editions]
             for future in as_completed(futures):
                 source = order.sources[futures[future]]
                 try:
                     yield future.result()
                 except BrokenProcessPool:
                     yield Built(source, problem=f"{source}: {_PATIENCE}")
-            rest.result()
+            for future in rest:
+                future.result()
         except ArmproofError:
             raise
         except BrokenProcessPool:

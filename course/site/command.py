@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from armproof.models.errors import written
-from armproof.verification.cli.application import FAILS, complain, ending, tell
+from armproof.verification.cli.application import FAILS, Language, complain, ending, tell
 from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
@@ -31,10 +31,12 @@ Out = Annotated[
 Solutions = Annotated[bool, typer.Option("--solutions", help="The edition with solutions, folded below each task.")]
 
 
-def site(names: Names = None, folder: Folder = None, out: Out = None, solutions: Solutions = False) -> None:
+def site(
+    names: Names = None, folder: Folder = None, out: Out = None, solutions: Solutions = False, lang: Language = ""
+) -> None:
     """Build the course as static pages: each lesson executed, with figures, 3D views and mathematics, to be read offline.
 
-    The pages show the tasks, their hints and no solution; --solutions makes the edition that has them. Exit code 0: the site is
+    Without --lang they are in every language that the lessons have, each page with a link to the other. The pages show the tasks, their hints and no solution; --solutions makes the edition that has them. Exit code 0: the site is
     there; 1: a lesson does not run or does not pass; 2: an unknown lesson, or a folder that cannot be written. What is there stays
     unless all of the new site is there.
     """
@@ -50,7 +52,8 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
         require_jupyter()
         place = place_of(folder)
         sources = place.named(names or ())
-        with Progress(len(sources), "lessons") as progress:
+        langs = (lang,) if lang else place.languages
+        with Progress(len(sources) * len(langs), "lessons") as progress:
 
             def done(built: Built) -> None:
                 progress.clear()
@@ -58,7 +61,7 @@ def site(names: Names = None, folder: Folder = None, out: Out = None, solutions:
                 progress.advance()
 
             try:
-                index = build_site(Order(tuple(sources), place, solutions), target, done=done)
+                index = build_site(Order(tuple(sources), place, solutions, langs), target, done=done)
             except SiteError as error:
                 complain(str(error).splitlines())
                 raise typer.Exit(FAILS) from None

@@ -9,10 +9,12 @@ from markupsafe import Markup
 
 from armproof.course.feedback import Lesson
 from armproof.course.site.arms import picture_of, view_name
-from armproof.course.site.order import Neighbour
-from armproof.course.site.page import SITE
+from armproof.course.site.glossary import glossary_page
+from armproof.course.site.order import Neighbour, Order, switches
+from armproof.course.site.page import INDEX, SITE
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.language import look_up
 from armproof.verification.naming.names import read_names
 from armproof.verification.report.html.figures import Figure
 from armproof.verification.report.html.prose import title
@@ -43,7 +45,7 @@ class ArmRow:
     view: str
 
 
-def write_index(listed: Sequence[tuple[Lesson, Neighbour]], *, solutions: bool = False) -> str:
+def write_index(listed: Sequence[tuple[Lesson, Neighbour]], order: Order) -> str:
     """Return the page that lists the lessons, each with its files and its arm."""
     arms = {files.arm: load_arm(files.arm) for _, files in listed if files.arm}
     rows = [(files.arm, _row(lesson, files, arms.get(files.arm))) for lesson, files in listed]
@@ -52,16 +54,18 @@ def write_index(listed: Sequence[tuple[Lesson, Neighbour]], *, solutions: bool =
         rows=[row for _, row in rows],
         total=sum(row.tasks for _, row in rows),
         arms=[
-            ArmRow(arm.title, picture_of(arm), tuple(row for of, row in rows if of == name), view_name(arm))
+            ArmRow(look_up(arm.title), picture_of(arm), tuple(row for of, row in rows if of == name), view_name(arm))
             for name, arm in arms.items()
         ],
-        solutions=solutions,
+        solutions=order.solutions,
+        switches=switches(order.langs, order.lang, INDEX),
+        glossary=glossary_page(order),
         versions=versions(),
     )
 
 
 def _row(lesson: Lesson, files: Neighbour, arm: Arm | None) -> Row:
-    read, name = read_names(arm, {}).reader.read, arm.title if arm is not None else ""
+    read, name = read_names(arm, {}).reader.read, look_up(arm.title) if arm is not None else ""
     objectives = tuple(title(line, read) for line in lesson.objectives)
     source, tasks = title(lesson.source, read), len(lesson.tasks)
     return Row(lesson.number, title(lesson.title, read), objectives, tasks, name, source, files.page, files.notebook)

@@ -2,19 +2,39 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from armproof.course.sources.places import COURSE, Place
+from armproof.models.language import ENGLISH
+
+NAMES = {"en": "English", "fr": "Français"}
 
 
 @dataclass(frozen=True)
 class Order:
-    """What is to be built: sources in the order of the lessons, their place, the edition."""
+    """What is to be built: sources in the order of the lessons, their place, the edition, the languages and one of them."""
 
     sources: tuple[Path, ...]
     place: Place = COURSE
     solutions: bool = False
+    langs: tuple[str, ...] = (ENGLISH,)
+    lang: str = ENGLISH
+
+    @property
+    def suffix(self) -> str:
+        """What the files of this language end in before their suffix; those of the first language in nothing."""
+        return ending_of(self.lang, self.langs)
+
+    def in_each_language(self) -> list[Order]:
+        """Return the order for each of its languages."""
+        return [replace(self, lang=lang) for lang in self.langs]
+
+
+def ending_of(lang: str, langs: Sequence[str]) -> str:
+    """Return what the files of a language end in."""
+    return "" if lang == langs[0] else f".{lang}"
 
 
 @dataclass(frozen=True)
@@ -34,13 +54,19 @@ class Neighbour:
     title: str
     stem: str
     arm: str = ""
+    suffix: str = ""
 
     @property
     def page(self) -> str:
         """The file of its page."""
-        return f"{self.stem}.html"
+        return f"{self.stem}{self.suffix}.html"
 
     @property
     def notebook(self) -> str:
         """The file of the student's notebook."""
-        return f"{self.stem}.ipynb"
+        return f"{self.stem}{self.suffix}.ipynb"
+
+
+def switches(langs: Sequence[str], lang: str, stem: str) -> list[tuple[str, str, str]]:
+    """Return of each other language its code, its own name and the file of the same page."""
+    return [(each, NAMES.get(each, each), f"{stem}{ending_of(each, langs)}.html") for each in langs if each != lang]

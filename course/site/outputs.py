@@ -11,6 +11,8 @@ from markupsafe import Markup
 
 from armproof.course.site.cells import Output
 from armproof.course.site.cleaning import Shown, clean
+from armproof.models.errors import written
+from armproof.models.language import look_up
 
 _ANSI = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 _ADDRESS = re.compile(r"^<[\w.]+(?: object)? at 0x[0-9a-f]+>$|^<[\w.]+ object.*0x[0-9a-f]+.*>$")
@@ -60,7 +62,11 @@ def _joined(outputs: Iterable[Output]) -> list[dict[str, Any]]:
 def _data(data: dict[str, Any], prefix: str, words: str, markdown: Callable[[str], Markup] | None) -> Shown:
     if "text/html" in data:
         cleaned = clean(_string(data["text/html"]), prefix)
-        scrolls = Markup(' tabindex="0" role="group" aria-label="Output"') if "<table" in cleaned.html else ""
+        scrolls = (
+            Markup(' tabindex="0" role="group" aria-label="{}"').format(look_up("Output"))
+            if "<table" in cleaned.html
+            else ""
+        )
         return Shown(Markup('<div class="rich"{}>{}</div>').format(scrolls, cleaned.html), cleaned.styles)
     if "image/svg+xml" in data:
         svg = _string(data["image/svg+xml"])
@@ -91,8 +97,11 @@ def _text(text: str) -> Markup:
     if not plain.strip():
         return Markup("")
     if len(plain) > _LONGEST:
-        plain = f"{plain[:_LONGEST]}\n… and {len(plain) - _LONGEST:,} more characters"
-    return Markup('<pre class="out" tabindex="0" role="group" aria-label="Output"><samp>{}</samp></pre>').format(plain)
+        more = written("… and {number:,} more characters", number=len(plain) - _LONGEST)
+        plain = f"{plain[:_LONGEST]}\n{more}"
+    return Markup('<pre class="out" tabindex="0" role="group" aria-label="{}"><samp>{}</samp></pre>').format(
+        look_up("Output"), plain
+    )
 
 
 def _string(value: Any) -> str:

@@ -10,14 +10,14 @@ from armproof.course.sheet.proof import proof_line
 from armproof.course.site.arms import arm_panel
 from armproof.course.site.body import BodyWriter
 from armproof.course.site.cells import Cell
-from armproof.course.site.order import Neighbour
+from armproof.course.site.order import Neighbour, Order, switches
 from armproof.course.site.reading import LessonReader
 from armproof.verification.document import Document
 from armproof.verification.report.html.prose import plain_title, title
 from armproof.verification.report.html.templating import Shell, versions
 from armproof.verification.verdict import DocumentResult
 
-INDEX = "index.html"
+INDEX = "index"
 SITE = Shell("armproof.course.site", ("shell.css", "site.css"), "site.js", allowed="img-src data:; frame-src 'self'; ")
 
 
@@ -27,8 +27,7 @@ def write_page(
     document: Document,
     result: DocumentResult,
     lessons: Sequence[Neighbour],
-    *,
-    solutions: bool = False,
+    order: Order,
 ) -> tuple[str, tuple[str, ...]]:
     """Return the page of a lesson that was checked and executed, and what of the lesson is not on it.
 
@@ -38,7 +37,7 @@ def write_page(
         document: its source as it was read, for its letters and its arm.
         result: the verdicts of its displays.
         lessons: all of the site in their order, this one among them.
-        solutions: whether the solved cells were executed; their solutions are folded.
+        order: the languages of the site, and whether the solved cells were executed; their solutions are folded.
 
     Raises:
         SiteError: an equation of the lesson does not pass.
@@ -49,8 +48,8 @@ def write_page(
     me, before, after = lessons[place], lessons[:place][-1:], lessons[place + 1 :][:1]
     others = [*lessons[:place], *lessons[place + 1 :]]
     pages = {name: each.page for each in others for name in (each.stem, each.stem.partition("_")[2], str(each.number))}
-    reader = LessonReader(document, result, pages, solutions)
-    body = BodyWriter(lesson, reader, solutions=solutions)
+    reader = LessonReader(document, result, pages, order.solutions, order.lang)
+    body = BodyWriter(lesson, reader, solutions=order.solutions)
     written = body.write(cells)
     reader.close()
     html = SITE.render(
@@ -61,15 +60,16 @@ def write_page(
         plain_title=plain_title(lesson.title),
         source=title(lesson.source, reader.read),
         objectives=[] if body.says_objectives else [body.inline(line) for line in lesson.objectives],
-        solutions=solutions,
+        solutions=order.solutions,
+        switches=switches(order.langs, order.lang, me.stem),
         contents=[entry for entry in body.contents if entry.level <= 3],
         body=written,
         panel=arm_panel(reader.arm, reader.read),
         notebook=me.notebook,
-        index=INDEX,
+        index=f"{INDEX}{order.suffix}.html",
         before=next(iter(before), None),
         after=next(iter(after), None),
-        proof=proof_line(result.records, "en", result.arm),
+        proof=proof_line(result.records, order.lang, result.arm),
         versions=versions(),
     )
     return html, tuple(reader.warnings)

@@ -16,6 +16,7 @@ from armproof.course.sheet.reading import BlockReader
 from armproof.course.site.cells import Cell
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
+from armproof.models.language import ENGLISH
 from armproof.verification.document import Document
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.naming.names import read_names
@@ -24,7 +25,7 @@ from armproof.verification.verdict import DocumentResult, Record, Verdict
 _LESSON = re.compile(r"(?:\.\./)?(?:\./)?(?:\w+/)?(?P<stem>(?:\d\d_)?[a-z]\w*)(?:\.ipynb|\.py|\.html)?(?P<at>#[\w-]+)?")
 
 
-_NUMBER = re.compile(r"(?<![\w])[Ll]esson (\d+)\b")
+_NUMBER = re.compile(r"(?<![\w])(?:[Ll]esson|[Ll]eçon)[ \u00a0](\d+)\b")
 
 
 def unlinked(parts: Iterable[Inline]) -> tuple[Inline, ...]:
@@ -38,8 +39,8 @@ def unlinked(parts: Iterable[Inline]) -> tuple[Inline, ...]:
 class LessonInline(InlineReader):
     """Reads inline Markdown; a link to another lesson, and "lesson 9" in its words, lead to the page of that lesson."""
 
-    def __init__(self, read: Read, folder: Path, pages: Mapping[str, str]) -> None:
-        super().__init__(read, folder)
+    def __init__(self, read: Read, folder: Path, pages: Mapping[str, str], lang: str) -> None:
+        super().__init__(read, folder, lang)
         self.pages = pages
 
     def _leaf(self, token: Token) -> Iterable[Inline]:
@@ -76,10 +77,12 @@ class LessonReader:
         warnings: what of the lesson is not shown.
     """
 
-    def __init__(self, document: Document, result: DocumentResult, pages: Mapping[str, str], solutions: bool) -> None:
+    def __init__(
+        self, document: Document, result: DocumentResult, pages: Mapping[str, str], solutions: bool, lang: str = ENGLISH
+    ) -> None:
         self.arm: Arm | None = arm_of(document.front, document.path.parent)
         self.read: Read = read_names(self.arm, document.front).reader.read
-        self.inline = LessonInline(self.read, document.path.parent, pages)
+        self.inline = LessonInline(self.read, document.path.parent, pages, lang)
         self.solutions = solutions
         self.result = result
         self._blocks = BlockReader(self.inline, result)

@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 from armproof.course.sheet import model as s
 from armproof.course.sheet.html import HtmlWriter
 from armproof.course.site.reading import unlinked
+from armproof.models.language import look_up, spoken
 
 _KINDS = (  # of Pygments, the first that holds; the others are plain
     ("Comment", "comment"),
@@ -62,7 +63,7 @@ class PageWriter(HtmlWriter):
     """Writes the blocks of one page; `contents` collects its headings."""
 
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__(spoken())
         self.contents: list[Entry] = []
         self._anchors: set[str] = {"main", "objectives", "reference"}  # which the page has
         self._level = 1
@@ -78,7 +79,7 @@ class PageWriter(HtmlWriter):
     def section(self, anchor: str, words: Markup) -> str:
         """Return the anchor of a part of the page, which stands in the contents unless the heading before it is its own."""
         anchor = self._anchor(anchor)
-        headed = self.contents and self.contents[-1].level > 2 and self.contents[-1].title.startswith("Task")
+        headed = self.contents and self.contents[-1].level > 2 and self.contents[-1].title.startswith(look_up("Task"))
         if not headed or self.contents[-1].is_part:
             self.contents.append(Entry(3, anchor, words, is_part=True))
         return anchor
@@ -90,28 +91,28 @@ class PageWriter(HtmlWriter):
         widest = max((piece.width for line in block.lines for each in line for piece in each), default=0.0)
         written = super()._display(block)
         if widest > _NARROW:
-            written = _focusable(written, "Formula")
+            written = _focusable(written, look_up("Formula"))
         if (tag := _TAG.search(block.record.latex)) is None:
             return written
         return Markup('<div class="tagged">{}<span class="tag">({})</span></div>').format(written, tag.group(1))
 
     def _table(self, block: s.Table) -> Markup:
-        return _focusable(Markup(str(super()._table(block)).replace("<th ", '<th scope="col" ')), "Table")
+        return _focusable(Markup(str(super()._table(block)).replace("<th ", '<th scope="col" ')), look_up("Table"))
 
     def _quote(self, block: s.Quote) -> Markup:
         if block.kind == "solution":
             inside = block.blocks[1:] if isinstance(block.blocks[0], s.Heading) else block.blocks
-            return Markup('<details class="solution"><summary>Solution</summary>{}</details>').format(self.body(inside))
+            return Markup('<details class="solution"><summary>{}</summary>{}</details>').format(look_up("Solution"), self.body(inside))  # fmt: skip
         return super()._quote(block)
 
     def _part(self, part: s.Inline) -> Markup:
         written = super()._part(part)
         if isinstance(part, s.Formula) and any(piece.width > _NARROW for piece in part.pieces):
-            return Markup('<span class="long" tabindex="0" role="group" aria-label="Formula">{}</span>').format(written)
+            return Markup('<span class="long" tabindex="0" role="group" aria-label="{}">{}</span>').format(look_up("Formula"), written)  # fmt: skip
         return written
 
     def _listed(self, block: s.Listed) -> Markup:
-        return listing(Markup.escape(block.text.strip("\n")), "Listing")
+        return listing(Markup.escape(block.text.strip("\n")), look_up("Listing"))
 
     def _anchor(self, plain: str) -> str:
         bare = "".join(c for c in normalize("NFKD", plain.lower()) if not combining(c))

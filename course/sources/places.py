@@ -9,7 +9,7 @@ from pathlib import Path
 
 from armproof.course.errors import AuthoringError
 from armproof.course.sources.lesson_source import FILE
-from armproof.models.language import ENGLISH
+from armproof.models.language import ENGLISH, languages
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,11 @@ class Place:
     def is_course(self) -> bool:
         """Whether this is the package `course`."""
         return self.root.resolve() == COURSE.root
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """The languages that the lessons are in: that of their sources, and those that have catalogues of them."""
+        return tuple(lang for lang in languages() if lang == ENGLISH or (self.root / "translations" / lang).is_dir())
 
     def sources(self) -> list[Path]:
         """Return the sources, in the order of their numbers."""
