@@ -21,7 +21,16 @@ from armproof.course.feedback.task import Task
 from armproof.course.feedback.translation import changed_task
 from armproof.course.translation.catalogue import translated_sentence, translation_of
 from armproof.models.errors import written
-from armproof.models.language import ENGLISH, known_language, language_of_environment, languages, speak, spoken, use
+from armproof.models.language import (
+    ENGLISH,
+    asked,
+    known_language,
+    language_of_environment,
+    languages,
+    speak,
+    spoken,
+    use,
+)
 from armproof.verification.running.atomic import write_atomically
 
 VARIABLE = "ARMPROOF_PROGRESS"  # another file; empty: none
@@ -129,7 +138,7 @@ def open_lesson(name: str, folder: str | Path | None = None, lang: str = "") -> 
     """
     if "IPython" in sys.modules:
         show_figures()
-        speak(spoken=known_language(lang) or spoken())  # from here on: figures too
+        speak(asked(), known_language(lang) or spoken())  # from here on: figures too
     if lang and not known_language(lang):
         raise LessonError("no language '{lang}'; the languages are {languages}", lang=lang, languages=list(languages()))
     key = (str(Path(folder).resolve()) if folder is not None else "", name, known_language(lang) or _usual_language())

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.course.errors import SourceError
+from armproof.models.language import look_up, noted
 from armproof.verification.document.cells import Cell
 
 BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"
-CODE, ANSWER = "...  # your code here", "...  # your answer here"
+CODE, ANSWER = noted("your code here"), noted("your answer here")
 _MARKER = re.compile(r"^(?P<indent>[ \t]*).*#+ *(?P<which>BEGIN|END) +SOLUTION\b.*$", re.IGNORECASE)
 
 
@@ -114,6 +115,6 @@ def without_solutions(cell: Cell, blocks: Collection[Block], needed: Collection[
 
 def _blank(block: Block, needed: Collection[str]) -> list[str]:
     if block.in_function:
-        return [block.indent + CODE]
-    names = [name for name in block.names if name in needed] or block.names
-    return [f"{name} = {ANSWER}" for name in names] or [ANSWER]
+        return [f"{block.indent}...  # {look_up(CODE)}"]
+    names, answer = [name for name in block.names if name in needed] or block.names, f"...  # {look_up(ANSWER)}"
+    return [f"{name} = {answer}" for name in names] or [answer]

@@ -11,7 +11,7 @@ from armproof.course.sources.editions import instructor_notebook, student_notebo
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.nbgrader import nbgrader_notebook
 from armproof.course.sources.places import Place
-from armproof.models.language import ENGLISH
+from armproof.models.language import ENGLISH, use
 from armproof.verification.running.atomic import write_atomically
 
 Files = dict[Path, bytes]
@@ -19,7 +19,8 @@ Files = dict[Path, bytes]
 
 def student_files(place: Place, sources: Sequence[Path], lang: str = ENGLISH) -> Files:
     """Return the students' notebooks of sources, by their path."""
-    return {place.notebook(source, lang): student_notebook(lesson) for source, lesson in _read(sources, lang)}
+    with use(lang):
+        return {place.notebook(source, lang): student_notebook(lesson) for source, lesson in _read(sources, lang)}
 
 
 def instructor_files(out: Path, sources: Sequence[Path], lang: str = ENGLISH) -> Files:

@@ -13,6 +13,7 @@ from typing import Any
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from armproof.models.language import look_up, number_text, spoken
 from armproof.verification.report.html.sketch import sketch_style
 
 GENERATOR = "Armproof"
@@ -73,13 +74,15 @@ class Shell:
 
     @cached_property
     def _environment(self) -> Environment:
-        return Environment(
+        environment = Environment(
             loader=ChoiceLoader([PackageLoader(package) for package in dict.fromkeys((self._package, _HERE))]),
             autoescape=True,
             undefined=StrictUndefined,
             trim_blocks=True,
             lstrip_blocks=True,
         )
+        environment.globals |= {"_": said, "spoken": spoken, "number_text": number_text}
+        return environment
 
     def _resource(self, name: str) -> str:
         assert self._environment.loader is not None
@@ -87,6 +90,16 @@ class Shell:
 
 
 REPORT = Shell()
+
+
+def said(template: str, /, **terms: object) -> Markup:
+    """Return a sentence of the look-up as HTML: its terms are escaped, but where they are Markup."""
+    return Markup(look_up(template)).format(**terms)
+
+
+def heading(text: str) -> str:
+    """Return words with a capital at their beginning."""
+    return text[:1].upper() + text[1:]
 
 
 @lru_cache(maxsize=1)
