@@ -36,8 +36,8 @@ def site(
 ) -> None:
     """Build the course as static pages: each lesson executed, with figures, 3D views and mathematics, to be read offline.
 
-    Without --lang they are in every language that the lessons have, each page with a link to the other. The pages show the tasks, their hints and no solution; --solutions makes the edition that has them. Exit code 0: the site is
-    there; 1: a lesson does not run or does not pass; 2: an unknown lesson, or a folder that cannot be written. What is there stays
+    Without --lang they are in every language that the lessons have, each page with a link to the other. The pages show the tasks,
+    their hints and no solution; --solutions makes the edition that has them. Exit code 0: the site is there; 1: a lesson does not run or does not pass; 2: an unknown lesson, or a folder that cannot be written. What is there stays
     unless all of the new site is there.
     """
     from armproof.course.errors import SiteError

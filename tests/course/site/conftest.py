@@ -10,7 +10,7 @@ import pytest
 
 from armproof.course.feedback import open_lesson
 from armproof.course.site.cells import cells_of, with_outputs
-from armproof.course.site.order import Neighbour
+from armproof.course.site.order import Neighbour, Order
 from armproof.course.site.page import write_page
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import Place
@@ -152,6 +152,6 @@ def page(lesson: Callable[..., tuple[LessonSource, Place]]) -> Callable[..., str
         document = read_document(source.path)
         me, other = Neighbour(3, "The planar arm", source.path.stem), Neighbour(4, "Another <lesson>", "04_other")
         result, opened = check_document(document, confirm=False), open_lesson(source.name, place.root)
-        return write_page(opened, cells, document, result, (me, other), solutions=solutions)[0]
+        return write_page(opened, cells, document, result, (me, other), Order((source.path,), place, solutions))[0]
 
     return make

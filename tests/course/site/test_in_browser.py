@@ -11,7 +11,7 @@ import pytest
 from armproof.course.feedback import open_lesson
 from armproof.course.site.arms import write_views
 from armproof.course.site.index import write_index
-from armproof.course.site.order import Neighbour
+from armproof.course.site.order import Neighbour, Order
 from tests.course.site.conftest import NOT_ATTEMPTED, RIGHT, STREAM
 from tests.course.site.test_page import ATTACK
 from tests.verification.report.browser import Browser
@@ -42,7 +42,9 @@ def site(page, lesson, tmp_path_factory) -> Path:
     }
     source, place = lesson()
     opened = open_lesson(source.name, place.root)
-    pages["index"] = write_index([(opened, Neighbour(3, "The planar arm", source.path.stem, "planar_2r"))])
+    pages["index"] = write_index(
+        [(opened, Neighbour(3, "The planar arm", source.path.stem, "planar_2r"))], Order((source.path,), place)
+    )
     for name, html in pages.items():
         (out / f"{name}.html").write_text(html, encoding="utf-8")
     write_views(["planar_2r"], out)
