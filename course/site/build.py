@@ -81,8 +81,8 @@ def _build_all(order: Order, part: Path, workers: int) -> Iterator[Built]:
                     yield future.result()
                 except BrokenProcessPool:
                     yield Built(source, problem=f"{source}: {_PATIENCE}")
-            for future in rest:
-                future.result()
+            for written in rest:
+                written.result()
         except ArmproofError:
             raise
         except BrokenProcessPool:
