@@ -11,7 +11,7 @@ from armproof.course.authoring import options as o
 from armproof.course.site.command import site
 from armproof.models.errors import written
 from armproof.models.language import ENGLISH
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending, tell
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, tell
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def build(
     out: o.Out = None,
     force: o.Force = False,
     folder: o.Folder = None,
-    lang: o.Language = "",
+    lang: Language = "",
 ) -> None:
     """Write the students' notebooks from the solved sources, or another edition into a folder.
 
@@ -94,7 +94,12 @@ def check_command(
 
 @lesson.command()
 def new(
-    name: o.Name, arm: o.OfArm = None, document: o.OfDocument = None, title: o.Title = "", folder: o.Folder = None
+    name: o.Name,
+    arm: o.OfArm = None,
+    document: o.OfDocument = None,
+    title: o.Title = "",
+    folder: o.Folder = None,
+    lang: Language = "",
 ) -> None:
     """Begin a lesson: a source, its tasks and its notebook, for an arm and perhaps a document.
 

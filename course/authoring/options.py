@@ -48,4 +48,3 @@ Title = Annotated[
     str,
     typer.Option("--title", metavar="TEXT", help="By default the document's, or the name in words."),
 ]
-Language = Annotated[str, typer.Option("--lang", metavar="LANG", help="The language, en or fr.")]

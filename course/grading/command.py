@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from armproof.course.errors import GradingError
-from armproof.models.errors import written
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending, give_up, tell
+from armproof.models.errors import counted, written
+from armproof.models.language import look_up
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, give_up, tell
 from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ def grade(
     memory: Memory = 1024,
     own: Own = None,
     unprotected: Unprotected = False,
+    lang: Language = "",
 ) -> None:
     """Grade a class's notebooks: results as tables, and a page a student.
 
@@ -83,12 +85,13 @@ def _summarise(grades: Grades, out: Path) -> int:
     for each in troubled:
         what = "; ".join(part for part in (each.reason, *each.remarks) if part)
         colour = "" if each.status is Status.GRADED else "red"
-        lines.append(((each.status.value, colour), (f"  {each.submission.file}: {what}", "")))
+        lines.append(((look_up(each.status.value), colour), (f"  {each.submission.file}: {what}", "")))
     counts = Counter(each.status for each in grades.graded)
-    total = ", ".join(f"{counts[status]} {status.value}" for status in Status if counts[status])
+    total = ", ".join(f"{counts[status]} {look_up(status.value)}" for status in Status if counts[status])
     number = len(grades.graded)
     write_lines(lines)
-    write_lines([((f"{number} submission{'s' * (number != 1)}: {total}", "bold"),), ((f"results: {out / INDEX}", ""),)])
+    head = counted("{number} submission: {total}", "{number} submissions: {total}", number, total=total)
+    write_lines([((head, "bold"),), ((written("results: {path}", path=str(out / INDEX)), ""),)])
     complain(
         written("warning: not in force on this system: a submission {text}", text=each.text)
         for each in describe(grades.held)

@@ -13,6 +13,8 @@ from armproof.course.grading.running.keeper import Ended
 from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
 from armproof.course.grading.submissions import Submission
 from armproof.course.grading.text import clean, clean_lines
+from armproof.models.errors import written
+from armproof.models.language import look_up
 
 _STARVED = 0.5  # of its time
 _SHOWN = 4000  # characters of the output on a page
@@ -42,35 +44,47 @@ def judge(
 
 def _status(ended: Ended, report: Report, limits: Limits) -> tuple[Status, str]:
     """Return the status, and one sentence where the submission is not simply graded."""
-    where = f" in code cell {report.cell}" if report.cell else ""
-    memory = f"more than {limits.memory // MEGABYTE} MB of memory"
+    where = written(" in code cell {cell}", cell=report.cell) if report.cell else ""
+    memory = written("more than {number} MB of memory", number=limits.memory // MEGABYTE)
     if ended.why == "time":
-        return Status.TIMED_OUT, f"ended after {limits.seconds:g} s{where}; the cells after it were not run"
+        return Status.TIMED_OUT, written(
+            "ended after {seconds:g} s{where}; the cells after it were not run", seconds=limits.seconds, where=where
+        )
     if ended.why == "memory":
-        return Status.OUT_OF_MEMORY, f"ended{where}, which took {memory}; the cells after it were not run"
+        return Status.OUT_OF_MEMORY, written(
+            "ended{where}, which took {memory}; the cells after it were not run", where=where, memory=memory
+        )
     if ended.why == "disk":
-        most = f"more than {limits.disk // MEGABYTE} MB of files, or 10,000 of them"
-        return Status.TOO_MUCH_OUTPUT, f"ended{where}, which wrote {most}"
+        return Status.TOO_MUCH_OUTPUT, written(
+            "ended{where}, which wrote more than {number} MB of files, or {files:,} of them",
+            where=where, number=limits.disk // MEGABYTE, files=10_000,
+        )  # fmt: skip
     if ended.why == "output":
-        return Status.TOO_MUCH_OUTPUT, f"ended{where}, which printed more than {limits.flood // 1_000_000} MB"
+        return Status.TOO_MUCH_OUTPUT, written(
+            "ended{where}, which printed more than {number} MB", where=where, number=limits.flood // 1_000_000
+        )
     if ended.why:
-        return Status.CRASHED, f"it was not run: {clean(ended.output)}"
+        return Status.CRASHED, written("it was not run: {reason}", reason=clean(ended.output))
     if not report.done or ended.code:
-        return Status.CRASHED, f"its process ended{where} by {_how(ended.code)}; the cells after it were not run"
+        return Status.CRASHED, written(
+            "its process ended{where} by {how}; the cells after it were not run", where=where, how=_how(ended.code)
+        )
     if report.memory:
-        return Status.OUT_OF_MEMORY, f"a cell wanted {memory}; the others were run"
+        return Status.OUT_OF_MEMORY, written("a cell wanted {memory}; the others were run", memory=memory)
     if ended.printed > limits.output:
-        return Status.TOO_MUCH_OUTPUT, f"it printed {ended.printed // 1000:,} kB; {limits.output // 1000} kB are read"
+        return Status.TOO_MUCH_OUTPUT, written(
+            "it printed {printed:,} kB; {read} kB are read", printed=ended.printed // 1000, read=limits.output // 1000
+        )
     return Status.GRADED, ""
 
 
 def _how(code: int) -> str:
     if code >= 0:
-        return f"exit code {code}"
+        return written("exit code {code}", code=code)
     try:
-        return f"the signal {signal.Signals(-code).name}"
+        return written("the signal {name}", name=signal.Signals(-code).name)
     except ValueError:
-        return f"the signal {-code}"
+        return written("the signal {name}", name=-code)
 
 
 def _lessons(notebook: Notebook, report: Report, catalogue: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -83,18 +97,21 @@ def _lessons(notebook: Notebook, report: Report, catalogue: Sequence[dict[str, A
 def _result(lesson: str, task: dict[str, str], report: Report) -> TaskResult:
     outcome, message = report.results.get((lesson, task["name"]), (NOT_ATTEMPTED, ""))
     if report.changed and outcome != NOT_ATTEMPTED:
-        outcome, message = "error", f"not counted: what checks it was changed during the run ({report.changed[0]})"
+        outcome, message = (
+            "error",
+            written("not counted: what checks it was changed during the run ({what})", what=report.changed[0]),
+        )
     return TaskResult(lesson, task["name"], task["title"], outcome, message)
 
 
 def _remarks(notebook: Notebook, ended: Ended, report: Report, lessons: Sequence[dict[str, Any]]) -> list[str]:
     remarks = []
     if not lessons and not ended.why:
-        remarks.append("it opens no lesson of the course")
+        remarks.append(look_up("it opens no lesson of the course"))
     if notebook.asks_solutions:
-        remarks.append("it asks for solutions (.solution() or .right)")
+        remarks.append(look_up("it asks for solutions (.solution() or .right)"))
     if report.changed:
-        remarks.append(f"it changed what checks the answers: {', '.join(report.changed[:5])}")
+        remarks.append(written("it changed what checks the answers: {what}", what=list(report.changed[:5])))
     if ended.foreign or report.refused:
-        remarks.append("it wrote where the results are reported; what it wrote there was refused")
+        remarks.append(look_up("it wrote where the results are reported; what it wrote there was refused"))
     return remarks

@@ -14,6 +14,7 @@ from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.running.protections import describe
 from armproof.course.grading.sandbox.limits import MEGABYTE
 from armproof.course.grading.text import as_cell
+from armproof.models.errors import written
 from armproof.verification.report.html.folder import Kind, is_page
 from armproof.verification.report.html.site import INDEX, page_names
 from armproof.verification.report.html.states import State
@@ -100,8 +101,13 @@ def render_index(grades: Grades, pages: dict[str, str]) -> str:
         statuses=STATUSES,
         tables=(RESULTS, SUBMISSIONS),
         protections=describe(grades.held),
-        limits=f"{limits.seconds:g} s, {limits.memory // MEGABYTE} MB of memory, {limits.output // 1000} kB of output and "
-        f"{limits.disk // MEGABYTE} MB of files for each submission",
+        limits=written(
+            "{seconds:g} s, {memory} MB of memory, {output} kB of output and {disk} MB of files for each submission",
+            seconds=limits.seconds,
+            memory=limits.memory // MEGABYTE,
+            output=limits.output // 1000,
+            disk=limits.disk // MEGABYTE,
+        ),
         versions=versions(),
     )
 

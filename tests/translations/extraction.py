@@ -14,6 +14,7 @@ from babel.messages.extract import extract_from_dir
 from typer.main import get_command
 
 from armproof.course.feedback.outcome import Outcome
+from armproof.course.grading.results import Status
 from armproof.course.words import words
 from armproof.models.language import FOLDER
 from armproof.verification.cli.application import app, as_command, commands
@@ -36,7 +37,7 @@ OF_TYPER = (
 )
 OF_SINGULARITIES = ("inside", "boundary", "boundary in part", "not decided")  # what a Position is called
 ROOMS = ("models", "verification", "course")
-SAYS = {"tell", "written", "look_up", "noted"}
+SAYS = {"tell", "written", "sentence", "look_up", "noted"}
 PLURALS = {"counted", "look_up_plural", "noted_plural"}
 
 
@@ -64,7 +65,9 @@ def of_templates() -> Iterator[Message]:
     """Yield what the templates of pages say."""
     for room in ROOMS:
         found = extract_from_dir(
-            str(ROOT / room), [("**/templates/**.html", "jinja2")], keywords={"_": None, "counted": (1, 2)}
+            str(ROOT / room),
+            [("**/templates/**.html", "jinja2"), ("**/templates/**.jinja", "jinja2")],
+            keywords={"_": None, "counted": (1, 2)},
         )
         for file, _, texts, _, _ in found:
             yield Message(
@@ -95,6 +98,7 @@ def of_words() -> Iterator[Message]:
     yield from (Message(word, "verification/verdict.py") for word in (*Verdict, *Role))
     yield from (Message(word, "verification/singularities/families.py") for word in OF_SINGULARITIES)
     yield from (Message(word, "course/feedback/outcome.py") for word in Outcome)
+    yield from (Message(word, "course/grading/results.py") for word in Status)
     yield from (Message(text, "course/words.toml") for text in words().values())
     yield from (Message(f"{{number}} {word}", "verification/verdict.py", f"{{number}} {word}") for word in Verdict)
 

@@ -11,6 +11,7 @@ from armproof.course.authoring.beginning.python_text import written
 from armproof.course.authoring.beginning.slips import slips
 from armproof.course.authoring.checking.answers import progress_left_alone
 from armproof.models.arm import Arm
+from armproof.models.errors import written as sentence
 from armproof.verification.naming.quantities import numbered_frames
 
 if TYPE_CHECKING:
@@ -61,14 +62,18 @@ def drafts_of_arm(arm: Arm, spec: Any) -> list[Draft]:
     last = int(name) if name.isdigit() else name
     pose = write_quantity(arm, {"pose": last})
     if pose is not None and len(pose.latex) <= LONGEST_POSE:
-        title, what = "Forward kinematics", f"the pose ${{}}^0T_{last}$ of frame {last} in frame 0, a 4 × 4 matrix"
-        asked: dict[str, Any] = {"pose": last}
+        title, asked = sentence("Forward kinematics"), {"pose": last}
+        text = sentence(
+            "Give the pose {pose} of frame {frame} in frame 0, a 4 × 4 matrix.", pose=f"${{}}^0T_{last}$", frame=last
+        )
     else:
-        title, what = "The position of the tool", f"the origin $p_{last}$ of frame {last} in frame 0"
-        asked = {"origin": last}
-    forward = draft_of_quantity(arm, spec, asked, next(iter(asked)), title, f"Give {what}.")
-    text = f"Give the geometric Jacobian of frame {last} in frame 0, rows $[v;\\ \\omega]$."
-    jacobian = draft_of_quantity(arm, spec, {"jacobian": last}, "jacobian", "The geometric Jacobian", text)
+        title, asked = sentence("The position of the tool"), {"origin": last}
+        text = sentence("Give the origin {origin} of frame {frame} in frame 0.", origin=f"$p_{last}$", frame=last)
+    forward = draft_of_quantity(arm, spec, asked, next(iter(asked)), title, text)
+    text = sentence(
+        "Give the geometric Jacobian of frame {frame} in frame 0, rows {rows}.", frame=last, rows="$[v;\\ \\omega]$"
+    )
+    jacobian = draft_of_quantity(arm, spec, {"jacobian": last}, "jacobian", sentence("The geometric Jacobian"), text)
     return [draft for draft in (forward, jacobian) if draft is not None]
 
 

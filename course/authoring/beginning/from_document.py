@@ -9,6 +9,7 @@ from dataclasses import replace
 from armproof.course.authoring.beginning.drafts import Draft, completed, draft_of_quantity
 from armproof.course.authoring.beginning.python_text import written
 from armproof.models.arm import Arm
+from armproof.models.errors import written as sentence
 from armproof.verification.algebra.quantity_kinds import as_front_matter, kind_of
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
@@ -48,7 +49,7 @@ def _draft(document: Document, arm: Arm, checker: DocumentChecker, display: Disp
         return None
     asked, answer = (_text_of(display, chain.members[index]) for index in (0, -1))
     name = _name_of(asked) or f"line_{display.line}"
-    title, text = f"${asked}$", f"Give ${asked}$."
+    title, text = f"${asked}$", sentence("Give {asked}.", asked=f"${asked}$")
     front = {key: document.front[key] for key in _MEANING if key in document.front}
     quantity = checker.checker.quantity_of(chain.members[0])
     if quantity is not None:

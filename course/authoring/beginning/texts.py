@@ -16,6 +16,8 @@ from armproof.course.authoring.beginning.drafts import Draft
 from armproof.course.authoring.beginning.python_text import raw_string, written
 from armproof.course.sources.solutions import BEGIN, END
 from armproof.models.arm import Arm
+from armproof.models.errors import written as sentence
+from armproof.models.language import ENGLISH, spoken
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,8 @@ def write_source(heading: Heading, drafts: Sequence[Draft], front: Mapping[str, 
         front: what the front matter says beside the title.
         folder: for `open_lesson`, where the lesson is none of the course.
     """
-    matter = "\n".join(f"{key}: {_flow(value)}" for key, value in {"title": heading.title, **front}.items())
+    lang = {} if spoken() == ENGLISH else {"lang": spoken()}
+    matter = "\n".join(f"{key}: {_flow(value)}" for key, value in {"title": heading.title, **lang, **front}.items())
     return _render("lesson.py.jinja", heading, drafts, front=matter, folder=folder, begin=BEGIN, end=END)
 
 
@@ -55,7 +58,13 @@ def _render(template: str, heading: Heading, drafts: Sequence[Draft], **values: 
     def lengths(draft: Draft) -> list[str]:
         return [name for name in draft.exact.names if name not in variables] if draft.exact is not None else []
 
-    common = {"heading": heading, "drafts": drafts, "variables": variables, "lengths": lengths}
+    common = {
+        "lang": "" if spoken() == ENGLISH else spoken(),
+        "heading": heading,
+        "drafts": drafts,
+        "variables": variables,
+        "lengths": lengths,
+    }
     return _environment().get_template(template).render(**common, **values)
 
 
@@ -66,7 +75,7 @@ def _environment() -> Environment:
         lstrip_blocks=True, keep_trailing_newline=True, autoescape=False,
     )  # fmt: skip
     environment.filters |= {"python": written, "raw_string": raw_string, "commented": _commented}
-    environment.globals |= {"changed": _changed, "longest_entry": _longest_entry}
+    environment.globals |= {"changed": _changed, "longest_entry": _longest_entry, "_": sentence}
     return environment
 
 
@@ -85,7 +94,7 @@ def _longest_entry(draft: Draft) -> str:
     assert draft.exact is not None
     cells = [(r, c, cell) for r, row in enumerate(draft.exact.cells, 1) for c, cell in enumerate(row, 1)]
     row, column, cell = max(cells, key=lambda found: len(found[2]))
-    return f"The longest entry, ({row}, {column}), is ${cell}$."
+    return sentence("The longest entry, {place}, is {entry}.", place=f"({row}, {column})", entry=f"${cell}$")
 
 
 def _changed(draft: Draft, latex: str) -> str:

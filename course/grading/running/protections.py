@@ -15,16 +15,17 @@ from armproof.course.errors import SandboxError
 from armproof.course.grading.running.keeper import Ended, Send, keep
 from armproof.course.grading.sandbox.bubblewrap import WITHOUT, choose_user
 from armproof.course.grading.sandbox.limits import Limits
+from armproof.models.language import look_up, noted
 
 ATTEMPTS = {
-    "own": "has a folder of its own, and can write there",
-    "write": "cannot write, change or delete files of anybody else",
-    "read": "cannot read other submissions, the results, or the teacher's files",
-    "mode": "cannot change the mode of a file",
-    "signal": "cannot signal, stop or end a process that is not its own",
-    "network": "has no network",
-    "unix": "cannot reach services of this computer (Unix sockets)",
-    "processes": "has a limited number of processes",
+    "own": noted("has a folder of its own, and can write there"),
+    "write": noted("cannot write, change or delete files of anybody else"),
+    "read": noted("cannot read other submissions, the results, or the teacher's files"),
+    "mode": noted("cannot change the mode of a file"),
+    "signal": noted("cannot signal, stop or end a process that is not its own"),
+    "network": noted("has no network"),
+    "unix": noted("cannot reach services of this computer (Unix sockets)"),
+    "processes": noted("has a limited number of processes"),
 }
 _SECONDS = 10.0
 
@@ -39,7 +40,7 @@ class Protection:
 
 def describe(held: Mapping[str, bool]) -> list[Protection]:
     """Return every protection in words."""
-    return [Protection(text, held.get(name, False)) for name, text in ATTEMPTS.items()]
+    return [Protection(look_up(text), held.get(name, False)) for name, text in ATTEMPTS.items()]
 
 
 def try_out(bubblewrap: str, base: str) -> dict[str, bool]:
