@@ -47,6 +47,7 @@ SWEPT = {
     "verification/document/test_formats.py::test_a_handout_in_another_format": DOCUMENTS,
     "verification/functions/test_mistakes.py": ("scara",),
     "verification/functions/test_styles.py": ("scara",),
+    "verification/inverse/test_proof.py::test_every_inverse": ARMS,
     "verification/report/test_in_browser.py::test_axe_finds_nothing_serious_in_the_course": (),
     "verification/running/test_incremental.py::test_a_handout_changed_at_random": DOCUMENTS,
     "verification/singularities/test_singularities.py": (*ARMS, "spherical_wrist"),
