@@ -180,7 +180,10 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
     name, *arguments = node.arguments
     assert isinstance(name, n.Name)
     joints = names.arm.joints if names.arm is not None else ()
-    if arguments and not any(isinstance(a, n.Name) for a in arguments):
+    own = [joint.symbol for joint in joints]
+    letters = [a.key for a in arguments if isinstance(a, n.Name) and a.key != "pi"]
+    given = [names.known_symbol(letter) for letter in letters]
+    if len(letters) < len(arguments) or (given != own and set(given) == set(own)):
         if len(arguments) == len(joints):
             values = zip(joints, arguments, strict=True)
             return evaluator.at_values({joint.symbol: evaluator.scalar(argument) for joint, argument in values}, name)

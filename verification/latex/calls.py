@@ -58,8 +58,10 @@ class CallReader(NameReader):
 
     def _is_application(self, node: n.Name, arguments: tuple[n.Node, ...]) -> bool:
         letter, is_upper = node.base, node.base[:1].isupper()
-        if arguments and is_upper and letter not in TRIG_LETTERS and all(map(_is_constant, arguments)):
-            return True  # {}^0T_3(0, 90^\\circ, 0), J(0, 0): the arm at a configuration
+        may_be_applied = is_upper or (len(arguments) > 1 and self.is_bound(node.key))
+        is_value = _is_constant if len(arguments) == 1 else _is_of_angles
+        if arguments and may_be_applied and letter not in TRIG_LETTERS and all(map(is_value, arguments)):
+            return True  # {}^0T_3(0, 90^\\circ, 0), J(θ_1, 0), and p(0, 0) of a p that is bound: the arm there
         names = [argument for argument in arguments if isinstance(argument, n.Name)]
         if len(names) < len(arguments):
             return False
@@ -204,9 +206,14 @@ def _arguments(item: Item) -> tuple[n.Node, ...]:
 
 def _is_constant(node: n.Node) -> bool:
     """Whether a tree is made of numbers, π and degrees alone."""
+    return _is_of_angles(node) and not any(isinstance(b, n.Name) and b.key != "pi" for b in n.walk(node))
+
+
+def _is_of_angles(node: n.Node) -> bool:
+    """Whether a tree is made of numbers, π, degrees and angles alone."""
     return all(
         isinstance(below, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
         or (isinstance(below, n.Postfix) and below.operator == "deg")
-        or (isinstance(below, n.Name) and below.key == "pi")
+        or (isinstance(below, n.Name) and (below.key == "pi" or (below.base in ANGLE_LETTERS and not below.dots)))
         for below in n.walk(node)
     )
