@@ -19,6 +19,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.naming.quantities import numbered_frames, transform_pair
 
+WHOLE_VECTORS = ("q", "t", "theta", "Theta")  # and time: what everything depends on
 _MATRIX_CALLS: dict[str, Callable[[Matrix], Value]] = {
     "det": Matrix.determinant,
     "adj": Matrix.adjugate,
@@ -190,10 +191,7 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
         if len(arguments) == 1:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(joints)))
-    ignorable = all(
-        isinstance(a, n.Name) and (a.key in ("q", "t", "theta") or names.known_symbol(a.key)) for a in arguments
-    )
-    if ignorable or names.arm is not None:
+    if all(isinstance(a, n.Name) and (a.key in WHOLE_VECTORS or names.known_symbol(a.key)) for a in arguments):
         return evaluator.evaluate(name)
     raise UnboundName(key)
 

@@ -47,6 +47,8 @@ def test_a_whole_number_and_a_sum_of_decimals_are_exact(check: Callable[..., Doc
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
+        (r"T(\Theta) = T", r"T(\Theta) = 2 T"),
+        (r"\theta_2 \neq 0, \pi \Rightarrow \operatorname{rank} J = 2", r"\theta_2 \neq 0, \pi \Rightarrow \operatorname{rank} J = 1"),
         ("I I = I", "2 I I = I"),
         ("I + I = 2 I", "I + I = I"),
         ("I - I = 0", "I - I = 1"),
@@ -97,6 +99,9 @@ def test_what_is_rarely_written_is_told_apart(check: Callable[..., DocumentResul
         r"R \in SO(2)",
         r"T \in SE(2)",
         r"p \leq p",
+        r"T(\alpha, \beta) = T",  # what it is given is not dropped
+        r"R(\varphi) = R",
+        r"\theta_2 \neq 0 \text{ or } \pi \Rightarrow \operatorname{rank} J = 2",
     ],
 )
 def test_what_is_not_understood_is_left_open(check: Callable[..., DocumentResult], display: str) -> None:
