@@ -8,7 +8,7 @@ import statistics
 from importlib.metadata import version
 
 from armproof.verification.running.processes import cores
-from tests.benchmarks import bulk, documents, functions, rx90, with_sympy
+from tests.benchmarks import bulk, documents, editing, functions, rx90, with_sympy
 
 MEGABYTE = 1_000_000
 ROUNDS = 7
@@ -31,6 +31,7 @@ def main() -> None:
     print_course()
     print_growth()
     print_handouts()
+    print_editing()
 
 
 def time_rx90() -> rx90.Times:
@@ -140,6 +141,16 @@ def print_handouts() -> None:
         (f"together, {sum(one.displays for one in times)} displays", _ms(sum(one.seconds for one in times)), "")
     )
     _print("The handouts, one by one, in a warm process", rows)
+
+
+def print_editing() -> None:
+    """Print how soon the language server answers."""
+    times = editing.measure()
+    rows = [
+        ("the display that is edited", _ms(times.own), "<= 200 ms"),
+        ("what depends on it", _ms(times.all), "<= 1000 ms"),
+    ]
+    _print(f"armproof lsp, display {editing.EDITED} of {editing.DISPLAYS} edited", rows)
 
 
 def _ms(seconds: float) -> str:

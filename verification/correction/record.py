@@ -31,7 +31,7 @@ def edits(record: Record) -> tuple[Correction, ...]:
         return record.corrections
     if not record.entries or not all(_is_usable(entry) for entry in record.entries):
         return ()
-    found = sorted({_of_entry(record.latex, entry) for entry in record.entries}, key=lambda c: (c.start, c.end))
+    found = sorted({correction_of(record.latex, entry) for entry in record.entries}, key=lambda c: (c.start, c.end))
     return () if any(left.end > right.start for left, right in pairwise(found)) else tuple(found)
 
 
@@ -69,7 +69,7 @@ def _is_usable(entry: WrongEntry) -> bool:
     return entry.span is not None and bool(entry.correct) and ELLIPSIS not in entry.correct
 
 
-def _of_entry(latex: str, entry: WrongEntry) -> Correction:
+def correction_of(latex: str, entry: WrongEntry) -> Correction:
     """Place an entry in the LaTeX as the author wrote it: spans count in its form without Unicode signs."""
     assert entry.span is not None
     start, end = (original_offset(latex, offset) for offset in entry.span)
