@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
 from armproof.models.errors import ArmproofError
-from armproof.verification.accepted import with_accepted
 from armproof.verification.algebra.ring import Ring
+from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.verification.accepted import accepted, with_accepted
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
+from armproof.verification.diagnosis.accepted import accepted, with_accepted
 from armproof.verification.document import Display, Document
 from armproof.verification.naming.names import spelling_of
 from armproof.verification.naming.state import DocumentState
