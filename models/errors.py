@@ -6,11 +6,13 @@ written when it is asked for, so that it can be translated.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import StrEnum, unique
+from functools import reduce
 from string import Formatter
 from typing import Any
 
-from armproof.models.language import look_up, look_up_plural, number_text, separator
+from armproof.models.language import ENGLISH, look_up, look_up_plural, number_text, separator, use
 
 
 class MessageKind(StrEnum):
@@ -53,7 +55,7 @@ class _Writer(Formatter):
         if isinstance(value, list):
             texts = [number_text(item) for item in value]
             return separator(texts).join(texts)
-        return number_text(value, format_spec)
+        return value.said() if isinstance(value, Sentence) else number_text(value, format_spec)
 
 
 _WRITER = _Writer()
@@ -62,6 +64,33 @@ _WRITER = _Writer()
 def written(template: str, /, **terms: Any) -> str:
     """Return a sentence of the look-up with its terms; one without terms is no template, but stands as it is."""
     return _WRITER.vformat(look_up(template), (), terms) if terms else look_up(template)
+
+
+class Sentence(str):
+    """English text that keeps its template and terms: data, as any text, and said in the language spoken where it is written."""
+
+    template: str
+    terms: dict[str, Any]
+
+    def __new__(cls, template: str, /, **terms: Any) -> Sentence:
+        """Return the text of a template in English."""
+        with use(ENGLISH):
+            made = super().__new__(cls, _WRITER.vformat(template, (), terms) if terms else template)
+        made.template, made.terms = template, terms
+        return made
+
+    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]:
+        return (self.template,), self.terms
+
+    def said(self) -> str:
+        """Return it in the language that is spoken."""
+        return written(self.template, **self.terms)
+
+
+def together(sentences: Iterable[str]) -> str:
+    """Return sentences as one, with semicolons between; "" of none."""
+    several = list(sentences)
+    return reduce(lambda one, other: Sentence("{one}; {other}", one=one, other=other), several) if several else ""
 
 
 def counted(one: str, many: str, number: int, /, **terms: Any) -> str:

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from functools import cached_property, partial
 
+from armproof.models.errors import together
 from armproof.verification.conditions.implication import (
     Implication,
     connectives_among,
@@ -106,7 +107,7 @@ class Statements:
                 continue
             self.names.state.configuration = given  # a premise holds in its implication alone
             read_as = dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains)))
-            judged_so = replace(judged[0], role=Role.CONDITION, uses=self._consulted(), read_as="; ".join(read_as))
+            judged_so = replace(judged[0], role=Role.CONDITION, uses=self._consulted(), read_as=together(read_as))
             outcomes.append(judged_so)
             extra.update(judged[1])
             links = [*links, implication] if _goes_on(statements, implication) else []

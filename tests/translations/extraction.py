@@ -17,6 +17,7 @@ from armproof.course.feedback.outcome import Outcome
 from armproof.course.grading.results import Status
 from armproof.course.words import words
 from armproof.models.language import FOLDER
+from armproof.verification.algebra.quantity_kinds import KINDS
 from armproof.verification.cli.application import app, as_command, commands
 from armproof.verification.findings.finding import ORDINALS
 from armproof.verification.findings.kinds import WORDS
@@ -37,7 +38,7 @@ OF_TYPER = (
 )
 OF_SINGULARITIES = ("inside", "boundary", "boundary in part", "not decided")  # what a Position is called
 ROOMS = ("models", "verification", "course")
-SAYS = {"tell", "written", "sentence", "look_up", "noted"}
+SAYS = {"tell", "written", "sentence", "look_up", "noted", "said", "Sentence"}
 PLURALS = {"counted", "look_up_plural", "noted_plural"}
 
 
@@ -100,6 +101,7 @@ def of_words() -> Iterator[Message]:
     yield from (Message(word, "course/feedback/outcome.py") for word in Outcome)
     yield from (Message(word, "course/grading/results.py") for word in Status)
     yield from (Message(text, "course/words.toml") for text in words().values())
+    yield from (Message(kind.words, "verification/algebra/quantity_kinds.py") for kind in KINDS.values())
     yield from (Message(f"{{number}} {word}", "verification/verdict.py", f"{{number}} {word}") for word in Verdict)
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Protocol
 
 from armproof.models.arm import Arm, once_per_arm
+from armproof.models.errors import Sentence
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.matrix import Matrix, column
 from armproof.verification.algebra.protocol import Algebra, link_matrix
@@ -68,14 +69,16 @@ class QuantityKind:
         """Say why an arm has no such quantity, or return None."""
         return None
 
-    def tell(self, quantity: Quantity) -> str:
+    def tell(self, quantity: Quantity) -> Sentence:
         """Return what a quantity is, for a reader: "origin of frame 2 in frame 0, x"."""
-        rows = _part("row", quantity.rows)
-        head = self.words.format(frame=quantity.frame, along=quantity.along, start=quantity.start, rows=rows)
-        where = f" in frame {quantity.reference}" if self.placed else ""
+        rows, columns = _rows(quantity.rows), _columns(quantity.columns)
+        what = Sentence(self.words, frame=quantity.frame, along=quantity.along, start=quantity.start, rows=rows)
+        if self.placed:
+            what = Sentence("{what} in frame {reference}", what=what, reference=quantity.reference)
         if quantity.scalar and quantity.rows is not None and "component" in self.options and quantity.columns is None:
-            return f"{head}{where}, {'xyz'[quantity.rows[0] - 1]}"
-        return f"{'' if '{rows}' in self.words else rows}{_part('column', quantity.columns)}{head}{where}"
+            return Sentence("{what}, {axis}", what=what, axis="xyz"[quantity.rows[0] - 1])
+        rows = "" if "{rows}" in self.words else rows
+        return Sentence("{rows}{columns}{what}", rows=rows, columns=columns, what=what) if rows or columns else what
 
     def component(self, quantity: Quantity, axis: str) -> Quantity:
         """Return the x, y or z of a column."""
@@ -158,12 +161,14 @@ class Velocity(QuantityKind):
     def unit(self, quantity: Quantity, arm: Arm, row: int, column: int) -> str:
         return "m/s" if self.block(quantity)[0][row] < 3 else "rad/s"
 
-    def tell(self, quantity: Quantity) -> str:
+    def tell(self, quantity: Quantity) -> Sentence:
         if quantity.rows is None:
             return super().tell(quantity)
         rows = tuple((row - 1) % 3 + 1 for row in quantity.rows)
-        part = "linear" if max(quantity.rows) <= 3 else "angular"
-        return f"{part} {super().tell(replace(quantity, rows=None if rows == (1, 2, 3) else rows))}"
+        whole = super().tell(replace(quantity, rows=None if rows == (1, 2, 3) else rows))
+        return (
+            Sentence("linear {what}", what=whole) if max(quantity.rows) <= 3 else Sentence("angular {what}", what=whole)
+        )
 
     def component(self, quantity: Quantity, axis: str) -> Quantity:
         first = 4 if quantity.rows and max(quantity.rows) > 3 else 1
@@ -331,10 +336,16 @@ def _chosen(places: Sequence[int], numbers: tuple[int, ...] | None) -> list[int]
     return [places[number - 1] for number in numbers] if numbers else list(places)
 
 
-def _part(what: str, numbers: tuple[int, ...] | None) -> str:
-    if numbers is None:
-        return ""
-    return f"{what}{'s' if len(numbers) > 1 else ''} {', '.join(map(str, numbers))} of "
+def _rows(numbers: tuple[int, ...] | None) -> str:
+    if numbers is None or len(numbers) == 1:
+        return Sentence("row {number} of ", number=numbers[0]) if numbers else ""
+    return Sentence("rows {numbers} of ", numbers=list(numbers))
+
+
+def _columns(numbers: tuple[int, ...] | None) -> str:
+    if numbers is None or len(numbers) == 1:
+        return Sentence("column {number} of ", number=numbers[0]) if numbers else ""
+    return Sentence("columns {numbers} of ", numbers=list(numbers))
 
 
 def _unit_of_joint(arm: Arm, symbol: str) -> str:

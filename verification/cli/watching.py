@@ -83,7 +83,7 @@ def _settled(event: Settled, result: DocumentResult, clock: tuple[str, str], str
     tables = [record for record in result.records if not record.passes and record not in result.equations]
     yield (clock, *first)
     for record in tables:
-        yield from describe_record(record, look_up("table"))
+        yield from describe_record(record, "table")
     if passes(result, strict):
         return
     wrong = sum(not record.passes for record in result.equations)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from armproof.models.errors import Sentence, together
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
@@ -95,12 +96,15 @@ class Members:
         found: dict[str, str] = {}
         for below in n.walk(node):
             if isinstance(below, n.Name) and (quantity := self.quantity_of(replace(below, dots=0))) is not None:
-                times = "rate of change of the " if below.dots == 1 else "derivative of the " if below.dots else ""
-                found.setdefault(
-                    below.base if below.sub.startswith("rows") else below.key, times + kind_of(quantity).tell(quantity)
-                )
+                words = kind_of(quantity).tell(quantity)
+                if below.dots == 1:
+                    words = Sentence("rate of change of the {what}", what=words)
+                elif below.dots:
+                    words = Sentence("derivative of the {what}", what=words)
+                found.setdefault(below.base if below.sub.startswith("rows") else below.key, words)
         alone = len(found) == 1 and isinstance(n.ungrouped(node), n.Name | n.Call)
-        return next(iter(found.values())) if alone else "; ".join(f"{key}: {words}" for key, words in found.items())
+        named = [Sentence("{name}: {what}", name=key, what=words) for key, words in found.items()]
+        return next(iter(found.values())) if alone else together(named)
 
     def jacobian_name(self, node: n.Node, parts: bool = False) -> n.Name | None:
         """Return the name of a Jacobian that notation implies (the front matter lists no rows for it), or None.

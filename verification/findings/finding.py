@@ -9,7 +9,7 @@ from functools import cache
 from string import Formatter
 from typing import Any
 
-from armproof.models.errors import ArmproofError, MessageKind
+from armproof.models.errors import ArmproofError, MessageKind, Sentence
 from armproof.models.language import look_up, number_text, separator
 from armproof.verification.findings.kinds import WORDS, Kind
 
@@ -98,7 +98,9 @@ def finding_of(error: Exception) -> Finding:
     if isinstance(error, ArmproofError) and isinstance(said, MessageKind):
         terms = error.terms.items()
         return Finding(said, {name: finding_of(term) if isinstance(term, Exception) else term for name, term in terms})
-    return say(getattr(error, "kind", None) or Kind.PROBLEM, reason=str(error))
+    template = isinstance(error, ArmproofError) and isinstance(said, str)
+    reason = Sentence(said, **error.terms) if template else str(error)
+    return say(getattr(error, "kind", None) or Kind.PROBLEM, reason=reason)
 
 
 def write(finding: Finding, audience: Audience = Audience.REPORT) -> str:
@@ -159,7 +161,8 @@ def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[t
     elif form == "nth":
         yield _nth(term), inside
     else:
-        term = look_up(term) if isinstance(term, str) and term in WORDS else term
+        if isinstance(term, str):
+            term = term.said() if isinstance(term, Sentence) else look_up(term) if term in WORDS else term
         yield number_text(term, form) if inside is Piece.WORDS else format(term, form), inside
 
 

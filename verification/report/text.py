@@ -11,7 +11,7 @@ from typing import TextIO
 from unicodedata import combining, normalize
 
 from armproof.models.errors import written
-from armproof.models.language import look_up, number_text, of_document
+from armproof.models.language import look_up, noted, number_text, of_document
 from armproof.verification.latex.greek import NAMES
 from armproof.verification.report.totals import Tally, Totals, passes
 from armproof.verification.verdict import DocumentResult, EquationResult, Failure, Record, Verdict, WrongEntry
@@ -93,8 +93,8 @@ def ordered_records(result: DocumentResult) -> list[tuple[Record, str]]:
 
     Only a notebook's lines count within their cells: elsewhere `cell` is None.
     """
-    records = [(record, "") for record in result.equations] + [(record, look_up("table")) for record in result.tables]
-    records += [(result.inverse, look_up("inverse kinematics"))] if result.inverse is not None else []
+    records = [(record, "") for record in result.equations] + [(record, "table") for record in result.tables]
+    records += [(result.inverse, noted("inverse kinematics"))] if result.inverse is not None else []
     numbered = result.path.endswith(".ipynb") or any(record.file for record, _ in records)
     by_place = sorted(
         records, key=lambda item: (-1 if not numbered or item[0].cell is None else item[0].cell, item[0].line)
@@ -117,8 +117,8 @@ def describe_verdict(record: Record, kind: str = "") -> str:
     """Return the verdict of a record: "table refuted", "erratum not refuted but proved"."""
     verdict = look_up(record.verdict)
     if record.erratum:
-        return f"{kind} {written('erratum not refuted but {verdict}', verdict=verdict)}".strip()
-    return f"{kind} {verdict}".strip()
+        return f"{look_up(kind)} {written('erratum not refuted but {verdict}', verdict=verdict)}".strip()
+    return f"{look_up(kind)} {verdict}".strip()
 
 
 def describe_entry(entry: WrongEntry, record: Record) -> str:

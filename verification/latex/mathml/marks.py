@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from armproof.models.language import look_up, noted
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.mathml.box import Box
 
@@ -20,7 +21,7 @@ class Mark:
     @property
     def attributes(self) -> str:
         """The attributes of a marked element."""
-        return f' class="{self.kind}" aria-label="{self.label}"'
+        return f' class="{self.kind}" aria-label="{look_up(self.label)}"'
 
     def inside(self, part: Box) -> Box:
         """Return a part with its sign, for an element that carries the attributes."""
@@ -34,8 +35,8 @@ class Mark:
 
 _SLACK = 2  # characters by which a node's place may differ from a span: a blank, a brace
 
-WRONG = Mark("wrong", "✗", "wrong entry")
-RIGHT = Mark("right", "✓", "corrected entry")
+WRONG = Mark("wrong", "✗", noted("wrong entry"))
+RIGHT = Mark("right", "✓", noted("corrected entry"))
 
 
 def find_marks(statements: Sequence[n.Statement], spans: Iterable[tuple[int, int]], mark: Mark) -> Mapping[int, Mark]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import degrees, isfinite
 
 from markupsafe import Markup
 
 from armproof.models.arm import Arm, Joint
+from armproof.models.errors import written
+from armproof.models.language import look_up, number_text
 from armproof.verification.latex.mathml.writer import Read
+from armproof.verification.report.arms import limits
 from armproof.verification.report.html import prose
 from armproof.verification.report.html.figures import ArmPainter, Figure
 
@@ -41,16 +43,16 @@ class ArmCard:
 def arm_card(arm: Arm, painter: ArmPainter, read: Read) -> ArmCard:
     """Return the convention card of an arm."""
     lengths = [
-        Markup("{} = {} m").format(prose.symbol(name, read), f"{value:.6g}".replace("-", "−"))
+        Markup("{} = {} m").format(prose.symbol(name, read), number_text(value, ".6g").replace("-", "−"))
         for name, value in arm.lengths.items()
     ]
     return ArmCard(
         arm.name,
-        arm.title,
+        look_up(arm.title),
         arm.source,
-        prose.symbols_in(arm.zero, read),
-        f"{arm.dh.convention} Denavit–Hartenberg" if arm.dh is not None else "",
-        tuple(JointRow(prose.symbol(joint.symbol, read), joint.kind, _limits(joint)) for joint in arm.joints),
+        prose.symbols_in(look_up(arm.zero), read),
+        written("{convention} Denavit–Hartenberg", convention=look_up(arm.dh.convention)) if arm.dh is not None else "",
+        tuple(JointRow(prose.symbol(each.symbol, read), look_up(each.kind), _limits(each)) for each in arm.joints),
         tuple(lengths),
         arm.frames,
         arm.warnings,
@@ -59,8 +61,4 @@ def arm_card(arm: Arm, painter: ArmPainter, read: Read) -> ArmCard:
 
 
 def _limits(joint: Joint) -> str:
-    if not (isfinite(joint.lower) and isfinite(joint.upper)):
-        return "without limits"
-    if joint.kind == "revolute":
-        return f"{degrees(joint.lower):.4g}° to {degrees(joint.upper):.4g}°".replace("-", "−")
-    return f"{joint.lower:.4g} m to {joint.upper:.4g} m".replace("-", "−")
+    return limits(joint, "°").replace(" °", "°").replace("-", "−")

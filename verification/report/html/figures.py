@@ -8,18 +8,21 @@ import numpy as np
 from markupsafe import Markup
 
 from armproof.models.arm import Arm
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
 from armproof.models.showing.projection import choose_projection
 from armproof.models.showing.skeleton import Skeleton, place_skeleton
 from armproof.verification.report.html.sketch import Sketch
+from armproof.verification.report.html.templating import heading
 from armproof.verification.verdict import Drawn, Record
 
 _SEED = 5  # of the configurations that tell how far an arm reaches
 _TOLD = {
-    "pose": "the pose of frame {0}",
-    "axis": "the axis at frame {0}",
-    "difference": "the vector from frame {0}",
-    "velocity": "the velocity of the origin of frame {0}",
-    "angular velocity": "the angular velocity of frame {0}",
+    "pose": noted("the pose of frame {frame}"),
+    "axis": noted("the axis at frame {frame}"),
+    "difference": noted("the vector from frame {frame}"),
+    "velocity": noted("the velocity of the origin of frame {frame}"),
+    "angular velocity": noted("the angular velocity of frame {frame}"),
 }
 
 
@@ -37,7 +40,7 @@ class ArmPainter:
     `claimed` is what a side that is not the arm's is called: "printed" in a document, "yours" in a student's answer.
     """
 
-    def __init__(self, arm: Arm, claimed: str = "printed") -> None:
+    def __init__(self, arm: Arm, claimed: str = noted("printed")) -> None:
         self.arm = arm
         self.claimed = claimed
         self.last = arm.frames[-1]  # the tool
@@ -57,8 +60,10 @@ class ArmPainter:
                 frame, "frame", names[-1] if len(names) == 1 and names[0] in (self.arm.frames[0], self.last) else ""
             )
             sketch.text(frame[:3, 3], "{" + ", ".join(names) + "}", "label")
-        words = f"The arm {self.arm.name} at its zero pose, with its frames {', '.join(self.arm.frames)}"
-        return Figure(Markup(sketch.write(words)), "Zero pose; a triad stands wherever a frame sits.")
+        words = written(
+            "The arm {arm} at its zero pose, with its frames {frames}", arm=self.arm.name, frames=list(self.arm.frames)
+        )
+        return Figure(Markup(sketch.write(words)), look_up("Zero pose; each frame is drawn by its three axes."))
 
     def at_counterexample(self, record: Record) -> Figure | None:
         """Return the arm at the counterexample of a refuted record, the printed side dashed beside the true one."""
@@ -72,17 +77,19 @@ class ArmPainter:
         sketch.frame(pose.frames[self.arm.frames[0]], "frame", self.arm.frames[0])
         if drawn is None or drawn.frame not in pose.frames:
             sketch.frame(pose.frames[self.last], "true", self.last)
-            words = f"The arm {self.arm.name} at the counterexample"
-            return Figure(Markup(sketch.write(words)), "The arm at the counterexample.")
+            words = written("The arm {arm} at the counterexample", arm=self.arm.name)
+            return Figure(Markup(sketch.write(words)), look_up("The arm at the counterexample."))
         self._draw_both(sketch, drawn, pose)
-        what = _TOLD[drawn.kind].format(drawn.frame)
-        words = f"The arm {self.arm.name} at the counterexample: {what}, as it is and {self._dashed()}"
+        what, dashed = written(_TOLD[drawn.kind], frame=drawn.frame), self._dashed()
+        told = noted("The arm {arm} at the counterexample: {what}, as it is and {dashed}")
+        words = written(told, arm=self.arm.name, what=what, dashed=dashed)
         return Figure(
-            Markup(sketch.write(words)), f"{what[0].upper()}{what[1:]}: solid as it is, dashed {self._dashed()}."
+            Markup(sketch.write(words)),
+            written("{what}: solid as it is, dashed {dashed}.", what=heading(what), dashed=dashed),
         )
 
     def _dashed(self) -> str:
-        return "as printed" if self.claimed == "printed" else "as you have it"
+        return look_up("as printed") if self.claimed == "printed" else look_up("as you have it")
 
     def _draw_both(self, sketch: Sketch, drawn: Drawn, pose: Skeleton) -> None:
         true, printed = np.array(drawn.true), np.array(drawn.printed)
@@ -94,7 +101,7 @@ class ArmPainter:
         origin = pose.frames[drawn.frame][:3, 3]
         longest = max(float(np.linalg.norm(true)), float(np.linalg.norm(printed)), 1e-9)
         size = 1.0 if drawn.kind == "difference" else 2 * sketch.triad / longest
-        for side, kind, word in ((true, "true", "true"), (printed, "printed", self.claimed)):
+        for side, kind, word in ((true, "true", look_up("true")), (printed, "printed", look_up(self.claimed))):
             sketch.arrow(origin, origin + size * side[:, 0], kind, word)
 
     def _sketch(self, pose: Skeleton, triad: float) -> Sketch:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup, escape
 
+from armproof.models.language import look_up
 from armproof.verification.correction import corrected, edits
 from armproof.verification.document import Display
 from armproof.verification.errors import ReadError
@@ -171,5 +172,5 @@ def _cell(tag: str, cell: str, read: Read, mark: Mark | None) -> Markup:
     scope = ' scope="col"' if tag == "th" else ""
     if mark is None:
         return Markup(f"<{tag}{scope}>{content}</{tag}>")
-    told = f'<span class="sign" aria-hidden="true">{mark.sign}</span><span class="told">{mark.label}</span>'
+    told = f'<span class="sign" aria-hidden="true">{mark.sign}</span><span class="told">{look_up(mark.label)}</span>'
     return Markup(f'<{tag}{scope} class="{mark.kind}">{content} {told}</{tag}>')

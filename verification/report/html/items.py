@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
+from armproof.models.errors import written
+from armproof.models.language import look_up, number_text
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.report.html import prose
 from armproof.verification.report.html.figures import ArmPainter, Figure
@@ -78,7 +80,7 @@ class ItemWriter:
     def correction(self, item: Item, record: Record) -> Correction:
         """Return what the errata sheet says of a refuted record."""
         values = [
-            (prose.symbol(name, self.read), f"{value:.6g}".replace("-", "−"))
+            (prose.symbol(name, self.read), number_text(value, ".6g").replace("-", "−"))
             for name, value in record.counterexample.items()
         ]
         return Correction(
@@ -122,12 +124,10 @@ class ItemWriter:
 
 
 def _place(entry: WrongEntry, several: bool) -> str:
-    parts = [f"equation {entry.equation}"] if several else []
+    parts = [written("equation {number}", number=entry.equation)] if several else []
     if entry.row is not None:
-        parts.append(f"row {entry.row}")
-    if entry.column is not None:
-        parts.append(f"column {entry.column}")
-    return ", ".join(parts) or "the value"
+        parts.append(written("row {row}, column {column}", row=entry.row, column=entry.column))
+    return ", ".join(parts) or look_up("the value")
 
 
 def _values(record: Record, entry: WrongEntry, index: int) -> tuple[str, str] | None:
@@ -135,5 +135,5 @@ def _values(record: Record, entry: WrongEntry, index: int) -> tuple[str, str] | 
     found = record.discrepancy
     if found is None or found.equation != entry.equation or index >= len(found.values):
         return None
-    printed, true = (f"{value:.5g}".replace("-", "−") for value in found.values[index])
+    printed, true = (number_text(value, ".5g").replace("-", "−") for value in found.values[index])
     return printed, true

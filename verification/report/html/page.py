@@ -9,6 +9,7 @@ from itertools import groupby
 from markupsafe import Markup
 
 from armproof.models.catalogue import arm_of
+from armproof.models.language import of_document
 from armproof.verification.diagnosis import counterexample
 from armproof.verification.document import Document
 from armproof.verification.evaluation import sampled
@@ -18,7 +19,7 @@ from armproof.verification.report.html.card import arm_card
 from armproof.verification.report.html.figures import painter_of
 from armproof.verification.report.html.items import Item, ItemWriter
 from armproof.verification.report.html.states import STATES, count_states, state_of
-from armproof.verification.report.html.templating import REPORT, versions
+from armproof.verification.report.html.templating import REPORT, said, versions
 from armproof.verification.report.totals import Totals
 from armproof.verification.verdict import DocumentResult, Record
 
@@ -40,6 +41,11 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         index: the file name of the page that lists all documents.
         strict: whether an unchecked equation fails the document.
     """
+    with of_document(result.front or document.front):
+        return _rendered(document, result, index, strict)
+
+
+def _rendered(document: Document, result: DocumentResult, index: str, strict: bool) -> str:
     front = result.front or document.front  # with the arm that was inferred
     arm = arm_of(front, document.path.parent)  # loaded already, when it was checked
     read = read_names(arm, front).reader.read
@@ -88,4 +94,4 @@ def _sections(pairs: Iterable[tuple[Item, Record]]) -> Iterable[Section]:
     for _, group in groupby(pairs, key=lambda pair: pair[0].section_key):
         inside = list(group)
         items = tuple(item for item, _ in inside)
-        yield Section(items[0].section or Markup("Before the first heading"), items, count_states(r for _, r in inside))
+        yield Section(items[0].section or said("Before the first heading"), items, count_states(r for _, r in inside))

@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 
@@ -28,8 +30,8 @@ STATES = {
         State("confirmed", "≈", "confirmed"),
         State("defined", "≔", "defined"),
         State("beyond", "·", "remark"),
-        State("accepted", "~", "accepted"),
-        State("erratum", "†", "erratum, refuted"),
+        State("accepted", "~", noted("accepted")),
+        State("erratum", "†", noted("erratum, refuted")),
     )
 }
 
@@ -41,7 +43,7 @@ def state_of(record: Record) -> State:
     if record.erratum and record.passes:
         return STATES["erratum"]
     if record.erratum and record.verdict not in (Verdict.UNREADABLE, Verdict.UNCHECKED):
-        return State("refuted", "✗", f"erratum, but {record.verdict.value}")
+        return State("refuted", "✗", written("erratum, but {verdict}", verdict=look_up(record.verdict)))
     return STATES["beyond" if record.is_remark else record.verdict.value]
 
 

@@ -5,8 +5,8 @@
     const label = button.firstChild;
     button.addEventListener("click", function () {
       copy(button.dataset.copy).then(
-        function () { say(label, "Copied"); },
-        function () { say(label, "Press Ctrl+C"); }
+        function () { say(label, document.body.dataset.copied); },
+        function () { say(label, document.body.dataset.press); }
       );
     });
   });
@@ -69,7 +69,7 @@
       scope.querySelectorAll(".group").forEach(function (group) {
         group.hidden = !group.querySelector("[data-state]:not([hidden])");
       });
-      shown.textContent = count === items.length ? "" : count + " of " + items.length + " shown";
+      shown.textContent = count === items.length ? "" : (shown.dataset.template || "{shown} of {total} shown").replace("{shown}", count).replace("{total}", items.length);
     }
 
     search.addEventListener("input", update);
