@@ -145,7 +145,7 @@ class Fault(MessageKind):
     JOINT_TAKEN = "joint_taken", "DH table, row {number}: '{joint}' is the joint variable of row {other} already"
     JOINT_ELSEWHERE = "joint_elsewhere", "DH table, row {number}: its joint variable '{joint}' stands in {columns}; it stands in theta or in d"
     UNKNOWN_TABLE_KEY = "unknown_table_key", "DH table: unknown key '{key}'; the keys are {keys}"
-    NO_JOINTS = "no_joints", "DH table: joints is a list of joint variables, not {given}"
+    NO_JOINTS = "no_joints", "DH table: 'joints' is a list of joint variables, not {given}"
     ANGLE_AS_LENGTH = "angle_as_length", "DH table, row {number}, {column}: '{text}' is an angle; {column} is a length and reads 0, 0.75, 3/4, l_1, d_1 + d_4"
     JOINT_OF_ANOTHER_ROW = "joint_of_another_row", "DH table, row {number}: {column} holds '{symbol}', the joint variable of row {other}; a joint variable stands in one row"
     IN_TABLE = "in_table", "DH table, row {number}, {column}: {reason}"
@@ -160,7 +160,7 @@ class Fault(MessageKind):
     TERM_EXPECTED = "term_expected", "a number or a symbol is expected, not '{found}'"
     BREAKS_OFF = "breaks_off", "it breaks off"
     NO_DEGREES = "no_degrees", "degrees follow a number"
-    OUT_OF_RANGE = "out_of_range", "a number is out of range"
+    OUT_OF_RANGE = "out_of_range", "a number is too large or too small"
     JOINT_NOWHERE = "joint_nowhere", "DH table, row {number}: the joint variable is neither in theta (theta_i, q_i) nor in d; list them: joints: [theta_1, ...]"
     JOINT_NOT_IN_ROW = "joint_not_in_row", "DH table, row {number}: its joint variable '{joint}' stands nowhere; it stands in theta or in d"
 

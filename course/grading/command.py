@@ -93,7 +93,7 @@ def _summarise(grades: Grades, out: Path) -> int:
     head = counted("{number} submission: {total}", "{number} submissions: {total}", number, total=total)
     write_lines([((head, "bold"),), ((written("results: {path}", path=str(out / INDEX)), ""),)])
     complain(
-        written("warning: not in force on this system: a submission {text}", text=each.text)
+        written("warning: not so on this system: a submission {text}", text=each.text)
         for each in describe(grades.held)
         if not each.held
     )

@@ -118,7 +118,7 @@ def _require_front_matter(path: Path, cells: tuple[Cell, ...]) -> None:
         raise SourceError(
             path,
             first.line,
-            "the first cell is no front matter; expected '# %% [raw]' with '# ---', title, arm and '# ---'",
+            "the first cell is no front matter; expected '# %% [raw]' with '# ---', 'title', 'arm' and '# ---'",
         )
 
 

@@ -128,7 +128,9 @@ def _said_by(node: ast.AST, names: set[str]) -> Iterator[tuple[str, ...]]:
         if name in PLURALS:
             yield from [texts for texts in [tuple(map(_constant, node.args[:2]))] if all(texts)]
         elif name in names:
-            yield from ((text,) for argument in node.args for text in _constants(argument))
+            yield from (
+                (text,) for argument in node.args for text in _constants(argument) if " " in text or name in SAYS
+            )
 
 
 def _constants(node: ast.expr) -> Iterator[str]:

@@ -13,16 +13,13 @@ from unicodedata import combining, normalize
 from armproof.course.sources.places import COURSE
 from tests.translations.catalogues import entries
 
-<<<<<<< HEAD
-_CODE = re.compile(r"\{[^{}]*\}|`[^`]*`|\$[^$]*\$|\w+: \[.*?\]|'[^']*'(?!\w)")
+_CODE = re.compile(
+    r"\{[^{}]*\}|`[^`]*`|\$[^$]*\$|(?<!\w)'[^']*'(?!\w)|--\w+|\w+\.\w+|<[^<>]*>"
+    r"|\b\w+(?:: ?[\[…]| ?=|\()|armproof \w+ \w+|\w+/\S+|\w+: \[.*?\]"
+)  # a field, a formula, an option
 _ASIDE = re.compile(
     r"\*[^*]*\*|\([^()]*\)|\"[^\"]*\"|[\w-]+\.md"
 )  # what is foreign, an aside, quoted or a file may be said otherwise
-=======
-_CODE = r"\{[^{}]*\}|`[^`]*`|\$[^$]*\$|(?<!\w)'[^']*'(?!\w)|--\w+|\w+\.\w+|<[^<>]*>|\b\w+(?:: ?[\[{…]|=)"  # a field, a formula, an option
-# what is foreign, an aside, quoted, a file or code may be said otherwise
-_ASIDE = re.compile(rf"\*[^*]*\*|\([^()]*\)|\"[^\"]*\"|[\w-]+\.md|{_CODE}")
->>>>>>> 05a0bcc (WIP: terms)
 
 
 @dataclass(frozen=True)
@@ -48,7 +45,7 @@ class Term:
 
     def misnamed(self, translation: str) -> str:
         """Return the word of a translation that is never used for the term; empty where there is none."""
-        own = re.sub(rf"«[^»]*»|{_CODE}", " ", translation)  # not what is quoted
+        own = re.sub(r"«[^»]*»", " ", translation)  # not what is quoted
         return next((each for each in self.never if re.search(rf"\b{re.escape(_plain(each))}s?\b", _plain(own))), "")
 
 

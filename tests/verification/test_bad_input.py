@@ -200,7 +200,7 @@ FRONTS = {
         "arm: scara\nquantities: {T: {pose: 4, in: G}}",
         r"3: quantity 'T': no frame 'G' on arm 'scara'; its frames are 0, 1, 2, 3, 4",
     ),
-    "unknown component": ("arm: scara\nquantities: {P: {origin: 4, component: w}}", r"3: quantity 'P': component must be x, y or z, not 'w'"),
+    "unknown component": ("arm: scara\nquantities: {P: {origin: 4, component: w}}", r"3: quantity 'P': 'component' must be x, y or z, not 'w'"),
     "rows not a list": ("arm: scara\nquantities: {J: {jacobian: 4, rows: all}}", r"3: quantity 'J': rows must be a list .*, not 'all'"),
     "code for a name": ("arm: scara\nquantities: {\"__import__('os')\": {pose: 4}}", r"3: '__import__\('os'\)' is not a name: .*"),
     "quantity of no arm": ("quantities: {T: {pose: 4}}", r"2: quantity 'T' is of an arm, but the front matter names no arm"),
@@ -220,7 +220,7 @@ FRONTS = {
     ),
     "number out of range": (
         "arm: {dh: classic, rows: [{a: 1e999999999, alpha: 0, d: 0, theta: theta_1}]}",
-        r"2: DH table, row 1, a: '1e999999999' is unreadable: a number is out of range; .*",
+        r"2: DH table, row 1, a: '1e999999999' is unreadable: a number is too large or too small; .*",
     ),
     "no joint variable": (
         "arm: {dh: classic, rows: [{a: l_1, alpha: 0, d: 0, theta: 0}]}",
@@ -293,7 +293,7 @@ UNREADABLE = {
     "wrong end": (r"\begin{bmatrix} 1 \end{pmatrix} = 1", r"'\\begin{bmatrix}' is closed by '\\end{pmatrix}'"),
     "not a character": ("a \x00 = 1", r"cannot read '.*'"),
     "not of this field": ("☃ = 1", r"cannot read '☃'"),
-    "nothing after =": ("1 = = 1", r"two relations in a row at '='"),
+    "nothing after =": ("1 = = 1", r"two relations one after the other at '='"),
 }  # fmt: skip
 
 

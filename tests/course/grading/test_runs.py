@@ -158,5 +158,5 @@ def test_a_class_is_graded_without_bubblewrap_only_if_that_is_asked_for(write, t
     assert "--unprotected" in refused.stderr and not (tmp_path / "out").exists()
     result = CliRunner().invoke(app, [*command, "--unprotected"])
     assert "1 submission: 1 graded" in result.stdout, result.output
-    assert f"not in force on this system: a submission {ATTEMPTS['read']}" in " ".join(result.stderr.split())
+    assert f"not so on this system: a submission {ATTEMPTS['read']}" in " ".join(result.stderr.split())
     assert "✗ not in force" in (tmp_path / "out/index.html").read_text(encoding="utf-8")

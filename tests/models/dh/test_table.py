@@ -171,7 +171,7 @@ def test_joints_are_found_where_they_stand() -> None:
         ({**ROW, "a": "1/a_1"}, "only a number other than 0 divides"),
         ({**ROW, "a": "1/0"}, "only a number other than 0 divides"),
         ({**ROW, "a": "__import__('os')"}, "'_' is not understood"),
-        ({**ROW, "a": "9e9999"}, "a number is out of range"),
+        ({**ROW, "a": "9e9999"}, "a number is too large or too small"),
         ({**ROW, "a": "(" * 5000}, "is unreadable: it is nested too deeply"),
         ({**ROW, "a": "pi deg"}, "degrees follow a number"),
         ({**ROW, "a": "pi"}, "row 1, a: 'pi' is an angle; a is a length"),
@@ -200,7 +200,7 @@ def test_a_bad_row_is_refused_with_its_number(row: object, message: str) -> None
         ({"dh": "classic", "rows": []}, "rows is a list of rows"),
         ({"dh": "classic", "rows": [ROW], "link": 1}, "unknown key 'link'; the keys are dh, rows, joints"),
         ({"dh": "classic", "rows": [ROW, ROW]}, "row 2: 'theta_1' is the joint variable of row 1 already"),
-        ({"dh": "classic", "rows": [ROW], "joints": "theta_1"}, "joints is a list of joint variables, not 'theta_1'"),
+        ({"dh": "classic", "rows": [ROW], "joints": "theta_1"}, "'joints' is a list of joint variables, not 'theta_1'"),
         ({"dh": "classic", "rows": [ROW], "joints": ["q"]}, "row 1: its joint variable 'q' stands nowhere"),
         ({"dh": "classic", "rows": [ROW], "joints": ["q", "r"]}, r"1 rows but 2 joints \(q, r\); one a row"),
         (

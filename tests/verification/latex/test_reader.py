@@ -38,7 +38,7 @@ def read(latex: str) -> list[n.Statement]:
         (r"x = \sqrt[3]{a}", 4, "only square roots are read"),
         (r"x = a^{99}", 5, "the exponent 99 is larger than 24"),
         (r"x = \frac{}{2}", 9, "an argument is empty"),
-        (r"x == y", 3, "two relations in a row at '='"),
+        (r"x == y", 3, "two relations one after the other at '='"),
         (
             r"\begin{bmatrix} a & \\ 1 & 2 \end{bmatrix}",
             0,
