@@ -7,7 +7,8 @@ from typing import Literal
 
 import numpy as np
 
-from armproof.models.errors import Fault, ModelError
+from armproof.models.errors import Fault, ModelError, Sentence
+from armproof.models.language import noted
 
 Form = Literal["inverse", "right inverse", "left inverse", "damped"]
 
@@ -52,7 +53,11 @@ def pseudo_inverse(J: np.ndarray) -> np.ndarray:
         ModelError: J is no matrix of finite numbers, or its rank is below both m and n: the arm is singular.
     """
     U, singular_values, Vt = _decompose(J)
-    form = ("left inverse", "column") if U.shape[-2] > Vt.shape[-1] else ("right inverse", "row")
+    form = (
+        (noted("left inverse"), noted("column"))
+        if U.shape[-2] > Vt.shape[-1]
+        else (noted("right inverse"), noted("row"))
+    )
     _require_full_rank(singular_values, *form)
     return _compose(U, 1 / singular_values, Vt)
 
@@ -140,4 +145,6 @@ def _require_full_rank(singular_values: np.ndarray, form: str, kind: str) -> Non
     ranks = np.sum(singular_values > zero, axis=-1)
     if (ranks < rank).any():
         fault, number = Fault.SINGULAR_IN_BATCH if ranks.ndim else Fault.SINGULAR_JACOBIAN, int(np.argmax(ranks < rank))
-        raise ModelError(fault, form=form, of=kind, rank=rank, least=int(ranks.min()), number=number)
+        raise ModelError(
+            fault, form=Sentence(form), of=Sentence(kind), rank=rank, least=int(ranks.min()), number=number
+        )

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import Fault, ModelError
+from armproof.models.errors import Fault, ModelError, Sentence, counted
+from armproof.models.language import noted
 
 _UNITS = {"revolute": "rad", "prismatic": "m"}
 
@@ -51,8 +52,16 @@ def limit_notes(arm: Arm, q: Any) -> tuple[str, ...]:
     """Return one sentence for each joint that some configuration, (N, n) or (n,), takes beyond its limits; none if all are within."""
     outside = np.atleast_2d(outside_limits(arm, q))
     return tuple(
-        f"{joint.symbol} is outside its limits [{joint.lower:g}, {joint.upper:g}] {_UNITS[joint.kind]} "
-        f"at {count} of {len(outside)} configuration{'s' * (len(outside) > 1)}"
+        counted(
+            "{joint} is outside its limits [{lower:g}, {upper:g}] {unit} at {count} of {number} configuration",
+            "{joint} is outside its limits [{lower:g}, {upper:g}] {unit} at {count} of {number} configurations",
+            len(outside),
+            joint=joint.symbol,
+            lower=joint.lower,
+            upper=joint.upper,
+            unit=_UNITS[joint.kind],
+            count=int(count),
+        )
         for joint, count in zip(arm.joints, outside.sum(axis=0), strict=True)
         if count
     )
@@ -67,7 +76,8 @@ def _read_numbers(arm: Arm, q: Any) -> np.ndarray:
     except (ValueError, TypeError, OverflowError):
         raise ModelError(Fault.UNEQUAL_LENGTHS, arm=arm.name, n=len(arm.joints), joints=_joints(arm)) from None
     if values.dtype.kind not in "iuf":
-        what = {"b": "booleans", "c": "complex numbers", "U": "text", "S": "text"}.get(values.dtype.kind, "objects")
+        names = {"b": noted("booleans"), "c": noted("complex numbers"), "U": noted("text"), "S": noted("text")}
+        what = Sentence(names.get(values.dtype.kind, noted("objects")))
         raise ModelError(Fault.NOT_REAL, arm=arm.name, what=what, dtype=values.dtype)
     with np.errstate(over="ignore"):
         return values.astype(float, copy=False)

@@ -98,8 +98,9 @@ def finding_of(error: Exception) -> Finding:
     if isinstance(error, ArmproofError) and isinstance(said, MessageKind):
         terms = error.terms.items()
         return Finding(said, {name: finding_of(term) if isinstance(term, Exception) else term for name, term in terms})
-    template = isinstance(error, ArmproofError) and isinstance(said, str)
-    reason = Sentence(said, **error.terms) if template else str(error)
+    reason = str(error)
+    if isinstance(error, ArmproofError) and isinstance(said, str):
+        reason = Sentence(said, **error.terms)
     return say(getattr(error, "kind", None) or Kind.PROBLEM, reason=reason)
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, Sentence
 
 _ANGLES, _SLIDES = ("theta", "th", "t", "q"), ("d", "q", "r")
 
@@ -107,11 +107,11 @@ def _joint_parameters(
         return {}, True
     if not required and any(p.kind is p.VAR_POSITIONAL for p in parameters):
         return {}, False
-    names = ", ".join(p.name for p in required) or "no argument"
+    names = ", ".join(p.name for p in required) or Sentence("no argument")
     known = ", ".join(constants_of(arm))
-    lengths = f" (and, by their names, lengths: {known})" if known else ""
+    lengths = Sentence(" (and, by their names, lengths: {known})", known=known) if known else ""
     raise ArgumentError("{function} takes {names}; it is to take one vector q, or the {n} joint values {joints}{lengths}",
-        function=getattr(function, "__name__", "the function"), names=names, n=n, joints=[joint.symbol for joint in arm.joints], lengths=lengths)  # fmt: skip
+        function=getattr(function, "__name__", Sentence("the function")), names=names, n=n, joints=[joint.symbol for joint in arm.joints], lengths=lengths)  # fmt: skip
 
 
 def _bare(name: str) -> str:

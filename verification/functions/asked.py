@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, Sentence
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.errors import DocumentError, ReadError
@@ -123,7 +123,7 @@ def read_part(number: int, asked: Asked, true: np.ndarray, returned: np.ndarray)
     shape = true.shape[1:]
     fitted = [fit(values, shape) for values in returned]
     if any(one is None for one in fitted):
-        wanted = "a number" if shape == (1, 1) else "×".join(map(str, shape))
+        wanted = Sentence("a number") if shape == (1, 1) else "×".join(map(str, shape))
         mismatch = say(Kind.RESULT_SIZE, printed=shape_words(returned[0]), correct=wanted)
         return Part(number, asked, true, returned, mismatch=mismatch)
     first = fitted[0]

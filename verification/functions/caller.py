@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.errors import Sentence, written
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.functions.arguments import Layout, constants_of
 from armproof.verification.functions.function_check import FunctionVerdict
@@ -89,7 +90,7 @@ class FunctionCaller:
             if len({item.shape for item in items}) > 1:
                 raise Stopped(
                     FunctionVerdict.ERROR, say(Kind.SHAPES_DIFFER),
-                    at_definition(self.function, "results of different shapes"),
+                    at_definition(self.function, written("results of different shapes")),
                 )  # fmt: skip
         return [np.array(items) for items in zip(*results, strict=True)]
 
@@ -105,7 +106,9 @@ class FunctionCaller:
         if traced.error is not None:
             return traced.error.message
         items = traced.value if self.count > 1 else [traced.value]
-        return [np.array(item, dtype=object) for item in items] if len(items) == self.count else "another result"
+        return (
+            [np.array(item, dtype=object) for item in items] if len(items) == self.count else Sentence("another result")
+        )
 
     def with_lengths_of_the_arm(self, others: Mapping[str, float] | None = None) -> FunctionCaller:
         """Return a caller that passes the arm's lengths, or others, also where the function has defaults of its own."""

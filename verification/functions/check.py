@@ -11,6 +11,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.errors import written
 from armproof.verification.diagnosis.causes.probes import probes
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.functions.arguments import ArgumentError, read_layout
@@ -94,7 +95,7 @@ def _check(
         traced = caller.trace()
         proof = traced if isinstance(traced, str) else prove(caller.arm, parts, traced, caller.layout.lengths)
     if isinstance(proof, str):
-        caller.notes[f"not traced: {proof}"] = None
+        caller.notes[written("not traced: {reason}", reason=proof)] = None
         proof = None
     found = judge(caller, parts, proof, blank, sampling)
     notes = tuple(dict.fromkeys(part.note for part in parts if part.note))
@@ -109,7 +110,7 @@ def _explained(caller: FunctionCaller, parts: list[Part], proof: Proof | None, f
     try:
         return explain(caller, parts, proof, found)
     except Exception as fault:  # a fault of ours must not cost the verdict
-        caller.notes[f"internal error, please report it: {type(fault).__name__}: {fault}"] = None
+        caller.notes[str(say(Kind.INTERNAL_ERROR, type=type(fault).__name__, reason=str(fault)))] = None
         return replace(found, findings=(say(Kind.RESULT_DIFFERS),))
 
 

@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from armproof.models.errors import written
 from armproof.verification.functions.kept_state import (
     KeptModules,
     bound_recursion,
@@ -158,7 +159,7 @@ class Guard:
         except TimeUp as up:
             return Call(error=self._timeout(up.__traceback__))
         except SystemExit as end:
-            return Call(error=_describe(end, "the function ends the program: it calls exit()"))
+            return Call(error=_describe(end, written("the function ends the program: it calls exit()")))
         except Exception as problem:
             return Call(error=_describe(problem))
         if self._alarms:  # it swallowed the alarm
@@ -167,7 +168,7 @@ class Guard:
 
     def _timeout(self, traceback: types.TracebackType | None) -> CallError:
         place = _place(traceback)
-        return CallError("Timeout", f"it did not end within {self.seconds:g} s", *place)
+        return CallError("Timeout", written("it did not end within {seconds:g} s", seconds=self.seconds), *place)
 
     # -- by the alarm clock, in the main thread ------------------------------------------------------------------------
 

@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.errors import Sentence
 from armproof.models.exact.numbers import exact_number
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.matrix import Matrix
@@ -135,7 +136,7 @@ def _prove(bench: Bench, parts: list[Part], traced: list[np.ndarray], taken: Col
     fitted = [fit(nodes, part.shape) for part, nodes in zip(parts, traced, strict=True)]
     nodes = tuple(one.values for one in fitted if one is not None)
     if len(nodes) < len(parts):
-        return "the traced function returns another shape"
+        return Sentence("the traced function returns another shape")
     for part in parts:
         bench.true(part.asked.quantity)
     with bench.ring.budget.of(SECONDS_TO_DECIDE):

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, Sentence, written
 from armproof.verification.findings import Kind
 
 
@@ -116,16 +116,16 @@ def fit(values: np.ndarray, shape: tuple[int, int]) -> Fitted | None:
     if values.shape == shape or is_flat or (shape == (1, 1) and values.size == 1):
         return Fitted(values.reshape(shape))
     if columns == 1 and values.shape == (1, rows):
-        return Fitted(values.reshape(shape), "the vector is returned as a row")
+        return Fitted(values.reshape(shape), written("the vector is returned as a row"))
     if shape == (3, 1) and values.shape in ((4,), (4, 1)) and values.ravel()[3] in (0.0, 1.0):
-        return Fitted(values.ravel()[:3].reshape(shape), "the vector is returned in homogeneous coordinates")
+        return Fitted(values.ravel()[:3].reshape(shape), written("the vector is returned in homogeneous coordinates"))
     return None
 
 
 def shape_words(values: np.ndarray) -> str:
     """Return the shape of a result as one says it: 3×4, a vector of 3, a number."""
     if values.ndim == 0:
-        return "a number"
+        return Sentence("a number")
     if values.ndim == 1:
-        return f"a vector of {values.size}"
+        return Sentence("a vector of {size}", size=values.size)
     return "×".join(map(str, values.shape))

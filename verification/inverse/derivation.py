@@ -21,7 +21,7 @@ class UnsolvedJoint(EvaluationError):
     """A formula uses a joint that has no value yet."""
 
     def __init__(self, joint: str) -> None:
-        super().__init__(f"it uses {joint}, which is not solved before")
+        super().__init__("it uses {joint}, which is not solved before", joint=joint)
         self.joint = joint
 
 

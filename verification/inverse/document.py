@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import reduce
 from pathlib import Path
 from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, Sentence, together
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document, read_document
 from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
@@ -115,8 +116,14 @@ def _next_step(resolution: Resolution, joints: list[str]) -> tuple[Step, Any] | 
 
 def _why_not(resolution: Resolution, joints: list[str]) -> str:
     target = ", ".join(resolution.derivation.target.names)
-    reasons = "; ".join(_reason(resolution, joint) for joint in joints)
-    return f"'inverse': no display solves for {' or '.join(joints)} by {target}: {reasons}"
+    reasons = together(_reason(resolution, joint) for joint in joints)
+    either = reduce(lambda one, other: Sentence("{one} or {other}", one=one, other=other), joints)
+    return Sentence(
+        "'inverse': no display solves for {joints} by {target}: {reasons}",
+        joints=either,
+        target=target,
+        reasons=reasons,
+    )
 
 
 def _reason(resolution: Resolution, joint: str) -> str:
@@ -125,8 +132,8 @@ def _reason(resolution: Resolution, joint: str) -> str:
         try:
             resolution.scalar(formula)
         except EvaluationError as error:
-            found.append(f"line {formula.line}: {error}")
-    return ", ".join(found) or f"no display '{joint} = …'"
+            found.append(Sentence("line {line}: {reason}", line=formula.line, reason=str(error)))
+    return together(found) or Sentence("no display '{joint} = …'", joint=joint)
 
 
 def check_inverse(document: Document, arm: Arm | None) -> Record:

@@ -11,7 +11,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.bulk.program import BLOCK
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, Sentence
 from armproof.verification.inverse.target import Pair, Target
 
 ORTHONORMAL = 1e-6  # how far the rows of a rotation may be from a right-handed orthonormal frame
@@ -35,7 +35,7 @@ def read_targets(target: Target, targets: Any) -> tuple[np.ndarray, np.ndarray]:
         raise InverseError("targets are real numbers (m, rad), not {dtype}", dtype=values.dtype)
     m = len(target.slots)
     if values.shape[1:] not in {(m,), target.shape}:
-        hint = "; write one target as [x]" if values.shape in {(m,), target.shape} else ""
+        hint = Sentence("; write one target as [x]") if values.shape in {(m,), target.shape} else ""
         raise InverseError("targets have the shape {expected}, not {shape}{hint}",
             expected=_shapes(target), shape=str(values.shape), hint=hint)  # fmt: skip
     rows = values.reshape(len(values), m).astype(float)

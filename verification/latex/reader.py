@@ -10,6 +10,7 @@ from importlib import resources
 from lark import Lark, Token, Tree
 from lark.exceptions import UnexpectedInput, UnexpectedToken, VisitError
 
+from armproof.models.errors import Sentence
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -20,8 +21,8 @@ from armproof.verification.latex.tokens import LatexLexer, Spelling, normalise_u
 
 MAX_LENGTH = 100_000
 _READABLE = {
-    "$END": "the end", "REL": "a relation such as =", "RPAR": "')'", "RBRACE": "'}'", "LPAR": "'('", "LBRACE": "'{'", "PLUS": "'+'",
-    "MINUS": "'-'", "AMP": "'&'", "NEWLINE": r"'\\'", "LETTER": "a name", "NUMBER": "a number", "END": r"'\end{…}'", "FUNC": "a function",
+    "$END": Sentence("the end"), "REL": Sentence("a relation such as ="), "RPAR": "')'", "RBRACE": "'}'", "LPAR": "'('", "LBRACE": "'{'", "PLUS": "'+'",
+    "MINUS": "'-'", "AMP": "'&'", "NEWLINE": r"'\\'", "LETTER": Sentence("a name"), "NUMBER": Sentence("a number"), "END": r"'\end{…}'", "FUNC": Sentence("a function"),
     "COMMA": "','", "CLOSE_BAR": "'|'", "CLOSE_SET": r"'\}'", "CLOSE_EMPTY": r"'\right'",
 }  # fmt: skip
 

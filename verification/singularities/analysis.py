@@ -166,4 +166,6 @@ class Analyst:
         square = result.determinant is not None
         descent = Descent(families, self.rows, self.chosen.simple, square, self.sampler, decomposer)
         found = tuple(self._family(variety) for variety in descent.run())
-        return found, f"not all intersections were followed: {descent.given_up[0]}" if descent.given_up else ""
+        return found, written(
+            "not all intersections were followed: {reason}", reason=descent.given_up[0]
+        ) if descent.given_up else ""

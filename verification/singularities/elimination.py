@@ -75,8 +75,8 @@ def resultant(half: HalfAngles, a: Polynomial, b: Polynomial, slot: int) -> Poly
     # the determinant of Sylvester's matrix has at most |a|^deg(b) |b|^deg(a) products
     work = degrees[1] * log2(max(len(a), 1)) + degrees[0] * log2(max(len(b), 1))
     if len(a) * len(b) > MOST_TERMS or work > MOST_WORK:
-        terms = f"{len(a):,} and {len(b):,} terms, degrees {degrees[0]} and {degrees[1]}"
-        raise BeyondReach("the resultant of polynomials of {terms}", terms=terms)
+        raise BeyondReach("the resultant of polynomials of {one:,} and {other:,} terms, degrees {first} and {second}",
+            one=len(a), other=len(b), first=degrees[0], second=degrees[1])  # fmt: skip
     try:
         return a.resultant(b, f"h{slot}")
     except (ValueError, RuntimeError) as problem:

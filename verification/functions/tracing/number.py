@@ -10,7 +10,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from armproof.models.errors import ArmproofError
+from armproof.models.errors import ArmproofError, Sentence
 
 Real = int | float | Fraction
 _LARGEST = 1e300
@@ -109,25 +109,27 @@ class TracedNumber:
         return self.value
 
     def __float__(self) -> float:
-        return float(self.number("a float"))
+        return float(self.number(Sentence("a float")))
 
     def __int__(self) -> int:
-        return int(self.number("an integer"))
+        return int(self.number(Sentence("an integer")))
 
     def __complex__(self) -> complex:
-        return complex(self.number("a complex number"))
+        return complex(self.number(Sentence("a complex number")))
 
     def __bool__(self) -> bool:
-        return bool(self.number("a condition"))
+        return bool(self.number(Sentence("a condition")))
 
     def __round__(self, digits: int | None = None) -> Any:
-        return round(self.number("a rounded number"), digits)  # type: ignore[arg-type]
+        return round(self.number(Sentence("a rounded number")), digits)  # type: ignore[arg-type]
 
     def __lt__(self, other: Any) -> bool:
-        return bool(self.number("a comparison") < as_traced(other).number("a comparison"))
+        return bool(self.number(Sentence("a comparison")) < as_traced(other).number(Sentence("a comparison")))
 
     def __eq__(self, other: object) -> bool:
-        return other is self or bool(self.number("a comparison") == as_traced(other).number("a comparison"))
+        return other is self or bool(
+            self.number(Sentence("a comparison")) == as_traced(other).number(Sentence("a comparison"))
+        )
 
     def __ne__(self, other: object) -> bool:
         return not self == other
@@ -205,9 +207,9 @@ def as_traced(value: Any) -> TracedNumber:
         return constant(value)
     if isinstance(value, float):
         if not math.isfinite(value):
-            _refuse(f"the number {value}")
+            _refuse(Sentence("the number {value}", value=str(value)))
         return constant(value)
-    _refuse(f"a {type(value).__name__} in a formula")
+    _refuse(Sentence("a {type} in a formula", type=type(value).__name__))
 
 
 def _refuse(what: str) -> NoReturn:
@@ -288,12 +290,12 @@ def divide(a: TracedNumber, b: TracedNumber) -> TracedNumber:
 
 def power(a: TracedNumber, b: TracedNumber) -> TracedNumber:
     """Return a^b for an exponent b that is a whole number or a half."""
-    exponent = b.number("an exponent")
+    exponent = b.number(Sentence("an exponent"))
     if a.is_constant:
         return constant(a.value**exponent)  # type: ignore
     whole = round(2 * exponent)
     if whole != 2 * exponent or abs(whole) > 64:
-        _refuse(f"the power {exponent}")
+        _refuse(Sentence("the power {exponent}", exponent=str(exponent)))
     if whole % 2:
         return power(function("sqrt", a), constant(whole))
     if whole == 2:

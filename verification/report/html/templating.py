@@ -114,7 +114,7 @@ def version_of(package: str) -> str:
     try:
         return version(package)
     except PackageNotFoundError:
-        return "not installed"
+        return look_up("not installed")
 
 
 def _digest(text: str) -> str:
