@@ -134,6 +134,7 @@ class Fault(MessageKind):
     ENTRY_NOT_FINITE = "entry_not_finite", "{value} is not a finite number or a text; an entry reads {forms}"
     ENTRY_UNREADABLE = "entry_unreadable", "'{text}' is unreadable: {reason}; an entry reads {forms}"
     NO_CONVENTION = "no_convention", "DH table: dh is classic or modified, not {given}"
+    NO_FIRST_FRAME = "no_first_frame", "DH table: first is the number of the base's frame, 0 or more, not {given}"
     NO_ROWS = "no_rows", "DH table: rows is a list of rows, one a joint, not {given}"
     ROWS_AND_JOINTS = "rows_and_joints", "DH table: {rows} rows but {count} joints ({joints}); one a row"
     LENGTH_AND_ANGLE = "length_and_angle", "DH table: '{symbol}' stands in a length and in an angle; a symbol is one or the other"

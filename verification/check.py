@@ -28,7 +28,7 @@ from armproof.verification.latex.tokens import normalise_unicode, original_offse
 from armproof.verification.naming.names import read_names, spelling_of
 from armproof.verification.naming.state import settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
-from armproof.verification.tables.arms import Inference, infer_arm, links_of, scopes, settle_data
+from armproof.verification.tables.arms import Inference, infer_arm, links_of, links_that_explain, scopes, settle_data
 from armproof.verification.verdict import DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
 
 if TYPE_CHECKING:
@@ -311,6 +311,8 @@ class DocumentChecker:
             result = replace(result, links=links_of(outcome, self.checker.members))
         if outcome.verdict is not Verdict.REFUTED:
             return result
+        if self.inferred.arm is not None and outcome.pair is not None:
+            result = replace(result, explained_by=links_that_explain(outcome, self.checker.members))
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:

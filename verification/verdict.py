@@ -69,6 +69,7 @@ class EquationResult:
         defines, uses: the names that it defines, and those of other equations that its sides rest on, each with the line of
             the display that defines it.
         links: the links of the arm that it tells of.
+        explained_by: those of them of which another one would make it right; None where that is not known.
     """
 
     index: int
@@ -81,6 +82,7 @@ class EquationResult:
     defines: frozenset[tuple[str, int]] = frozenset()
     uses: frozenset[tuple[str, int]] = frozenset()
     links: frozenset[int] = frozenset()
+    explained_by: frozenset[int] | None = None
 
     @property
     def is_remark(self) -> bool:

@@ -16,7 +16,7 @@ from typing import Any, Literal
 from armproof.models.dh.entry import FORMS, LinearForm, read_entry
 from armproof.models.errors import Fault, ModelError
 
-KEYS = ("dh", "rows", "joints")
+KEYS = ("dh", "rows", "joints", "first")
 COLUMNS = ("a", "alpha", "d", "theta")
 _ANGLES = ("alpha", "theta")
 _MOST_TIMES = 4
@@ -45,10 +45,11 @@ class DHRow:
 
 @dataclass(frozen=True)
 class DHTable:
-    """A DH table: its convention and its rows, one a joint from base to tool."""
+    """A DH table: its convention and its rows, one a joint from base to tool, and the number of the frame of its base."""
 
     convention: Literal["classic", "modified"]
     rows: tuple[DHRow, ...]
+    first: int = 0
 
     @property
     def length_symbols(self) -> tuple[str, ...]:
@@ -67,7 +68,7 @@ class DHTable:
 
 
 def read_table(spec: Mapping[str, Any]) -> DHTable:
-    """Read a DH table {dh: classic | modified, rows: [{a, alpha, d, theta}, ...], joints: [...]}.
+    """Read a DH table {dh: classic | modified, rows: [{a, alpha, d, theta}, ...], joints: [...], first: 0}.
 
     Without `joints`, the variable of a row is the symbol in its theta that looks like a joint (theta_i, q_i), else the
     symbol in its d.
@@ -93,7 +94,10 @@ def read_table(spec: Mapping[str, Any]) -> DHTable:
     if len(joints) != len(entries):
         raise ModelError(Fault.ROWS_AND_JOINTS, rows=len(entries), count=len(joints), joints=list(joints))
     rows = tuple(_make_row(number, row, joints) for number, row in enumerate(entries, start=1))
-    table = DHTable(convention, rows)
+    first = spec.get("first", 0)
+    if not isinstance(first, int) or isinstance(first, bool) or first < 0:
+        raise ModelError(Fault.NO_FIRST_FRAME, given=repr(first))
+    table = DHTable(convention, rows, first)
     both = set(table.length_symbols) & set(table.angle_symbols)
     if both:
         raise ModelError(Fault.LENGTH_AND_ANGLE, symbol=min(both))
@@ -103,7 +107,8 @@ def read_table(spec: Mapping[str, Any]) -> DHTable:
 def write_table(table: DHTable) -> dict[str, Any]:
     """Return the mapping that `read_table` reads as this table."""
     rows = [{column: str(getattr(row, column)) for column in COLUMNS} for row in table.rows]
-    return {"dh": table.convention, "rows": rows, "joints": [row.joint for row in table.rows]}
+    first = {"first": table.first} if table.first else {}
+    return {"dh": table.convention, "rows": rows, "joints": [row.joint for row in table.rows], **first}
 
 
 def _read_row(number: int, row: object) -> dict[str, LinearForm]:

@@ -28,7 +28,7 @@ _ANGLES = (0.41, 0.73, 1.13, 0.59, 0.97, 0.29, 1.31, 0.83)
 def build_arm(table: DHTable) -> Arm:
     """Build the arm of a DH table.
 
-    Link i carries the DH frame i, and a joint is named by its variable. Each length symbol is given a positive value
+    Link i carries the i-th DH frame behind the first, and a joint is named by its variable. Each length symbol is given a positive value
     (m) and each constant angle symbol a value (rad) of its own, always the same; they serve the plant of doubles only.
     """
     from pydrake.multibody.plant import MultibodyPlant
@@ -38,15 +38,16 @@ def build_arm(table: DHTable) -> Arm:
     plant = MultibodyPlant(time_step=0.0)
     builder = _Builder(plant, {**lengths, **angles})
     frame = builder.add_base()
-    frames = {"0": frame}
+    base, first = frame, table.first
+    frames = {str(first): base}
     drake_joints = []
     for i, row in enumerate(table.rows, start=1):
         joint, frame = builder.add_row(i, row, frame, classic=table.convention == "classic")
         drake_joints.append(joint)
-        frames[str(i)] = frame
+        frames[str(first + i)] = frame
     plant.Finalize()
     joints = tuple(Joint(i, row.joint, row.joint, row.kind, *_limits(row)) for i, row in enumerate(table.rows, start=1))
-    drake = DrakeArm(plant, frames["0"].body(), tuple(drake_joints), MappingProxyType(frames))
+    drake = DrakeArm(plant, base.body(), tuple(drake_joints), MappingProxyType(frames))
     return Arm(
         name=NAME,
         title=noted("Arm of a classic DH table")

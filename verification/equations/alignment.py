@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -221,7 +221,7 @@ def is_near(pair: Pair) -> bool:
 def _shares_terms(true: Scalar, printed: Scalar) -> bool:
     """Whether two sums have as many terms and a third of them in common, or two thirds of the longer one's.
 
-    Two single terms are near that differ in their number alone.
+    Two single terms are near that differ in their number alone, and sums of the same lengths of which half have the same factor.
     """
     a, b = true.normal(), printed.normal()
     if not (a.denominator.is_one() and b.denominator.is_one()):
@@ -229,8 +229,20 @@ def _shares_terms(true: Scalar, printed: Scalar) -> bool:
     terms, others = ([(tuple(sorted(p.items())), k) for p, k in a.ring.terms(x.numerator)] for x in (a, b))
     if len(terms) == len(others) == 1:
         return terms[0][0] == others[0][0]
+    by_length, by_other = _by_length(terms), _by_length(others)
+    alike = sum(by_length[length] == by_other[length] for length in by_length.keys() & by_other.keys())
+    if by_length.keys() == by_other.keys() and alike and 2 * alike >= len(by_length):
+        return True
     common, longer = sum(term in others for term in terms), max(len(terms), len(others))
     return longer > 1 and 3 * common >= (1 if len(terms) == len(others) else 2) * longer
+
+
+def _by_length(terms: Sequence[tuple[Any, Any]]) -> dict[Any, set[Any]]:
+    """Return the terms of a sum by the letters in them that are no angles."""
+    found: dict[Any, set[Any]] = {}
+    for powers, factor in terms:
+        found.setdefault(tuple(each for each in powers if each[0][0] == "symbol"), set()).add((powers, factor))
+    return found
 
 
 def _is_number(value: Scalar) -> bool:

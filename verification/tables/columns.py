@@ -121,7 +121,7 @@ def plain(text: str) -> str:
 def read_header(text: str) -> Header:
     """Return what a header says."""
     spelt = re.sub(r"\s+", " ", plain(text).replace("\\", "").replace("−", "-")).strip()
-    spelt = re.sub(r"\bvartheta\b", "theta", spelt)
+    spelt = re.sub(r"\bvartheta(?![A-Za-z])", "theta", spelt)
     unit = ""
     if found := _UNIT.search(spelt):
         unit = next(name for name, value in found.groupdict().items() if value)

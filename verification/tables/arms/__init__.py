@@ -2,6 +2,6 @@
 
 from armproof.verification.tables.arms.inference import infer_arm
 from armproof.verification.tables.arms.scopes import scopes
-from armproof.verification.tables.arms.support import Inference, links_of, settle_data
+from armproof.verification.tables.arms.support import Inference, links_of, links_that_explain, settle_data
 
-__all__ = ["Inference", "infer_arm", "links_of", "scopes", "settle_data"]
+__all__ = ["Inference", "infer_arm", "links_of", "links_that_explain", "scopes", "settle_data"]

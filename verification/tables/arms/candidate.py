@@ -43,6 +43,14 @@ class Candidate:
         return frozenset(((self.cell, self.line), *self.more_lines))
 
     @property
+    def first(self) -> int:
+        """The number of the base's frame: 3, where the joints are θ_4, θ_5 and θ_6."""
+        numbers = [re.search(r"_(\d+)'*$", joint) for joint in self.joints]
+        counted = [int(number[1]) for number in numbers if number is not None]
+        begin = counted[0] if counted else 1
+        return begin - 1 if begin > 1 and counted == list(range(begin, begin + len(self.joints))) else 0
+
+    @property
     def is_numeric(self) -> bool:
         """Whether its lengths are numbers."""
         entries = [row[column] for row in self.rows for column in ("a", "d")]
@@ -59,6 +67,8 @@ class Candidate:
         """Return the keys of front matter that name this arm in a convention."""
         rows = [{name: int(entry) if entry.isdigit() else entry for name, entry in row.items()} for row in self.rows]
         arm = {"dh": convention, "rows": rows, "joints": list(self.joints)}
+        if self.first:
+            arm["first"] = self.first
         return {"arm": arm, **({"symbols": dict(self.symbols)} if self.symbols else {})}
 
 

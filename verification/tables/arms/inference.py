@@ -81,7 +81,7 @@ def dh_tables(document: Document) -> Iterator[Table]:
 def _settle(document: Document, found: list[Candidate]) -> Inference:
     """Return the document with the arm of the candidates' best reading, or the reason why none is."""
     line = found[0].line
-    if (more := _joints_used(document)) > len(found[0].joints):
+    if (more := _joints_used(document)) > found[0].first + len(found[0].joints):
         return Inference(document, None, say(Kind.JOINTS_MISSING, count=len(found[0].joints), index=more), line)
     try:
         best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)])

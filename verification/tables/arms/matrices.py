@@ -54,9 +54,11 @@ def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
             if not equal(links.setdefault(link.index, link).value, link.value):
                 raise EvaluationError(say(Kind.LINK_AGAIN, number=link.index, line=link.display.line))
         chain = [links[index] for index in sorted(links)]
-        if len(chain) < 2 or [link.index for link in chain] != list(range(1, len(chain) + 1)):
+        first = chain[0].index if chain else 0
+        if len(chain) < 2 or [link.index for link in chain] != list(range(first, first + len(chain))):
             return None
-        return _fit(chain)
+        found = _fit(chain)
+        return found if found.first == first - 1 else None
 
 
 def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[_Link]:

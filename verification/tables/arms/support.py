@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.document import Document
 from armproof.verification.equations.outcome import HOLDS, Outcome
@@ -30,6 +32,32 @@ def links_of(outcome: Outcome, members: Members) -> frozenset[int]:
     if outcome.true is None or outcome.printed is None or _quantities(outcome.printed, members):
         return frozenset()
     return frozenset(link for quantity in _quantities(outcome.true, members) for link in _span(quantity, members))
+
+
+def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
+    """Return the links of which another than the arm's would make a printed pose right: it depends on their joint alone."""
+    arm, value = members.names.arm, outcome.printed.value if outcome.printed is not None else None
+    quantity = members.quantity_of(outcome.true.node) if outcome.true is not None else None
+    if (
+        arm is None
+        or quantity is None
+        or quantity.kind != "pose"
+        or not isinstance(value, Matrix)
+        or value.shape != (4, 4)
+    ):
+        return frozenset()
+    frames, pose = numbered_frames(arm), members.exact.pose
+    links = {k: (frames[k - 1], frames[k]) for k in _span(quantity, members)}
+    ends = (frames[min(links) - 1], frames[max(links)]) if links else ("", "")
+    if (quantity.reference, quantity.frame) != ends:
+        return frozenset(links)
+    left_over = {k: pose(ends[0], near) @ value @ pose(far, ends[1]) for k, (near, far) in links.items()}
+    moving = {joint.symbol for joint in arm.joints}
+    return frozenset(k for k, link in left_over.items() if moving & _symbols(link) <= {arm.joints[k - 1].symbol})
+
+
+def _symbols(value: Matrix) -> set[str]:
+    return symbols_in([cell.normal() for row in value.rows for cell in row])
 
 
 def _quantities(side: Member, members: Members) -> list[Quantity]:
@@ -128,6 +156,9 @@ class _Settled:
         if result.verdict in HOLDS and _is_data(self.taken, record, result.links):
             return result if result.links <= self.confirmed else self._data(result.index)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
+        doubtful = links - self.confirmed
+        if len(doubtful) == 1 and result.explained_by is not None and not doubtful & result.explained_by:
+            links = self.confirmed  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
         has_sides = bool(links) or has_entry  # else a shape, or an inverse that this arm's Jacobian does not have
         is_sure = has_sides and (self.taken.source == "matrices" or links <= self.confirmed)
