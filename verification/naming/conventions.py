@@ -19,6 +19,7 @@ from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_fr
 END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".split())
 PERHAPS_END = frozenset("P T t G g h H OT ot".split())
 LAST = frozenset("n N".split())
+WRIST = frozenset("W w WC wc".split())
 POSITIONS = frozenset("p P o O r d t X x c".split())
 POSES = frozenset("T H A M X g".split())
 FUNCTIONS = frozenset("f F FK fk fkine DK MGD DGM h k".split())  # of q: the pose or the position of the tool
@@ -29,13 +30,14 @@ MANIPULABILITIES = frozenset("w mu m M".split())
 WHOLE_JACOBIAN = frozenset("geo G g".split())
 USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi".split())  # seldom anything else, of an arm
 AXES = "xyz"
+NORMALS = "noa"  # the columns of the tool's rotation
 LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
-LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z".split())  # with a meaning; no other has one
+LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a".split())  # with a meaning; no other has one
 
 
 def is_usual(name: n.Name) -> bool:
     """Whether a name is so common for a quantity of the arm that another value for it is worth a word."""
-    return (name.base in USUAL and name.sub not in PERHAPS_END) or "to" in name.sub
+    return (name.base in USUAL and name.sub not in PERHAPS_END) or "to" in name.sub or _is_entry(name)
 
 
 def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:
@@ -53,7 +55,22 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
     if reference is None or (name.pre_sup and name.sup):
         return ()
     placed = bool(name.pre_sup or name.sup)
+    if not placed and (_is_entry(name) or (name.base in NORMALS and name.sub in tuple(AXES))):
+        row, column = (
+            (int(name.sub[0]), int(name.sub[-1]))
+            if _is_entry(name)
+            else (AXES.index(name.sub) + 1, NORMALS.index(name.base) + 1)
+        )
+        tools = dict.fromkeys((_tool(arm), _last(arm)))
+        return tuple(
+            Quantity("rotation", each, arm.frames[0], rows=(row,), columns=(column,), scalar=True) for each in tools
+        )
     return tuple(dict.fromkeys(_all(name.base, index, reference, arm, placed)))
+
+
+def _is_entry(name: n.Name) -> bool:
+    """Whether a name is r_{13}, an entry of a rotation."""
+    return name.base == "r" and re.fullmatch("[123],?[123]", name.sub) is not None
 
 
 def applied(name: n.Name, arm: Arm) -> tuple[Quantity, ...]:
@@ -142,6 +159,9 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
     if (frame := _frame(plain, arm)) is not None:
         yield frame, None, reference
         return
+    wrists = [frame for frame in reversed(numbered_frames(arm)[1:]) if plain.rstrip(AXES).rstrip(",") in WRIST]
+    for frame in wrists:
+        yield frame, plain[-1] if plain[-1] in AXES else None, reference
     for first, second in _splits(plain):
         if second in AXES and (frame := _frame(first, arm)) is not None:
             yield frame, second, reference

@@ -197,6 +197,7 @@ def test_a_bad_row_is_refused_with_its_number(row: object, message: str) -> None
         ({"dh": "standard", "rows": [ROW]}, "dh is classic or modified, not 'standard'"),
         ({"rows": [ROW]}, "dh is classic or modified, not None"),
         ({"dh": "classic"}, "rows is a list of rows, one a joint, not None"),
+        ({"dh": "classic", "rows": [{"a": 0, "alpha": 0, "d": 0, "theta": "q_1"}], "first": -1}, "0 or more, not -1"),
         ({"dh": "classic", "rows": []}, "rows is a list of rows"),
         ({"dh": "classic", "rows": [ROW], "link": 1}, "unknown key 'link'; the keys are dh, rows, joints"),
         ({"dh": "classic", "rows": [ROW, ROW]}, "row 2: 'theta_1' is the joint variable of row 1 already"),

@@ -21,7 +21,7 @@ class Candidate:
     """One reading of what a document shows of its arm.
 
     Attributes:
-        source, line, cell: what it was read from ("table" or "matrices"), and where that stands in the file.
+        source, line, cell: what it was read from ("table", "matrices" or "closed form"), and where that stands in the file.
         rows: one a joint: a, alpha, d, theta as text.
         joints: the joint variable of each row.
         symbols: letters of the document that an arm's symbol cannot be → the symbol that stands for them.

@@ -13,6 +13,7 @@ from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.naming.names import Names, read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
+from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.matrices import candidate_of_matrices
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
@@ -25,7 +26,7 @@ _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d)")
 
 
 def infer_arm(document: Document) -> Inference:
-    """Return a document with the arm that its DH table gives, else its link matrices, in the reading under which most of its equations hold.
+    """Return a document with the arm that its DH table gives, else its link matrices or a closed form, in the reading under which most of its equations hold.
 
     A document that names its arm stays as it is, and so does one in which nothing tells one reading from another.
     """
@@ -39,8 +40,10 @@ def infer_arm(document: Document) -> Inference:
     except EvaluationError as error:
         problem = finding_of(error)
         return of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms["line"])
-    of_matrices = _settle(document, [found]) if found is not None else of_table
-    return of_matrices if of_matrices.arm is not None else of_table
+    if found is None and of_table.problem is None:
+        found = candidate_of_closed_form(document, plain_names(document))
+    settled = _settle(document, [found]) if found is not None else of_table
+    return settled if settled.arm is not None else of_table
 
 
 def _of_tables(document: Document) -> Inference:

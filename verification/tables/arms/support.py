@@ -106,7 +106,8 @@ def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...
 
 def _is_data(taken: TakenArm, record: Record, links: frozenset[int] = frozenset()) -> bool:
     """Whether the arm was taken from a table, or from the equation in a display that is about these links."""
-    return (record.cell, record.line) in taken.lines and len(links) == (taken.source == "matrices")
+    count = {"table": not links, "matrices": len(links) == 1}.get(taken.source, bool(links))
+    return (record.cell, record.line) in taken.lines and count
 
 
 @dataclass(frozen=True)

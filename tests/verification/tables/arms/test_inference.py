@@ -185,3 +185,23 @@ def test_a_fault_of_ours_while_readings_are_weighed_costs_no_document(monkeypatc
     assert verify_text(PLAIN + "\n" + CLASSIC).arms
     monkeypatch.setattr("armproof.verification.tables.arms.witnesses._Trial._take_chain", fail)
     assert verify_text(PLAIN + "\n" + CLASSIC).arms == ()
+
+
+WRIST = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 4 | 0 | -90° | 0 | θ_4 |\n| 5 | 0 | 90° | 0 | θ_5 |\n| 6 | 0 | 0 | d_6 | θ_6 |\n\n"
+
+
+def test_the_frames_of_a_wrist_are_numbered_as_its_joints() -> None:
+    result = verify_text(
+        WRIST
+        + "$$ p_6^3 = \\begin{bmatrix} c_4 s_5 d_6 \\\\ s_4 s_5 d_6 \\\\ c_5 d_6 \\end{bmatrix} $$\n\n$$ T_6^3 = A_4 A_5 A_6 $$\n"
+    )
+    assert "first: 3" in result.arms[0].front_matter
+    assert verdicts(result) == ["proved", "proved"]
+    assert not verify_text(WRIST.replace("θ_5", "θ_7") + "$$ T_6^3 = A_4 A_5 A_6 $$\n").arms
+
+
+def test_a_pose_that_no_other_last_link_makes_right_is_refuted() -> None:
+    """The first link is confirmed: l_2 c_2 beside c_12 is no turn of the second alone; another d_2 would be one."""
+    last = [whole(y="l_1 s_1 + l_2 s_2"), whole().replace("& 0 & 1 & 0 \\\\ 0", "& 0 & 1 & d_2 \\\\ 0")]
+    found = [verify_text(PLAIN + "\n" + link(1, FIRST) + text) for text in last]
+    assert [result.equations[-1].verdict.value for result in found] == ["refuted", "unchecked"]

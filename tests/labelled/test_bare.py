@@ -1,0 +1,43 @@
+"""Documents without front matter: nothing true is refuted, nothing false passes, and most of them is decided."""
+
+from __future__ import annotations
+
+from collections import Counter
+from functools import lru_cache
+
+import pytest
+
+from tests.labelled.bare import Bare, load
+from tests.labelled.cases import DECIDED, PASSES
+
+DOCUMENTS = load()
+
+
+@lru_cache
+def verdicts(document: Bare) -> tuple[tuple[int, str], ...]:
+    return tuple((record.line, record.verdict.value) for record in document.verify().equations)
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda one: one.path.name)
+def test_nothing_true_is_refuted(document: Bare):
+    assert "refuted" not in [verdict for _, verdict in verdicts(document)]
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda one: one.path.name)
+def test_a_mistake_does_not_pass(document: Bare):
+    number, line, _ = list(document.mistakes)[-1]  # `python -m tests.labelled.bare` makes them all
+    found = {record.verdict.value for record in document.verify(number).equations if record.line == line}
+    assert found and not found & set(PASSES)
+
+
+def test_most_claims_are_decided():
+    claims = [v for document in DOCUMENTS for line, v in verdicts(document) if line not in document.data]
+    decided = sum(Counter(claims)[verdict] for verdict in DECIDED)
+    assert decided >= 0.9 * len(claims) > 90
+
+
+def test_a_mistake_stands_where_its_marks_are():
+    document = next(one for one in DOCUMENTS if one.path.name == "planar.md")
+    first, *_ = document.mistakes
+    assert first == (0, 9, (1, 2))
+    assert "«" not in document.text() and document.text(0) != document.text()
