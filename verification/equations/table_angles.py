@@ -30,9 +30,13 @@ class TableAngles:
         by_values = not self.holds_offset((chain,))
         if by_values and self.names.offset_joints.keys().isdisjoint(self.names.state.configuration):
             return outcomes
+        state = self.names.state
+        bound = state.inferred.copy(), state.conventional.copy()
         with self._read_as(VARIABLE if told == TABLE else TABLE) as other:
             second = again()
-        if hold(outcomes) == hold(second):
+        bound_again = state.inferred, state.conventional
+        state.inferred, state.conventional = bound
+        if hold(outcomes) == hold(second) or not any(each.verdict in DECIDED for each in second):
             return outcomes
         if told:
             return [outcome.left_open(say(Kind.ANGLES_TOLD_OTHERWISE, other=other)) for outcome in outcomes]
@@ -44,6 +48,7 @@ class TableAngles:
             return outcomes
         for outcome in second:
             outcome.also(say(Kind.TABLE_ANGLES))
+        state.inferred, state.conventional = bound_again
         return second
 
     def of_condition(self, chains: Iterable[n.Chain]) -> Finding | None:

@@ -66,7 +66,7 @@ class Candidate:
     def front(self, convention: str) -> dict[str, Any]:
         """Return the keys of front matter that name this arm in a convention."""
         rows = [{name: int(entry) if entry.isdigit() else entry for name, entry in row.items()} for row in self.rows]
-        arm = {"dh": convention, "rows": rows, "joints": list(self.joints)}
+        arm: dict[str, Any] = {"dh": convention, "rows": rows, "joints": list(self.joints)}
         if self.first:
             arm["first"] = self.first
         return {"arm": arm, **({"symbols": dict(self.symbols)} if self.symbols else {})}

@@ -205,3 +205,12 @@ def test_a_pose_that_no_other_last_link_makes_right_is_refuted() -> None:
     last = [whole(y="l_1 s_1 + l_2 s_2"), whole().replace("& 0 & 1 & 0 \\\\ 0", "& 0 & 1 & d_2 \\\\ 0")]
     found = [verify_text(PLAIN + "\n" + link(1, FIRST) + text) for text in last]
     assert [result.equations[-1].verdict.value for result in found] == ["refuted", "unchecked"]
+
+
+OFFSET = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | a_1 | 0 | 0 | q_1 |\n| 2 | a_2 | 0 | 0 | q_2 + 90° |\n\n"
+
+
+def test_a_slip_beside_an_offset_is_no_other_reading_of_the_angles() -> None:
+    x, y = "$$ x = a_1 \\cos q_1 - a_2 \\sin(q_1 + q_2) $$\n\n", "$$ y = a_1 \\sin q_1 + a_2 \\cos(q_1 + q_2) $$\n\n"
+    assert verdicts(verify_text(OFFSET + x + y)) == ["proved", "proved"]
+    assert verdicts(verify_text(OFFSET + x + y.replace("+ a_2", "- a_2"))) == ["proved", "refuted"]
