@@ -34,6 +34,7 @@ from armproof.verification.latex.nodes import bare, has_branches
 from armproof.verification.naming.conventions import LETTERS, applied, conventional, is_usual
 from armproof.verification.verdict import Verdict
 
+ENTRIES = frozenset("rnoa")  # letters of a rotation's entries: in a matrix they mean what stands in their place
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
 POINTS, INDEXED = frozenset("OPAEC"), frozenset("pPoOdRJvz")
 
@@ -218,7 +219,8 @@ class Conventions:
             return member
         for block in blocks:
             cell = self.members.evaluate(block.cell)
-            if (name := _plain(block.cell)) is not None and not cell.known:
+            name = _plain(block.cell)
+            if name is not None and not cell.known and name.base not in ENTRIES:
                 bound = self._bound(cell, [Member(known[0].node, block.of(value))])
                 if bound.known and known[0].rank > 1:  # its place in a matrix of the arm tells it, not convention
                     self.names.state.conventional.discard(name.key)

@@ -11,8 +11,10 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.budget import Budget
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document
+from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import NotSampled
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -29,17 +31,21 @@ LEAD = 4  # so many more hold under one reading than under all others: the rest 
 
 @dataclass(frozen=True)
 class Reading:
-    """A way to read a document: the front matter that it amounts to, and how many of its equations then hold or fail."""
+    """A way to read a document: the front matter that it amounts to, and how many of its equations then hold or fail.
+
+    `entries` counts those of the equations that hold: where as many hold in two ways, a pose tells more than a height.
+    """
 
     front: Mapping[str, Any]
     name: str
     held: int = 0
     failed: int = 0
+    entries: int = 0
 
     @property
-    def counts(self) -> tuple[int, int]:
-        """How many hold and fail, the best first in order."""
-        return -self.held, self.failed
+    def counts(self) -> tuple[int, int, int]:
+        """How many hold and fail, and the entries of those that hold, the best first in order."""
+        return -self.held, self.failed, -self.entries
 
     @property
     def convention(self) -> str:
@@ -61,7 +67,7 @@ class _Trial:
         names.reader.spelling = spelling_of(document, names.reader.words)
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), _no_samples)
         self.checker.confirm = False
-        self.held = self.failed = 0
+        self.held = self.failed = self.entries = 0
 
     def take(self, latex: str, line: int) -> None:
         """Count which equations of a display that rest on the arm hold."""
@@ -76,10 +82,14 @@ class _Trial:
             tells = bool(links_of(outcome, self.checker.members))
             self.held += tells and outcome.verdict is Verdict.PROVED
             self.failed += tells and outcome.verdict is Verdict.REFUTED
+            if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
+                self.entries += sum(
+                    not is_constant(Matrix(((cell,),))) for row in outcome.pair.true.rows for cell in row
+                )
 
     @property
     def reading(self) -> Reading:
-        return Reading(self.front, self.name, self.held, self.failed)
+        return Reading(self.front, self.name, self.held, self.failed, self.entries)
 
 
 def weigh(document: Document, fronts: Sequence[Mapping[str, Any]]) -> list[Reading]:

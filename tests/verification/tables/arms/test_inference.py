@@ -214,3 +214,13 @@ def test_a_slip_beside_an_offset_is_no_other_reading_of_the_angles() -> None:
     x, y = "$$ x = a_1 \\cos q_1 - a_2 \\sin(q_1 + q_2) $$\n\n", "$$ y = a_1 \\sin q_1 + a_2 \\cos(q_1 + q_2) $$\n\n"
     assert verdicts(verify_text(OFFSET + x + y)) == ["proved", "proved"]
     assert verdicts(verify_text(OFFSET + x + y.replace("+ a_2", "- a_2"))) == ["proved", "refuted"]
+
+
+def test_a_pose_tells_the_convention_rather_than_a_height_that_slips() -> None:
+    table = (
+        PLAIN.replace("| $l_2$ | 0 | 0 |", "| $l_2$ | $\\pi$ | 0 |").replace("| $l_1$ | 0 | 0 |", "| 0 | 0 | $h$ |")
+        + "| 3 | 0 | 0 | $d_3$ | 0 |\n"
+    )
+    turned = "$$ T_3^0 = \\begin{bmatrix} c_{12} & s_{12} & 0 & l_2 c_{12} \\\\ s_{12} & -c_{12} & 0 & l_2 s_{12} \\\\ 0 & 0 & -1 & h - d_3 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$\n\n"
+    for height, verdict in (("h - d_3", "proved"), ("h + d_3", "refuted")):
+        assert verdicts(verify_text(f"{table}\n{turned}$$ p_z = {height} $$\n")) == ["proved", verdict]
