@@ -72,7 +72,7 @@ class CallReader(NameReader):
         return (
             self.is_bound(f"{node.key}({inside})")
             or (is_function and (plain or is_upper))
-            or (plain and inside in ("q", "t") and not self.is_bound(node.key))
+            or (plain and inside in ("q", "t"))
             or (letter == "S" and not node.sub and not plain)  # S(v), the skew matrix, unless the argument is an angle
         )
 
