@@ -13,8 +13,9 @@ import pytest
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.check import check_document, verify
-from armproof.verification.document import Document
+from armproof.verification.document import Display, Document
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 from tests.laws import SWEEP
 
@@ -215,3 +216,10 @@ def test_a_file_is_read_and_checked(tmp_path: Path) -> None:
     assert result.equations[0].verdict is Verdict.PROVED
     with pytest.raises(ArmproofError, match=r"no_page\.md"):
         verify(tmp_path / "no_page.md")
+
+
+def test_what_cannot_be_read_in_a_notebook_is_told_with_its_cell() -> None:
+    displays = (Display(3, r"x = \foo", cell=2), Display(3, r"x = \foo"))
+    in_cell, alone = check_document(Document(Path("page.md"), {"arm": "planar_2r"}, displays, ())).equations
+    assert in_cell.says(Kind.UNREADABLE_IN_CELL) and "cell 2" in in_cell.message and "'\\foo'" in in_cell.message
+    assert alone.says(Kind.UNREADABLE) and "cell" not in alone.message
