@@ -33,7 +33,7 @@ from armproof.course.sheet.model import (
 from armproof.course.sheet.pictures import find_picture
 from armproof.verification.correction import edits
 from armproof.verification.document import Display as Source
-from armproof.verification.document.markdown import ADMONITIONS, markdown_reader, without_labels
+from armproof.verification.document.markdown import ADMONITIONS, display_reader, without_labels
 from armproof.verification.errors import ReadError
 from armproof.verification.latex.mathml.display import write_display
 from armproof.verification.latex.mathml.marks import WRONG
@@ -69,7 +69,7 @@ class BlockReader:
             PrintError: a display has no verdict of its own.
         """
         self.first, self.cell = first, cell
-        tree = SyntaxTreeNode(markdown_reader().parse(without_labels(body)))
+        tree = SyntaxTreeNode(display_reader().parse(without_labels(body)))
         return list(self._blocks(tree.children))
 
     def close(self) -> None:
@@ -89,7 +89,7 @@ class BlockReader:
             yield Heading(int(node.tag[1:]), self.inline.parts(_tokens(node)))
         elif node.type == "paragraph":
             yield from self._paragraph(node)
-        elif node.type in ("math_block", "math_block_label"):
+        elif node.type in ("math_block", "math_block_label", "amsmath"):
             yield from (self._display(part) for part in node.content.split("$$")[::2])
         elif node.type == "blockquote":
             yield self._quote(list(self._blocks(node.children)), _first_words(node))
@@ -162,7 +162,7 @@ class BlockReader:
         """Return the blocks in a directive, whose lines are counted from that of its opening."""
         outer = self.first
         self.first += (node.map[0] if node.map else 0) + 1
-        blocks = list(self._blocks(SyntaxTreeNode(markdown_reader().parse(node.content)).children))
+        blocks = list(self._blocks(SyntaxTreeNode(display_reader().parse(node.content)).children))
         self.first = outer
         return blocks
 

@@ -17,6 +17,24 @@ _MAX_DEPTH = 20
 _LONGEST = 60
 
 
+_LATEX = (
+    (re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}"), r"(\1)/(\2)"),
+    (re.compile(r"\s*\^\s*(?:\{\s*(?:\\circ|\*|\\ast|\\star)\s*\}|\\circ|\*|\\ast|\\star)"), lambda mark: "deg" if "circ" in mark[0] else ""),
+    (re.compile(r"\s*_\s*\{\s*([\w\s,]*?)\s*\}"), lambda index: "_" + re.sub(r"[\s,]", "", index[1])),
+    (re.compile(r"\\(?:cdot|times)(?![A-Za-z])"), "*"),
+    (re.compile(r"\\(?:left|right|,|;|!|:)|\$|~|\\(?=[A-Za-z])"), ""),
+    (re.compile(r"(\d+(?:\.\d+)?)\s*(?:(mm)|(cm)|m)(?![A-Za-z_])"), lambda length: f"{length[1]}{'/1000' if length[2] else '/100' if length[3] else ''}"),
+)  # fmt: skip
+
+
+def as_typed(text: str) -> str:
+    r"""Return entries in LaTeX as they are typed: `\theta_{1} - \frac{\pi}{2}` as theta_1 - (pi)/(2), 350 mm as 350/1000."""
+    text = text.replace("\theta", "theta").replace("\alpha", "alpha")  # what YAML makes of "\theta" between quotes
+    for pattern, plain in _LATEX:
+        text = pattern.sub(plain, text)
+    return text
+
+
 @dataclass(frozen=True)
 class LinearForm:
     """A sum: coefficients of symbols, a rational multiple of pi, and a rational number (m in a length, rad in an angle)."""
@@ -58,7 +76,7 @@ def read_entry(value: object) -> LinearForm:
     finite = isinstance(value, str) or (isinstance(value, int | float) and isfinite(value))
     if isinstance(value, bool) or not finite:
         raise ModelError(Fault.ENTRY_NOT_FINITE, value=repr(value), forms=FORMS)
-    return _Reader(repr(value) if isinstance(value, float) else str(value)).read()
+    return _Reader(repr(value) if isinstance(value, float) else as_typed(str(value))).read()
 
 
 class _Reader:

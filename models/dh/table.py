@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import pi
 from typing import Any, Literal
 
-from armproof.models.dh.entry import FORMS, LinearForm, read_entry
+from armproof.models.dh.entry import FORMS, LinearForm, as_typed, read_entry
 from armproof.models.errors import Fault, ModelError
 
 KEYS = ("dh", "rows", "joints", "first")
@@ -91,6 +91,7 @@ def read_table(spec: Mapping[str, Any]) -> DHTable:
         joints = [_guess_joint(number, row) for number, row in enumerate(entries, start=1)]
     elif not isinstance(joints, Sequence) or isinstance(joints, str) or not all(isinstance(j, str) for j in joints):
         raise ModelError(Fault.NO_JOINTS, given=repr(joints))
+    joints = [as_typed(joint).strip() for joint in joints]
     if len(joints) != len(entries):
         raise ModelError(Fault.ROWS_AND_JOINTS, rows=len(entries), count=len(joints), joints=list(joints))
     rows = tuple(_make_row(number, row, joints) for number, row in enumerate(entries, start=1))

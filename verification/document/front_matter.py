@@ -13,6 +13,7 @@ from typing import Any
 
 import yaml
 
+from armproof.models.dh.entry import as_typed
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Finding, Kind, say
 
@@ -184,8 +185,9 @@ def _read_key_by_key(path: Path, block: str, first_line: int) -> Iterator[tuple[
     starts = [number for number, line in enumerate(lines) if _KEY.match(line)]
     for start, end in zip(starts, [*starts[1:], len(lines)], strict=False):  # there may be none
         key = (_KEY.match(lines[start]) or [""] * 2)[1]
-        try:
-            yield key, _load(path, "\n".join(lines[start:end]), first_line + start)[key]
+        block = "\n".join(lines[start:end])
+        try:  # braces of LaTeX are none of YAML's
+            yield key, _load(path, as_typed(block) if key == "arm" else block, first_line + start)[key]
         except (DocumentError, KeyError, TypeError):
             if key in FRONT_MATTER_KEYS[2:]:
                 raise

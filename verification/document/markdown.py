@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
 from markdown_it import MarkdownIt
+from markdown_it.rules_block import StateBlock
 from markdown_it.token import Token
 from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
@@ -17,9 +19,13 @@ from armproof.verification.document.front_matter import FrontMatter, split_front
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
 
+AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
+_ENVIRONMENT = re.compile(r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?)\}")
 _BAR = re.compile(r"(?<!\\)\|")
 _BLANK = re.compile(r"[\s>]*")
 _OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
+Rule = Callable[[StateBlock, int, int, bool], bool]
+MOST_LINES = 100  # of an environment without dollars
 FARTHEST = 12  # lines between the opening of a display and its LaTeX: blank, or a directive's options
 ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "caution", "error", "hint", "attention", "danger",
                          "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin"])  # fmt: skip
@@ -30,6 +36,10 @@ _ERRATUM = re.compile(r"(?<![A-Za-z])errat(?:um|a)\b", re.IGNORECASE)
 _LABEL = re.compile(
     r"(\$\$)[ \t]*\{#[^{}\n]*(?:\{[^{}\n]*\})?[^{}\n]*\}[ \t]*$", re.MULTILINE
 )  # Quarto's: $$ {#eq-jacobian}
+# \[ … \] and \\[ … \\] on lines of their own, as MathJax and many writers have them
+_BRACKETS = re.compile(
+    r"^([ \t>]*)(\\{1,2})\[((?:(?!\$\$|^[ \t>]*$)[^\n]*\n){0,60}?(?!\$\$)[^\n$]*?)\2\](?=[ \t.,;]*$)", re.MULTILINE
+)
 _HTML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
@@ -47,7 +57,7 @@ def place_displays(displays: Sequence[Display], lines: Sequence[str], first: int
         if display.line - first > row:
             row, column = display.line - first, 0
         mark = display.opening
-        found = _find(display, lines, row, column, mark) if display.closed else None
+        found = _find(display, lines, row, column, "" if mark == AMS else mark) if display.closed else None
         if found is None:
             placed.append(display)
             continue
@@ -95,7 +105,7 @@ def _find(
         skipped = _BLANK if mark == "$$" else _OPTIONS
         if (found := _follow(display.latex, lines, row, opening + len(mark), skipped)) is not None:
             return found
-        opening = lines[row].find(mark, opening + len(mark))
+        opening = lines[row].find(mark, opening + len(mark)) if mark else -1
     return None
 
 
@@ -151,7 +161,7 @@ def _read_blocks(
     displays: list[Display] = []
     tables: list[Table] = []
     quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
-    tokens = markdown_reader().parse(body)
+    tokens = display_reader().parse(body)
     for index, token in enumerate(tokens):
         if token.type == "heading_open":
             section = tokens[index + 1].content
@@ -162,6 +172,9 @@ def _read_blocks(
         elif token.type in ("math_block", "math_block_label"):
             line = first + (token.map[0] if token.map else 0)
             displays.extend(_block_displays(token.content, line, any(quotes), cell, section))
+        elif token.type == "amsmath":
+            line = first + (token.map[0] if token.map else 0)
+            displays.append(Display(line, token.content, any(quotes), cell, section, opening=AMS))
         elif token.type == "html_block" and "$$" in _HTML_COMMENT.sub("", token.content):
             line = first + (token.map[0] if token.map else 0) + token.content[: token.content.index("$$")].count("\n")
             displays.append(
@@ -188,8 +201,18 @@ def _read_blocks(
 
 
 def without_labels(body: str) -> str:
-    """Return a text whose equations have no labels, every other character at its place."""
+    """Return a text whose equations have no labels and stand between dollars, every other character at its place."""
+    if "\\[" in body:
+        dollars = [found.start() for found in re.finditer(r"\$\$", body)]
+        body = _BRACKETS.sub(lambda found: _in_dollars(found, dollars), body)
     return _LABEL.sub(lambda found: found.group(1) + " " * (len(found.group()) - len(found.group(1))), body)
+
+
+def _in_dollars(found: re.Match[str], dollars: Sequence[int]) -> str:
+    if bisect_left(dollars, found.start()) % 2:  # within a display it is the end of a row
+        return found.group()
+    margin, slashes, latex = found.groups()
+    return f"{margin}{'$$'.rjust(len(slashes) + 1)}{latex}{'$$'.ljust(len(slashes) + 1)}"
 
 
 @lru_cache(maxsize=1)
@@ -201,6 +224,59 @@ def markdown_reader() -> MarkdownIt:
         .use(colon_fence_plugin)
         .use(dollarmath_plugin, allow_labels=True, double_inline=True)
     )
+
+
+@lru_cache(maxsize=1)
+def display_reader() -> MarkdownIt:
+    """Return the reader that finds displays: an environment for equations ends the paragraph before it."""
+    reader = markdown_reader.__wrapped__()
+    interrupts = {"alt": ["paragraph", "reference", "blockquote", "list"]}
+    reader.block.ruler.before("html_block", "amsmath", _quiet(_environment), interrupts)
+    return reader
+
+
+def _quiet(rule: Rule) -> Rule:
+    """Return a rule that leaves nothing behind where it is only asked whether it would end a paragraph.
+
+    Within a display that began in the paragraph it does not.
+    """
+
+    def asked(state: StateBlock, start: int, last: int, silent: bool) -> bool:
+        line, count = state.line, len(state.tokens)
+        found = rule(state, start, last, silent)
+        if silent:
+            state.line = line
+            del state.tokens[count:]
+        return found and not (silent and _within_display(state, start))
+
+    return asked
+
+
+def _within_display(state: StateBlock, line: int) -> bool:
+    """Whether an odd number of double dollars stands before a line."""
+    if "dollars" not in state.env:
+        state.env["dollars"] = [found.start() for found in re.finditer(r"\$\$", state.src)]
+    return bisect_left(state.env["dollars"], state.bMarks[line]) % 2 == 1
+
+
+def _environment(state: StateBlock, start: int, last: int, _silent: bool) -> bool:
+    """Read an environment for equations that stands in the text without dollars, as MathJax does."""
+    begin = state.bMarks[start] + state.tShift[start]
+    opened = _ENVIRONMENT.match(state.src, begin)
+    if opened is None or state.is_code_block(start) or _within_display(state, start):
+        return False
+    closing = re.compile(r"\\end\{%s\}[ \t.,;]*$" % re.escape(opened[1]))
+    for line in range(start, min(last, start + MOST_LINES)):
+        text = state.src[state.bMarks[line] : state.eMarks[line]]
+        if not text.strip(" \t>"):
+            return False
+        if closing.search(text):
+            token = state.push("amsmath", "math", 0)
+            token.content = state.getLines(start, line + 1, state.sCount[start], False).strip()
+            token.map = [start, line + 1]
+            state.line = line + 1
+            return True
+    return False
 
 
 def _is_erratum(tokens: list[Token], start: int) -> bool:
@@ -246,7 +322,12 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
             cursor = at + len(child.content) + 4
             yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
         elif child.type == "math_inline":
-            yield Display(base, child.content, cell=cell, section=section, opening=INLINE)
+            quoted = re.fullmatch(r"`(.*)`", child.content, re.DOTALL)  # GitHub's $`…`$
+            latex = quoted[1] if quoted else child.content
+            if quoted and len([each for each in token.children or [] if each.content.strip()]) == 1:
+                yield Display(base, latex, erratum, cell, section, opening="$`")
+            else:
+                yield Display(base, latex, cell=cell, section=section, opening=INLINE)
         elif child.type == "text" and "$$" in child.content and (at := token.content.find("$$", cursor)) >= 0:
             yield Display(
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False

@@ -611,6 +611,8 @@ class Kind(MessageKind):
     FOREIGN_KEYS = "foreign_keys", "front-matter keys of other tools are left alone: {keys}; those that are read are {ours}"
     FOREIGN_FRONT_MATTER = "foreign_front_matter", "the front matter between '+++' is left alone; what is read stands between '---'"
     NOT_INPUT = "not_input", "'{file}', which it inputs, is left out: no such file is below its folder, or it inputs itself"
+    IMAGE = "image", "1 equation is an image: it is not checked"
+    IMAGES = "images", "{count} equations are images: they are not checked"
     READ_AS_WESTERN = "read_as_western", "it is not in UTF-8: the letters with accents are read as those of Windows-1252"
     ARM_EMPTY = "arm_empty", "'arm' is empty; name an arm, a model file or a DH table, or leave the key out"
 

@@ -14,7 +14,7 @@ _LENGTH = r"\s*=?\s*[-+]?(?:\d+\.?\d*|\.\d+)\s*(?:pt|em|ex|mu|mm|cm|in|\\[A-Za-z
 _OVERLAY = r"<[\d\s+,.|:a-z-]*>"
 _ESCAPES = r"_*^()[]+="  # of Markdown: in a formula their backslash means nothing
 _SILENT = re.compile(
-    rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))"
+    rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))|(?P<unequal>\\not\s*=)"
     rf"|\\(?:setlength|addtolength|settowidth|settoheight|settodepth){_COMMAND}{_ARGUMENT}|\\setcounter{_ARGUMENT}{_ARGUMENT}"
     rf"|\\(?:re|provide)?newcommand\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"
     rf"|\\(?:arraycolsep|tabcolsep|jot|lineskip|baselineskip|kern|mkern|hskip|mskip|vskip){_LENGTH}|\\arraystretch\s*=?\s*[\d.]*"
@@ -45,6 +45,8 @@ def prepared(text: str) -> str:
 def _plain(found: re.Match[str]) -> str:
     if found["kept"]:
         return found.group()
+    if found["unequal"]:
+        return "\\ne".ljust(len(found.group()))
     if found["escape"] or found["set"]:
         return " " + found.group()[1]
     command = found["command"] or ""

@@ -1,0 +1,98 @@
+"""Markdown as it is found: formulas without dollars, macros, pictures of equations, and LaTeX in the rows of an arm."""
+
+import time
+from pathlib import Path
+
+import pytest
+
+from armproof.verification.check import verify_text
+from armproof.verification.document import parse_document
+from armproof.verification.document.markdown import read_markdown
+
+FRONT = r"""---
+arm: {dh: classic, rows: [{a: l_1, alpha: 0, d: 0, theta: theta_1}, {a: l_2, alpha: 0, d: 0, theta: theta_2}]}
+quantities: {p_x: {origin: 2, component: x}, p_y: {origin: 2, component: y}}
+---
+"""
+FORMS = {
+    "GitHub's dollars": "Words.\n\n$`p_x = <>`$\n",
+    "a fence": "Words\n```math\np_x = <>\n```\n",
+    "brackets": "Words\n\\[\np_x = <>\n\\]\nand words\n",
+    "double brackets": "Words\n\n\\\\[ p_x = <> \\\\]\n",
+    "an environment": "Words\n\\begin{equation}\np_x = <>\n\\end{equation}\nwords\n",
+    "several lines": "> \\begin{align*}\n> p_x &= <> \\\\\n> p_y &= l_1 s_1 + l_2 s_{12}\n> \\end{align*}\n",
+    "macros": "$\\def\\C#1{\\cos\\theta_{#1}}\\newcommand{\\x}{p_x}$\n\n$$ \\x = <> + \\C1 - c_1 $$\n",
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_display_is_found_in_every_form_and_a_false_twin_refuted(form: str):
+    for right, verdict in (("l_1 c_1 + l_2 c_{12}", "proved"), ("l_1 c_1 - l_2 c_{12}", "refuted")):
+        records = verify_text(FRONT + FORMS[form].replace("<>", right)).equations
+        assert [record.verdict.value for record in records] == [verdict]
+
+
+def test_the_places_of_displays_without_dollars_are_known():
+    text = "Words\n\\[\n1 = 1\n\\]\n> \\begin{align}\n> 2 &= 2\n> \\end{align}\n\n$`3 = 3`$\n"
+    displays, _ = read_markdown(text, 1)
+    lines = text.split("\n")
+    assert [display.line for display in displays] == [2, 5, 9]
+    for display in displays:
+        assert display.pieces
+        for piece in display.pieces:
+            part = display.latex[piece.at : piece.at + piece.length]
+            assert lines[piece.line - 1][piece.column :].startswith(part)
+
+
+NONE = ["```\n\\[ 1 = 1 \\]\n```\n", "    \\[ 1 = 1 \\]\n", "\\[link\\](x) and \\[1\\] too\n", "`\\begin{equation}`\n", "\\begin{tikzpicture}\n\\end{tikzpicture}\n",
+        "\\begin{equation}\n1 = 1\n\nnever ends\n", "text $`a`$ and $`b = c`$\n"]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", NONE)
+def test_what_is_no_display_is_none(text: str):
+    assert parse_document(Path("page.md"), text).displays == ()
+
+
+def test_the_end_of_a_row_begins_no_display():
+    (display,), _ = read_markdown("$$\n\\begin{aligned}\na &= 1\n\\\\[1ex]\nb &= [2\n\\\\]\n\\end{aligned}\n$$\n", 1)
+    assert "\\\\[1ex]" in display.latex
+
+
+@pytest.mark.parametrize(
+    "text", ["\\begin{equation}\n" * 3000, "\\[ a\n" * 3000 + "\\]", "> \\[ x\n" * 2000, "a\n$$\nx\n" * 2000]
+)
+def test_nothing_takes_long(text: str):
+    started = time.process_time()
+    read_markdown(text, 1)
+    assert time.process_time() - started < 2
+
+
+PICTURES = [
+    (
+        "![eq](https://latex.codecogs.com/svg.latex?x=1) and ![Equation 3](a.png)\n\n![x](eq_2.png)",
+        ["3 equations are images"],
+    ),
+    ('<img src="https://render.githubusercontent.com/render/math?math=x">', ["1 equation is an image"]),
+    ("![robot](arm.png) and ![](frequency.png) $$ 1 = 1 $$", []),
+]
+
+
+@pytest.mark.parametrize(("text", "told"), PICTURES)
+def test_pictures_of_equations_are_counted(text: str, told: list[str]):
+    assert [str(remark).split(":")[0] for remark in parse_document(Path("page.md"), text).remarks] == told
+
+
+ROWS = {
+    "flow": "arm: {dh: classic, rows: [{a: l_{1}, alpha: 0, d: 0, theta: \\theta_{1} - \\frac{\\pi}{2}}, {a: a_{4e2}, alpha: 0, d: -120 mm, theta: \\theta_2^*}], joints: [\\theta_1, \\theta_2]}",
+    "block": "arm:\n  dh: classic\n  rows:\n    - {a: l_1, alpha: 0, d: 0, theta: '\\theta_1 - \\frac{\\pi}{2}'}\n    - a: a_{4e2}\n      alpha: 0^\\circ\n      d: -12 cm\n      theta: \"\\theta_2\"",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("rows", ROWS)
+def test_rows_of_an_arm_may_be_written_in_latex(rows: str):
+    front = (
+        f"---\n{ROWS[rows]}\nquantities: {{p_x: {{origin: 2, component: x}}, p_z: {{origin: 2, component: z}}}}\n---\n"
+    )
+    body = "$$ p_x = l_1 s_1 {} a_{{4e2}} s_{{12}} $$\n\n$$ p_z = {} $$\n"
+    assert [r.verdict.value for r in verify_text(front + body.format("+", "-0.12")).equations] == ["proved", "proved"]
+    assert [r.verdict.value for r in verify_text(front + body.format("-", "0.12")).equations] == ["refuted", "unchecked"]

@@ -1,0 +1,34 @@
+r"""Macros that a Markdown document or notebook defines in its formulas: as in MathJax, they hold from there on."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from armproof.verification.document.model import Display, Document
+from armproof.verification.document.tex_definitions import find_macros
+from armproof.verification.document.tex_macros import Macro, Macros
+
+_DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
+
+
+def with_macros(document: Document) -> Document:
+    """Return a document with its displays' own macros expanded, each part still with its place in the file."""
+    if not any(_DEFINES.search(display.latex) for display in document.displays):
+        return document
+    known: dict[str, Macro] = {}
+    displays: list[Display] = []
+    for display in document.displays:
+        found, visible = find_macros(display.latex)
+        known.update(found.macros)
+        latex, pieces = Macros(known).expanded(visible, 0, lambda offset, of=display: _place(of, offset))
+        displays.append(replace(display, latex=latex, pieces=pieces if display.pieces else ()))
+    return replace(document, displays=tuple(displays))
+
+
+def _place(display: Display, offset: int) -> tuple[int, int]:
+    """Return the line and the column in the file of a place in a display."""
+    for piece in display.pieces:
+        if piece.at <= offset <= piece.at + piece.length:
+            return piece.line, piece.column + offset - piece.at
+    return display.line, 0
