@@ -95,4 +95,7 @@ def test_rows_of_an_arm_may_be_written_in_latex(rows: str):
     )
     body = "$$ p_x = l_1 s_1 {} a_{{4e2}} s_{{12}} $$\n\n$$ p_z = {} $$\n"
     assert [r.verdict.value for r in verify_text(front + body.format("+", "-0.12")).equations] == ["proved", "proved"]
-    assert [r.verdict.value for r in verify_text(front + body.format("-", "0.12")).equations] == ["refuted", "unchecked"]
+    assert [r.verdict.value for r in verify_text(front + body.format("-", "0.12")).equations] == [
+        "refuted",
+        "unchecked",
+    ]
