@@ -230,8 +230,9 @@ def markdown_reader() -> MarkdownIt:
 def display_reader() -> MarkdownIt:
     """Return the reader that finds displays: an environment for equations ends the paragraph before it."""
     reader = markdown_reader.__wrapped__()
-    interrupts = {"alt": ["paragraph", "reference", "blockquote", "list"]}
-    reader.block.ruler.before("html_block", "amsmath", _quiet(_environment), interrupts)
+    reader.block.ruler.before(
+        "html_block", "amsmath", _quiet(_environment), {"alt": ["paragraph", "reference", "blockquote", "list"]}
+    )
     return reader
 
 

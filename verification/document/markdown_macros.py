@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import partial
 
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.tex_definitions import find_macros
@@ -21,7 +22,7 @@ def with_macros(document: Document) -> Document:
     for display in document.displays:
         found, visible = find_macros(display.latex)
         known.update(found.macros)
-        latex, pieces = Macros(known).expanded(visible, 0, lambda offset, of=display: _place(of, offset))
+        latex, pieces = Macros(known).expanded(visible, 0, partial(_place, display))
         displays.append(replace(display, latex=latex, pieces=pieces if display.pieces else ()))
     return replace(document, displays=tuple(displays))
 
