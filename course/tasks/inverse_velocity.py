@@ -9,6 +9,8 @@ import numpy as np
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Shown
+from armproof.models.errors import written
+from armproof.models.language import look_up, number_text
 from armproof.models.numeric.plant import NumericKinematics
 
 ARM = "planar_2r"
@@ -30,7 +32,7 @@ def show_rates(rates: Any, damping: float = 0.06) -> Any:
         damping: λ of the damped rates that are drawn beside (m).
     """
     if is_missing(rates) or not is_function(rates):
-        return Shown("`rates`: no function yet, nothing to draw.")
+        return Shown(written("`{task}`: no function yet, nothing to draw.", task="rates"))
     from armproof.models.catalogue import load_arm
 
     arm = load_arm(ARM)
@@ -39,12 +41,12 @@ def show_rates(rates: Any, damping: float = 0.06) -> Any:
         with np.errstate(all="ignore"):
             found = [np.array(rates(0.0, t, arm.lengths["l_1"], arm.lengths["l_2"], SPEED, 0.0), float) for t in elbow]
     except Exception as problem:
-        return Shown(f"`rates`: the function stops with {type(problem).__name__}: {problem}")
+        return Shown(written("`{task}`: the function stops with {type}: {reason}", task="rates", type=type(problem).__name__, reason=str(problem)))  # fmt: skip
     if all(rate.size == 1 and np.isnan(rate).all() for rate in found):  # what None becomes
-        return Shown("`rates`: no answer yet, nothing to draw.")
+        return Shown(written("`{task}`: no answer yet, nothing to draw.", task="rates"))
     values = np.array([rate.ravel() for rate in found if rate.size == 2])
     if values.shape != (len(elbow), 2):
-        return Shown("`rates`: two joint rates are needed for the plot.")
+        return Shown(look_up("`rates`: two joint rates are needed for the plot."))
     return _plot(arm, elbow, values, damping)
 
 
@@ -64,7 +66,7 @@ def _plot(arm, elbow, values, damping):
         for k in range(2):
             below = 11.0 + 33.0 * (1 - k)
             label = rf"$\dot{{\theta}}_{k + 1}$ (rad/s)"
-            axes = plot_axes(figure, (15.0, below, 64.0, 28.0), "en", r"$\theta_2$ (°)" if k else "", label)
+            axes = plot_axes(figure, (15.0, below, 64.0, 28.0), "", r"$\theta_2$ (°)" if k else "", label)
             degrees = np.degrees(elbow)
             for part in (elbow < 0, elbow > 0):
                 axes.plot(degrees[part], true[part, k], color=GREY, linewidth=5, alpha=0.3)[0].set_gid("drake")
@@ -75,8 +77,8 @@ def _plot(arm, elbow, values, damping):
         axes = figure.axes[0]
         names = (
             ("Drake", GREY),
-            ("your answer", STROKES[1].colour),
-            (rf"damped, $\lambda$ = {damping:g} m", STROKES[0].colour),
+            (look_up("your answer"), STROKES[1].colour),
+            (written("damped, {value} m", value=rf"$\lambda$ = {number_text(damping, 'g')}"), STROKES[0].colour),
         )
         for place, (name, colour) in enumerate(names):
             axes.text(0.02, 0.93 - 0.13 * place, name, transform=axes.transAxes, va="top", fontsize=SMALL, color=colour)

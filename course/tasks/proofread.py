@@ -13,6 +13,8 @@ from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, 
 from armproof.course.feedback.answer import is_missing
 from armproof.course.feedback.notebook import Shown, render
 from armproof.course.links import shift, turn
+from armproof.models.errors import written
+from armproof.models.language import look_up
 
 ARM = "planar_2r"
 _JACOBIAN = {"jacobian": 2, "rows": [1, 2]}
@@ -48,7 +50,7 @@ def proofread(text: str, after: Any = True) -> Any:
         after: an answer that has to be there first.
     """
     if is_missing(after):
-        return Shown("First find the wrong displays by hand; the tool answers when you have.")
+        return Shown(look_up("First find the wrong displays by hand; the tool answers when you have."))
     from armproof.models.errors import ArmproofError
     from armproof.verification.check import verify
     from armproof.verification.report.text import describe_document
@@ -62,7 +64,9 @@ def proofread(text: str, after: Any = True) -> Any:
             told = "\n".join("".join(words for words, _ in line) for line in lines)
             return Report(told.replace(str(file), "sheet.md"))
     except (ArmproofError, OSError) as problem:
-        return Shown(f"The sheet cannot be checked: {str(problem).replace(str(file), 'sheet.md')}")
+        return Shown(
+            written("The sheet cannot be checked: {reason}", reason=str(problem).replace(str(file), "sheet.md"))
+        )
 
 
 def jacobian(q, l_1, l_2):

@@ -9,6 +9,8 @@ import numpy as np
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Shown
+from armproof.models.errors import written
+from armproof.models.language import look_up
 
 ARM = "scara_column"
 Q_0, Q_F = (0.0, 0.3, 0.05, 0.0), (1.2, 1.3, 0.2, 0.5)  # rad, m: the motion that is simulated
@@ -48,7 +50,7 @@ def show_motion(coefficients: Any, q_0: float = 0.0, q_f: float = 1.2, t_f: floa
                 axes.text(
                     0.02,
                     0.78,
-                    "your answer",
+                    look_up("your answer"),
                     transform=axes.transAxes,
                     va="top",
                     fontsize=SMALL,
@@ -78,17 +80,22 @@ def show_tracking(coefficients: Any, t_f: float = 0.8) -> Any:
     none = np.zeros_like(move)
     line = np.column_stack([Q_0, move / t_f])
     cubic = np.column_stack([Q_0, none, 3 * move / t_f**2, -2 * move / t_f**3])
-    motions = (("straight line", line, STROKES[2]), ("cubic", cubic, STROKES[0]), ("your answer", quintic, STROKES[1]))
+    motions = (
+        (look_up("straight line in time"), line, STROKES[2]),
+        (look_up("cubic"), cubic, STROKES[0]),
+        (look_up("your answer"), quintic, STROKES[1]),
+    )
     with styled():
         figure = new_figure("column", 74.0)
         panels = [
-            _panel(figure, k, name) for k, name in enumerate((r"$\tau_1$ (N m)", "error of $θ_1$ (mrad)"), start=1)
+            _panel(figure, k, name)
+            for k, name in enumerate((r"$\tau_1$ (N m)", look_up("error of $θ_1$ (mrad)")), start=1)
         ]
         for place, (name, values, stroke) in enumerate(motions):
             try:
                 log = track(arm, _trajectory(values, t_f), period=_PERIOD, q_start=Q_0)
             except ModelError as problem:
-                return Shown(f"`coefficients`: the motion cannot be simulated: {problem}")
+                return Shown(written("`coefficients`: the motion cannot be simulated: {reason}", reason=str(problem)))
             style = {"color": stroke.colour, "linestyle": stroke.linestyle, "linewidth": 1.2}
             panels[0].step(log.times[:-1], log.torques[:-1, 0], where="post", **style)[0].set_gid(f"torque {name}")
             panels[1].plot(log.times, 1000 * (log.q_desired - log.q)[:, 0], **style)[0].set_gid(f"error {name}")
@@ -105,21 +112,21 @@ def _panel(figure, place, name):
     from armproof.course.figures.drawing.plots import plot_axes
 
     time = "$t$ (s)" if place == 2 else ""
-    return plot_axes(figure, (15.0, 11.0 + 27.0 * (2 - place), 64.0, 22.0), "en", time, name)
+    return plot_axes(figure, (15.0, 11.0 + 27.0 * (2 - place), 64.0, 22.0), "", time, name)
 
 
 def _coefficients(answer, q_0, q_f, t_f):
     """Return a student's coefficients, (n, 6), a row a joint, or a polite sentence."""
     if is_missing(answer) or not is_function(answer):
-        return Shown("`coefficients`: no function yet, nothing to draw.")
+        return Shown(written("`{task}`: no function yet, nothing to draw.", task="coefficients"))
     try:
         rows = [np.array(answer(*ends, t_f), dtype=float).ravel() for ends in zip(q_0, q_f, strict=True)]
     except Exception as problem:
-        return Shown(f"`coefficients`: the function stops with {type(problem).__name__}: {problem}")
+        return Shown(written("`{task}`: the function stops with {type}: {reason}", task="coefficients", type=type(problem).__name__, reason=str(problem)))  # fmt: skip
     if all(row.shape == (1,) and np.isnan(row).all() for row in rows):  # what None becomes
-        return Shown("`coefficients`: no answer yet, nothing to draw.")
+        return Shown(written("`{task}`: no answer yet, nothing to draw.", task="coefficients"))
     if any(row.shape != (6,) or not np.isfinite(row).all() for row in rows):
-        return Shown("`coefficients`: six numbers are needed for the plot.")
+        return Shown(look_up("`coefficients`: six numbers are needed for the plot."))
     return np.array(rows)
 
 

@@ -9,6 +9,8 @@ import numpy as np
 from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Shown
+from armproof.models.errors import written
+from armproof.models.language import look_up
 
 ARM = "scara_column"
 _REACHED = {"X": r"a_1 C_1 + a_2 C_{12}", "Y": r"a_1 S_1 + a_2 S_{12}"}
@@ -33,7 +35,7 @@ def show_inverse(inverse: Any, X: float, Y: float, Z: float, psi: float) -> Any:
         psi: the tool's angle about the vertical (rad).
     """
     if is_missing(inverse) or not is_function(inverse):
-        return Shown("`inverse`: no function yet, nothing to draw.")
+        return Shown(written("`{task}`: no function yet, nothing to draw.", task="inverse"))
     from armproof.models.catalogue import load_arm
 
     arm = load_arm(ARM)
@@ -42,12 +44,15 @@ def show_inverse(inverse: Any, X: float, Y: float, Z: float, psi: float) -> Any:
         with np.errstate(all="ignore"):
             q = np.array(inverse(X, Y, Z, psi, *lengths), dtype=float).ravel()
     except Exception as problem:
-        return Shown(f"`inverse`: the function stops with {type(problem).__name__}: {problem}")
+        return Shown(written("`{task}`: the function stops with {type}: {reason}", task="inverse", type=type(problem).__name__, reason=str(problem)))  # fmt: skip
     if q.shape == (1,) and np.isnan(q).all():  # what None becomes
-        return Shown("`inverse`: no answer yet, nothing to draw.")
+        return Shown(written("`{task}`: no answer yet, nothing to draw.", task="inverse"))
     if q.shape != (4,) or not np.isfinite(q).all():
         return Shown(
-            f"`inverse`: nothing to draw; this takes four joint values, and yours are {q}. Is the target within reach?"
+            written(
+                "`inverse`: nothing to draw; this takes four joint values, and yours are {q}. Is the target within reach?",
+                q=str(q),
+            )
         )
     return _draw(arm, q, np.array([X, Y, Z, psi]))
 
@@ -74,8 +79,8 @@ def _draw(arm, q, target):
         points = stick_points(arm, q, "4")
         scene.line(points, gid="answer", color=stroke.colour, linewidth=1.4, marker="o", markersize=4, zorder=5)
         scene.circle(scene.paper(at), 1.6, zorder=8, facecolor="none", edgecolor=GREY, linewidth=1.0)
-        scene.label("target", scene.paper(at), gap=2.4)
-        scene.label("your answer", scene.paper(points[1:3].mean(axis=0)), colour=stroke.colour, gap=1.5)
+        scene.label(look_up("target"), scene.paper(at), gap=2.4)
+        scene.label(look_up("your answer"), scene.paper(points[1:3].mean(axis=0)), colour=stroke.colour, gap=1.5)
         return finish(figure, scene)
 
 

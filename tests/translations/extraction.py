@@ -106,9 +106,9 @@ def of_words() -> Iterator[Message]:
 
 
 def sources(suffix: str) -> list[Path]:
-    """Return the files of the rooms that are ours: lessons and tasks have catalogues of their own."""
+    """Return the files of the rooms that are ours: lessons and handouts have catalogues of their own."""
     found = [path for room in ROOMS for path in sorted((ROOT / room).rglob(f"*{suffix}"))]
-    return [path for path in found if not {"lessons", "tasks", "handouts"} & set(path.relative_to(ROOT).parts)]
+    return [path for path in found if not {"lessons", "handouts"} & set(path.relative_to(ROOT).parts)]
 
 
 def place(path: Path) -> str:

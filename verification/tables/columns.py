@@ -11,12 +11,13 @@ from armproof.verification.latex.vocabulary import STYLES
 
 XYZ, RPY = ("x", "y", "z"), ("roll", "pitch", "yaw")
 _HEADERS = {
-    "joint": r"(?:joint|liaison|articulation)s?(?: name)?|name|nom|",
-    "parent": r"parent(?: link)?",
-    "child": r"child(?: link)?",
+    "joint": r"(?:nom d[eu] (?:l['’]|la )?)?(?:joint|liaison|articulation)s?(?: name)?|name|nom|",
+    "parent": r"(?:segment |corps )?parent(?: link)?",
+    "child": r"child(?: link)?|(?:segment |corps )?enfant",
     "type": r"(?:joint )?(?:type|kind)",
-    "axis": r"(?:joint )?axis",
-    **{letter: letter for letter in (*XYZ, *RPY)},
+    "axis": r"(?:joint )?axis|axe",
+    **{letter: letter for letter in XYZ},
+    **{name: rf"{name}|{french}" for name, french in zip(RPY, ("roulis", "tangage", "lacet"), strict=True)},
 }
 _LENGTH_UNIT = re.compile(r"\s*(?:[(\[].*[)\]]|,\s*\w+|\sin\s+\w+)$")
 CONVENTIONS = ("classic", "modified")
