@@ -20,7 +20,7 @@ from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.task import Task
 from armproof.course.feedback.translation import changed_task
 from armproof.course.translation.catalogue import translated_sentence, translation_of
-from armproof.models.errors import written
+from armproof.models.errors import counted
 from armproof.models.language import (
     ENGLISH,
     asked,
@@ -120,7 +120,9 @@ class Lesson:
     def _solved(self, states: dict[str, Outcome]) -> str:
         solved = sum(state.is_right for state in states.values())
         with use(self.lang):
-            return written("{solved} of {count} tasks solved", solved=solved, count=len(states))
+            return counted(
+                "{number} of {count} tasks solved", "{number} of {count} tasks solved", solved, count=len(states)
+            )
 
 
 _opened: dict[tuple[str, str, str], Lesson] = {}
