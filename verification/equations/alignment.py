@@ -233,7 +233,7 @@ def _shares_terms(true: Scalar, printed: Scalar) -> bool:
     alike = sum(by_length[length] == by_other[length] for length in by_length.keys() & by_other.keys())
     if by_length.keys() == by_other.keys() and alike and 2 * alike >= len(by_length):
         return True
-    common, longer = sum(term in others for term in terms), max(len(terms), len(others))
+    common, longer = len({*terms} & {*others}), max(len(terms), len(others))
     return longer > 1 and 3 * common >= (1 if len(terms) == len(others) else 2) * longer
 
 
