@@ -25,7 +25,7 @@ from armproof.verification.equations.at_stated_values import StatedValues
 from armproof.verification.equations.decimals import decimals_of_numbers, holds_to_its_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
-from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.sides import Member, Members, beyond_size
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -45,7 +45,13 @@ class Equality:
         self.stated = StatedValues(members)
 
     def compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
-        """Return whether a printed member equals the true one, and where it does not."""
+        """Return whether a printed member equals the true one, and where it does not; what is too large is sampled."""
+        try:
+            return self._compare(true, printed, equation, branches)
+        except TooComplex as problem:
+            return self.route.confirm_only(true.node, printed.node, equation, branches, beyond_size(problem))
+
+    def _compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
         outcome = Outcome(Verdict.REFUTED, (), equation, true, printed)
         try:
             pairs = list(align(true.value, printed.value, self.exact))

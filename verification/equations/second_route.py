@@ -9,7 +9,7 @@ from armproof.verification.algebra.angles import has_arcs
 from armproof.verification.algebra.calculus import leaves_open
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.sides import TOO_LARGE, Member, Members
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
@@ -80,7 +80,19 @@ class SecondRoute:
     def confirm_only(
         self, true: n.Node, printed: n.Node, equation: int, branches: bool, problem: EvaluationError
     ) -> Outcome:
-        """Compare on samples alone what the exact algebra does not hold."""
+        """Compare on samples alone what the exact algebra does not hold.
+
+        What is too large for it samples only confirm: the rounding of so many terms is no evidence against them.
+        """
+        outcome = self._on_samples(true, printed, equation, branches, problem)
+        if outcome.verdict is Verdict.REFUTED and finding_of(problem).kind in TOO_LARGE:
+            left = say(Kind.TOO_LARGE, problem=finding_of(problem))
+            return Outcome(Verdict.UNCHECKED, (left,), equation, Member(true), Member(printed))
+        return outcome
+
+    def _on_samples(
+        self, true: n.Node, printed: n.Node, equation: int, branches: bool, problem: EvaluationError
+    ) -> Outcome:
         reason = say(Kind.NOT_EXACT, what=finding_of(problem))
         outcome = Outcome(Verdict.UNCHECKED, (reason,), equation, Member(true), Member(printed))
         errors = self.sampled_errors(outcome, branches)

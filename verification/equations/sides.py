@@ -15,7 +15,7 @@ from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.naming.names import Names
@@ -39,6 +39,17 @@ class Member:
         return self.problem is None
 
 
+TOO_LARGE = (Kind.LARGE_PRODUCT, Kind.LARGE_EXPRESSION)
+
+
+def beyond_size(problem: TooComplex) -> OutsideAlgebra:
+    """Return what is too large to be decided exactly as what samples can confirm; what takes too long is raised again."""
+    found = finding_of(problem)
+    if found.kind in TOO_LARGE:
+        return OutsideAlgebra(found)
+    raise problem
+
+
 class Members:
     """Evaluates the sides of equations: exactly, and on samples."""
 
@@ -54,8 +65,8 @@ class Members:
             return Member(node, value, None, self._rank(node))
         except OutsideAlgebra as problem:
             return Member(node, None, problem, self._rank(node))
-        except TooComplex:
-            raise
+        except TooComplex as problem:
+            return Member(node, None, beyond_size(problem), self._rank(node))
         except EvaluationError as problem:
             return Member(node, None, problem)
 
