@@ -159,7 +159,7 @@ class Fault(MessageKind):
     TOO_DEEP = "too_deep", "it is nested too deeply"
     NOT_CLOSED = "not_closed", "a ')' is missing"
     TERM_EXPECTED = "term_expected", "a number or a symbol is expected, not '{found}'"
-    BREAKS_OFF = "breaks_off", "it breaks off"
+    BREAKS_OFF = "breaks_off", "it ends too early"
     NO_DEGREES = "no_degrees", "degrees follow a number"
     OUT_OF_RANGE = "out_of_range", "a number is too large or too small"
     JOINT_NOWHERE = "joint_nowhere", "DH table, row {number}: the joint variable is neither in theta (theta_i, q_i) nor in d; list them: joints: [theta_1, ...]"

@@ -422,7 +422,7 @@ class Kind(MessageKind):
     LINK_LEFT_OUT = "link_left_out", "the link matrix `{link}` is missing from the product"
     LINK_TWICE = "link_twice", "the link matrix `{link}` stands in the product twice"
     WRONG_LINK = "wrong_link", "the link matrix `{link}` is wrong: {slip}"
-    FIRST_WRONG_LINK = "first_wrong_link", "the link matrix `{link}` is wrong: {slip}; frame {frame} is the first that departs from the arm's"
+    FIRST_WRONG_LINK = "first_wrong_link", "the link matrix `{link}` is wrong: {slip}; frame {frame} is the first that differs from the arm's"
     LINK_SIGN_OF_ENTRY = "link_sign_of_entry", "the sign of its entry ({row}, {column})"
     LINK_ENTRY = "link_entry", "its entry ({row}, {column})"
     LINK_ENTRIES = "link_entries", "its entries {places}"
@@ -484,7 +484,7 @@ class Kind(MessageKind):
     MOVES_WITH = "moves_with", "the last row's frame moves with frame {frame} for every configuration"
     MOVES_WITH_BUT_AT = "moves_with_but_at", "the last row's frame moves with frame {frame} for every configuration, with its origin in that of frame {origin}"
     SO_MENDED = "so_mended", "so mended, the last row's frame moves with frame {frame}"
-    AT_NO_LAST_FRAME = "at_no_last_frame", "and the last row's frame lies at none of the arm's last frames"
+    AT_NO_LAST_FRAME = "at_no_last_frame", "and the last row's frame is none of the arm's last frames"
     GENERAL_LINK = "general_link", "names the parameters of a general link"
     NO_ARM_FOR_TABLE = "no_arm_for_table", "the front matter names no arm to check the table against"
     NO_PLACE_FOR_FRONT = "no_place_for_front", "the front matter cannot be inserted so that all else is read as before: write it by hand"
@@ -671,7 +671,7 @@ class Kind(MessageKind):
     BOTH = "both", "{one} and {other}"
 
     # -- an errata sheet ------------------------------------------------------------------------------------------------
-    ERRATA_COUNT = "errata_count", "Mistakes: {mistakes}; documents: {documents}. The gravest stand first."
+    ERRATA_COUNT = "errata_count", "Mistakes: {mistakes}; documents: {documents}. The worst come first."
     NO_ERRATA = "no_errata", "No mistake was found."
     ERRATA_PLACE = "errata_place", "{index}. {path}, line {line}"
     ERRATA_PLACE_IN_CELL = "errata_place_in_cell", "{index}. {path}, cell {cell}, line {line}"

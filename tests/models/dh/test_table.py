@@ -163,7 +163,7 @@ def test_joints_are_found_where_they_stand() -> None:
         ({**ROW, "a": True}, "row 1, a: True is not a finite number"),
         ({**ROW, "a": float("nan")}, "row 1, a: nan is not a finite number"),
         ({**ROW, "a": ""}, "row 1, a: '' is unreadable: it is empty"),
-        ({**ROW, "a": "1 +"}, r"row 1, a: '1 \+' is unreadable: it breaks off"),
+        ({**ROW, "a": "1 +"}, r"row 1, a: '1 \+' is unreadable: it ends too early"),
         ({**ROW, "a": "(1"}, r"a '\)' is missing"),
         ({**ROW, "a": "1 2"}, "'2' is not expected here"),
         ({**ROW, "a": "1)"}, r"'\)' is not expected here"),

@@ -68,7 +68,7 @@ EXPLAINED: list[tuple[str, str, dict[str, Any]]] = [
     (r"p_2 = " + matrix(r"a_2 c_1 + a_1 c_{12} \\ a_2 s_1 + a_1 s_{12} \\ 0"), "lengths a_1 and a_2 are swapped throughout", {}),
     (r"p_2 = " + matrix(r"a_1 s_1 + a_2 s_{12} \\ a_1 c_1 + a_2 c_{12} \\ 0"), "entries (1, 1) and (2, 1) are swapped", {}),
     (r"p_4 = " + matrix(r"-d_3 - d_4 \\ 3 \\ -d_3 - d_4"), "what is printed belongs in entry (3, 1)", {}),
-    (r"T^0_4 = A^0_1 A^1_2 Trans(z, 2 d_3) Rot(x, \frac{\pi}{4}) A^3_4", "frame 3 is the first that departs from the arm's", {}),
+    (r"T^0_4 = A^0_1 A^1_2 Trans(z, 2 d_3) Rot(x, \frac{\pi}{4}) A^3_4", "frame 3 is the first that differs from the arm's", {}),
     (r"T^0_4 = A^0_1 Rot(z, 2\theta_2) Trans(x, a_2) Rot(x, \pi) A^2_3 A^3_4", "theta_2 is counted twice", {}),
 ]  # fmt: skip
 
