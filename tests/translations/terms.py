@@ -55,7 +55,7 @@ def terms_file(lang: str) -> Path:
 
 def misused_in(catalogue: Path, lang: str) -> list[str]:
     """Return where the entries of a catalogue do not use the listed terms."""
-    terms = read_terms(terms_file(lang))
+    terms = read_terms(terms_file(lang)) if terms_file(lang).exists() else ()
     found = [each for source, forms in entries(catalogue, lang) for each in misused(terms, source[-1], forms[-1])]
     return [f"another term: {catalogue.name}: {each}" for each in found]
 
