@@ -46,7 +46,7 @@ def notebook_cells(text: str) -> tuple[Cell, ...]:
     Nothing in it is trusted. Raises json.JSONDecodeError where it is no JSON, another ValueError where it is no notebook.
     """
     try:
-        return tuple(_cell(cell) for cell in raw_cells(json.loads(text or '{"cells": []}')))
+        return tuple(_cell(cell) for cell in raw_cells(json.loads(text)))
     except json.JSONDecodeError:
         raise
     except (AttributeError, KeyError, TypeError, ValueError, RecursionError, MemoryError):
