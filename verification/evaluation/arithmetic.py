@@ -8,7 +8,7 @@ from typing import Any
 
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar, is_zero, no_size, stacked
 from armproof.verification.algebra.protocol import Value, identity
-from armproof.verification.errors import EvaluationError, ShapeError
+from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -48,9 +48,16 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
         whole = (_in_four_rows(factor) for factor in node.factors)
         node = replace(node, factors=tuple(whole))
     result = evaluator.evaluate(node.factors[0])
-    for operator, factor in zip(node.operators, node.factors[1:], strict=True):
+    for before, operator, factor in zip(node.factors, node.operators, node.factors[1:], strict=False):
+        if not operator and isinstance(before, n.Name) and _is_nought(factor):
+            raise UnboundName(f"{before.key}(0)")  # θ(0) is no product: it is the value at the time 0
         result = multiply(result, operator, evaluator.evaluate(factor))
     return result
+
+
+def _is_nought(node: n.Node) -> bool:
+    """Whether a 0 stands alone in brackets."""
+    return isinstance(node, n.Group) and isinstance(node.inner, n.Number) and node.inner.value == 0
 
 
 def _in_four_rows(node: n.Node) -> n.Node:
