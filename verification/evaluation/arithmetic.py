@@ -50,7 +50,7 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
     result = evaluator.evaluate(node.factors[0])
     for before, operator, factor in zip(node.factors, node.operators, node.factors[1:], strict=False):
         if not operator and isinstance(before, n.Name) and _is_nought(factor):
-            raise UnboundName(f"{before.key}(0)")  # θ(0) is no product: it is the value at the time 0
+            raise UnboundName(before.key + "(0)")  # θ(0) is no product: it is the value at the time 0
         result = multiply(result, operator, evaluator.evaluate(factor))
     return result
 
