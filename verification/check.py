@@ -259,7 +259,8 @@ class DocumentChecker:
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
-                self.statements.given.heed(display.said, display.line)
+                if display.said:
+                    self.statements.circumstances.heed(display.said)
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 return self._judge(record, display, self.names.reader.read(display.latex))

@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import cached_property, partial
 
 from armproof.models.errors import together
+from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.implication import (
     Implication,
     connectives_among,
@@ -46,6 +47,11 @@ class Statements:
         self.names = checker.names
         self.ring = checker.exact.ring
         self.given = GivenValues(checker.equality)
+
+    @cached_property
+    def circumstances(self) -> Circumstances:
+        """Heeds what the text between displays says; made where it says something."""
+        return Circumstances(self.checker, self.given)
 
     @cached_property
     def general(self) -> GeneralStatements:
@@ -301,6 +307,8 @@ class Statements:
         if (given := self.given.read(chain, line, define)) is not None:
             return [Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)]
         if self.given.is_condition(chain):
+            if define:
+                self.circumstances.of_display(chain)
             return [Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)]
         if any(isinstance(member, n.Cases) for member in chain.members):
             return self._cases(chain, equation, line, define)
@@ -311,7 +319,12 @@ class Statements:
         outcomes = found or self._decided(chain, equation, line, define)
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)
-        return [without_misreading(o, chain, self.names) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
+            self.circumstances.of_display(chain)
+        outcomes = [without_misreading(o, chain, self.names) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        if self.names.state.told.section != self.names.state.section:
+            return outcomes
+        return [self.circumstances.judge(o) if o.verdict is Verdict.REFUTED else o for o in outcomes]
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         outcomes = self.checker.check(chain, equation, line, define)

@@ -31,7 +31,7 @@ _MARKS = {
     ".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)),
     ".rst": (".. math::",),
 }
-_EQUATES = re.compile(r"=|≈|\\(?:approx|simeq|equiv)(?![A-Za-z])")
+_SAYS = re.compile(r"=|≈|\\(?:approx|simeq|equiv)(?![A-Za-z])|^\\text\{")
 _EQUATION = r"[^\])\"'\s]*(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
 _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">
     rf"!\[{_EQUATION}\]\([^)\n]{{1,2000}}\)|!\[[^\]\n]{{0,200}}\]\({_EQUATION}\)|<img\b[^>]{{0,500}}?(?:src|alt)=\\?[\"']{_EQUATION}"
@@ -63,14 +63,14 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 
 
 def _with_what_is_said(document: Document) -> Document:
-    """Give each display the equations of the text before it, which are no displays."""
+    """Give each display the equations and the postures of the text before it, which are no displays."""
     displays: list[Display] = []
     said: list[str] = []
     for display in document.displays:
         if display.opening != INLINE:
             displays.append(replace(display, said=tuple(said)))
             said = []
-        elif _EQUATES.search(display.latex):
+        elif _SAYS.search(display.latex):
             said.append(display.latex)
     return replace(document, displays=tuple(displays))
 

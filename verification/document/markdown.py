@@ -18,6 +18,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
+from armproof.verification.document.postures import postures
 
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?)\}")
@@ -329,7 +330,9 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
                 yield Display(base, latex, erratum, cell, section, opening="$`")
             else:
                 yield Display(base, latex, cell=cell, section=section, opening=INLINE)
-        elif child.type == "text" and "$$" in child.content and (at := token.content.find("$$", cursor)) >= 0:
+        elif child.type == "text" and "$$" not in child.content:
+            yield from postures(child.content, base, section)
+        elif child.type == "text" and (at := token.content.find("$$", cursor)) >= 0:
             yield Display(
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False
             )

@@ -42,7 +42,7 @@ class Display:
     closed: bool = True
     opening: str = "$$"  # what it begins with in the file
     file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
-    said: tuple[str, ...] = ()  # the equations in the text between the display before and this one
+    said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
 
 

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.model import INLINE, Display, Document, Piece
+from armproof.verification.document.postures import postures
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
 _ERRATUM = re.compile(
@@ -98,6 +99,7 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         hidden = None
         if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
             erratum = None
+        yield from postures(line, row + 1, section)
         for latex in _ROLE.findall(line):
             yield Display(row + 1, latex, section=section, opening=INLINE)
         if (found := _MATH.match(line)) is not None:

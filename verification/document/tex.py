@@ -20,6 +20,7 @@ from typing import Any
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.model import INLINE, Display, Document, Table
+from armproof.verification.document.postures import postures
 from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
@@ -124,10 +125,12 @@ class _Scanner:
         """Yield the displays in their order, and gather the tables."""
         position = self.start
         while (token := _TOKEN.search(self.visible, position, self.stop)) is not None:
+            yield from postures(self.visible[position : token.start()], self.line(position), self.section)
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
                 self.section = " ".join(self.visible[token.end() : close].split())
+                yield from postures(self.section, self.line(position), self.section)
                 position = token.end() if close < 0 else close + 1
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened

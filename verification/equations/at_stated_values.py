@@ -65,11 +65,7 @@ class StatedValues:
             numbers = _sides(outcome)[bool(one)]
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
             return None if of_names else self._numbers(outcome, pairs, numbers.node)
-        return (
-            self._there(outcome, pairs[0], one, other)
-            or self._for_lengths(outcome, pairs[0], one, other)
-            or self._as_told(outcome, pairs[0], one | other)
-        )
+        return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
 
     def _stated(self, names: Iterable[str]) -> dict[str, Stated]:
         """The values that hold where the display stands: those of lengths everywhere, a configuration in its section."""
@@ -182,14 +178,6 @@ class StatedValues:
         return replace(
             outcome, verdict=Verdict.CONFIRMED, findings=(say(Kind.HOLDS_THERE),), pair=pair, wrong=[], samples=1
         )
-
-    def _as_told(self, outcome: Outcome, pair: Pair, names: set[str]) -> Outcome | None:
-        """ "θ_2 = π/2" in the text before det J = l_1 l_2: what holds there is not refuted, nor proved."""
-        here = self.names.state
-        told = {name: value for name, value in here.told.items() if name in names and value.section == here.section}
-        if not told or not self._vanish(pair, told):
-            return None
-        return replace(outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.HOLDS_AS_TOLD),), pair=pair, wrong=[])
 
     def _for_lengths(self, outcome: Outcome, pair: Pair, one: set[str], other: set[str]) -> Outcome | None:
         """P_x = 0.5 c_1 + 0.3 c_{12}: numbers where the arm has lengths; they are data, or agree with what is stated."""

@@ -11,11 +11,11 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
-from armproof.verification.errors import ReadError, UnboundName
+from armproof.verification.errors import UnboundName
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.state import Stated
+from armproof.verification.naming.state import Stated, Told
 from armproof.verification.verdict import Verdict
 
 Pair = tuple[n.Node, n.Node]
@@ -37,7 +37,7 @@ class GivenValues:
         if len(others) > 1 and all(map(self.members.is_symbol, chain.members[:-1])):  # l_1 = l_2 = 1
             values = self._together((name, others[-1]) for name in chain.members[:-1])
         elif others and (len(others) == 1 or all(map(is_number, others))):
-            values = self._values(first, others[0])
+            values = self.values(first, others[0])
         if define and values:
             self.remember(values, line)
         return None if values is None else tuple(values)
@@ -52,52 +52,28 @@ class GivenValues:
 
     def remember(self, values: Mapping[str, n.Node], line: int) -> None:
         """Keep values; a joint that had one before begins another configuration, and that of the others is over."""
-        before, joints = self.names.state.configuration, self._joints
+        before, joints = self.names.state.configuration, self.joints
         if any(name in joints and name in before and before[name].line != line for name in values):
-            for name in [name for name, stated in before.items() if name not in self._lengths and stated.line != line]:
+            for name in [name for name, stated in before.items() if name not in self.lengths and stated.line != line]:
                 del before[name]
+        if not set(values).isdisjoint(joints):
+            self.names.state.told = Told()
         for name, node in values.items():
             if (value := self._number(node)) is not None:
                 before[name] = Stated(node, value, line, self.names.state.section)
 
-    def heed(self, said: Iterable[str], line: int) -> None:
-        """The text between two displays gives a joint or a length a value: which configuration follows is not known."""
-        given, told, section = self.names.state.configuration, self.names.state.told, self.names.state.section
-        for latex in said if self.names.arm is not None else ():
-            names, values = self._said_equal(latex)
-            moves = not names.isdisjoint((*self._joints, "q", "theta"))
-            for name in [name for name in given if name in names or (moves and name not in self._lengths)]:
-                del given[name]
-            for name in [name for name, value in told.items() if moves and value.line != line]:
-                del told[name]
-            for name, node in values.items():
-                if (value := self._number(node)) is not None:  # θ_2 = kπ gives none
-                    told[name] = Stated(node, value, line, section)
-
-    def _said_equal(self, latex: str) -> tuple[set[str], Values]:
-        """The names that the text equates to something, alone or in a list, all where it is unreadable; and their values."""
-        try:
-            chains = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
-        except ReadError:
-            return {*self._joints, *self._lengths}, {}
-        values: Values = {}
-        for chain in chains:
-            values |= (self._values(*chain.members) or {}) if len(chain.members) == 2 else {}
-        sides = [
-            cell for chain in chains if chain.relations for side in chain.members for cell in (side, *_cells(side))
-        ]
-        return {replace(side, dots=0).key for side in sides if isinstance(side, n.Name)}, values
-
     @property
-    def _joints(self) -> list[str]:
+    def joints(self) -> list[str]:
+        """The symbols of the arm's joints."""
         return [joint.symbol for joint in self.names.arm.joints] if self.names.arm is not None else []
 
     @property
-    def _lengths(self) -> Iterable[str]:
+    def lengths(self) -> Iterable[str]:
+        """The symbols of the arm's lengths."""
         return self.names.arm.lengths if self.names.arm is not None else ()
 
-    def _values(self, left: n.Node, right: n.Node) -> Values | None:
-        """The values that an equation gives: none where a determinant is set to zero or a coordinate is asked for."""
+    def values(self, left: n.Node, right: n.Node) -> Values | None:
+        """Return the values that an equation gives: none where a determinant is set to zero or a coordinate is asked for."""
         if (pairs := self._entries(left, right)) is not None:
             return self._together(pairs)
         if isinstance(left, n.Call) and left.function == "det" and isinstance(right, n.Number) and right.value == 0:
@@ -111,19 +87,19 @@ class GivenValues:
             return {rate: right} if symbol is not None and is_number(right) else None
         if symbol is None:
             return {} if self._is_given_coordinate(left, right) else None
-        is_value = self._is_joint_value(right) if symbol in self._joints else self._is_length_value(symbol, right)
+        is_value = self._is_joint_value(right) if symbol in self.joints else self._is_length_value(symbol, right)
         return {symbol: right} if is_value else None
 
     def _together(self, pairs: Iterable[Pair]) -> Values | None:
-        found = [self._values(*pair) for pair in pairs]
+        found = [self.values(*pair) for pair in pairs]
         return None if None in found else {name: node for each in found for name, node in (each or {}).items()}
 
     def _entries(self, left: n.Node, right: n.Node) -> list[Pair] | None:
         """The entries of (θ_1, θ_2) = (0, π/2), of a column of joints, of q: each gives a value."""
-        names, values = _cells(left), _cells(right)
+        names, values = cells_of(left), cells_of(right)
         dots, key = (left.dots, replace(left, dots=0).key) if isinstance(left, n.Name) else (0, "")
         if key in ("q", "theta") and self.names.known_symbol(key) is None and key not in self.names.state.definitions:
-            names = [n.Name(*symbol.partition("_")[::2], dots=dots) for symbol in self._joints]
+            names = [n.Name(*symbol.partition("_")[::2], dots=dots) for symbol in self.joints]
         return list(zip(names, values, strict=True)) if names and values and len(names) == len(values) else None
 
     def _is_joint_value(self, value: n.Node) -> bool:
@@ -147,7 +123,7 @@ class GivenValues:
     def _is_length_value(self, symbol: str, value: n.Node) -> bool:
         """A length set to a number is data: its symbol stands for any."""
         walked = n.walk(value)
-        return symbol in self._lengths and not any(isinstance(b, n.Name | n.Call | n.Matrix) for b in walked)
+        return symbol in self.lengths and not any(isinstance(b, n.Name | n.Call | n.Matrix) for b in walked)
 
     def _number(self, node: n.Node) -> float | None:
         value = self.members.evaluate(node).value
@@ -165,8 +141,8 @@ class GivenValues:
         return member.problem is not None or constant or bool(getattr(member.value, "is_zero", bool)())
 
 
-def _cells(node: n.Node) -> Sequence[n.Node]:
-    """The entries of a list, of a row or of a column, transposed or not; none of another tree."""
+def cells_of(node: n.Node) -> Sequence[n.Node]:
+    """Return the entries of a list, of a row or of a column, transposed or not; none of another tree."""
     node = bare(node)
     if isinstance(node, n.Postfix) and node.operator == "T":
         node = bare(node.base)

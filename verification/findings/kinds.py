@@ -224,6 +224,7 @@ class Kind(MessageKind):
     NUMBERS_OF_NOWHERE = "numbers_of_nowhere", "which configuration, and which lengths? state the values before, as in \\theta_1 = 0"
     HOLDS_THERE = "holds_there", "at the configuration given before"
     HOLDS_AS_TOLD = "holds_as_told", "it holds at the values that the text before gives, and not everywhere: state them in the display, with \\Rightarrow"
+    POSTURE_IN_WORDS = "posture_in_words", "the text before names a posture of the arm: state its values in a display, as in \\theta_2 = 0, or with \\Rightarrow"
     HOLDS_THERE_ALONE = "holds_there_alone", "it holds at the configuration given before, and not everywhere: which is meant?"
     FOR_STATED_LENGTHS = "for_stated_lengths", "for the lengths given before"
     VALUES_OF_LENGTHS = "values_of_lengths", "its numbers are the values of {names}: data, not a claim"

@@ -44,6 +44,23 @@ class Stated:
 
 
 @dataclass(frozen=True)
+class Told:
+    """What the text between displays says of a configuration, or of lengths.
+
+    Attributes:
+        section: the heading under which it stands.
+        conditions: equations that it gives.
+        earlier: the values stated before it, that it may leave as they are.
+        in_words: whether it names a posture without an equation.
+    """
+
+    section: str = ""
+    conditions: tuple[n.Chain, ...] = ()
+    earlier: tuple[n.Chain, ...] = ()
+    in_words: bool = False
+
+
+@dataclass(frozen=True)
 class PrintedError:
     """A refuted equation, kept to recognise its consequences."""
 
@@ -115,7 +132,7 @@ class DocumentState:
         adopted: letters that only a frame the document adds brings in: a tool's length.
         beyond: a frame the document adds → (on which of the arm's, name).
         configuration: joint variables, rates and lengths → the value that a display gave them.
-        told: the same of the text between displays: no display is judged at these values, but what holds there is not refuted.
+        told: what the text between displays says: no display is judged there, but what holds there is not refuted.
         compares_lengths: whether a display says which lengths are larger.
         rounded: names made of rounded numbers → to how many decimals.
         shown: the rows in which a Jacobian is read that only convention binds.
@@ -139,7 +156,7 @@ class DocumentState:
     adopted: set[str] = field(default_factory=set)
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)
     configuration: dict[str, Stated] = field(default_factory=dict)
-    told: dict[str, Stated] = field(default_factory=dict)
+    told: Told = field(default_factory=Told)
     compares_lengths: bool = False
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, JacobianRows] = field(default_factory=dict)

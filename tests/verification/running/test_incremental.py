@@ -16,7 +16,7 @@ from armproof.verification.document import Display, Document, find_documents, pa
 from armproof.verification.errors import DocumentError
 from armproof.verification.latex.nodes import Name
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.state import Definition, DocumentState, JacobianRows, PrintedError, Stated
+from armproof.verification.naming.state import Definition, DocumentState, JacobianRows, PrintedError, Stated, Told
 from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Verdict
 
@@ -48,7 +48,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "adopted": lambda state: state.adopted.add("L_3"),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
     "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
-    "told": lambda state: state.told.update(theta_1=Stated(Name("a"), 0.5)),
+    "told": lambda state: setattr(state, "told", Told("A title")),
     "rounded": lambda state: state.rounded.update(a=2),
     "shown": lambda state: state.shown.update(J=JacobianRows((1, 2))),
     "signs": lambda state: state.signs.values.update(sigma=1),

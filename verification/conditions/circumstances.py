@@ -1,0 +1,122 @@
+"""Under which conditions the text between displays puts those that follow: what may hold there alone is not refuted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import as_scalar
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.conditions.implication import Implication
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.given_values import GivenValues, cells_of
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.state import Told
+from armproof.verification.verdict import Verdict
+
+
+class Circumstances:
+    """Heeds what the text says, and leaves open what follows from it or may be meant of a posture that it names."""
+
+    def __init__(self, checker: ChainChecker, given: GivenValues) -> None:
+        self.checker = checker
+        self.given = given
+        self.names = checker.names
+
+    def heed(self, said: Iterable[str]) -> None:
+        """The text before a display gives values or a condition: the configuration stated before it is over, perhaps."""
+        names: set[str] = set()
+        conditions: list[n.Chain] = []
+        in_words = False
+        for latex in said if self.names.arm is not None else ():
+            try:
+                chains = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+            except ReadError:
+                names |= {*self.given.joints, *self.given.lengths}
+                chains = []
+            names |= {name for chain in chains for name in _equated(chain)}
+            conditions += [condition for chain in chains for condition in self._conditions(chain)]
+            in_words = in_words or not chains
+        self._begin(names, conditions, in_words)
+
+    def of_display(self, chain: n.Chain) -> None:
+        """A display that is a condition itself, c_1 = 1 or l_1 = l_2, may limit those behind it."""
+        self._begin(set(), [*self._conditions(chain)], in_words=False)
+
+    def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool) -> None:
+        """Forget what is given anew: a length by its name, a configuration as a whole."""
+        state = self.names.state
+        held = names | {b.key for each in conditions for b in n.walk(each) if isinstance(b, n.Name)}
+        angles = any(isinstance(below, n.JointAngles) for each in conditions for below in n.walk(each))
+        moves = in_words or angles or not held.isdisjoint((*self.given.joints, "q", "theta"))
+        over = [key for key in state.configuration if key in names or (moves and key not in self.given.lengths)]
+        ended = [(key, _value(key, state.configuration.pop(key).node)) for key in over]
+        if conditions or in_words:
+            earlier = tuple(value for key, value in ended if key not in names)
+            state.told = Told(state.section, tuple(conditions), earlier, in_words)
+
+    def _conditions(self, chain: n.Chain) -> Iterator[n.Chain]:
+        """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""
+        if set(chain.relations) - {"=", "≈"} or len(chain.members) < 2:
+            return
+        if len(chain.members) == 2 and (values := self.given.values(*chain.members)):
+            yield from (_value(name, node) for name, node in values.items())
+            return
+        members = [self.checker.member(node) for node in chain.members]
+        if any(self.checker.quantity_of(below) is not None for node in chain.members for below in n.walk(node)):
+            return
+        scalars = [value for member in members if isinstance(value := as_scalar(member.value), Scalar)]
+        of_arm = {*self.given.joints, *self.given.lengths}
+        if len(scalars) < len(members) or of_arm.isdisjoint(symbols_in(scalars)):
+            return
+        if any(not (a - b).is_zero() for a, b in pairwise(scalars)):
+            yield replace(chain, relations=("=",) * len(chain.relations))
+
+    def judge(self, outcome: Outcome) -> Outcome:
+        """Leave open what is refuted, and may be meant where the text before it says."""
+        told = self.names.state.told
+        if told.section != self.names.state.section or outcome.true is None or outcome.printed is None:
+            return outcome
+        if told.conditions and self._follows(told, outcome):
+            return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
+        if told.in_words and self._stands_still(outcome):
+            return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
+        return outcome
+
+    def _follows(self, told: Told, outcome: Outcome) -> bool:
+        """Whether an equation holds, or nobody can tell, under the conditions of the text."""
+        with self.checker.exact.budget.paused():  # few documents need it: the import is none of its time
+            from armproof.verification.conditions.entailment import check_implication
+
+        assert outcome.true is not None and outcome.printed is not None
+        claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))
+        for conditions in dict.fromkeys([told.conditions, (*told.earlier, *told.conditions)]):
+            implication = Implication("⇒", [[*conditions]], [[claim]], 0, 0)
+            if check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED:
+                return True
+        return False
+
+    def _stands_still(self, outcome: Outcome) -> bool:
+        """Whether one side moves with joints that the other side does not hold."""
+        if outcome.pair is None:
+            return False
+        sides = ([cell for row in side.rows for cell in row] for side in (outcome.pair.true, outcome.pair.printed))
+        one, other = (symbols_in(cells) & set(self.given.joints) for cells in sides)
+        return one != other
+
+
+def _equated(chain: n.Chain) -> Iterator[str]:
+    """Yield the names that stand alone on a side, or in a list on one."""
+    for side in chain.members if chain.relations else ():
+        for cell in (side, *cells_of(side)):
+            if isinstance(cell, n.Name):
+                yield replace(cell, dots=0).key
+
+
+def _value(name: str, node: n.Node) -> n.Chain:
+    return n.Chain((n.Name(*name.partition("_")[::2]), node), ("=",))
