@@ -381,10 +381,37 @@ def test_numbers_are_not_judged_at_values_that_the_text_replaces(suffix: str, sa
         (r"P_x = 0.5", r"\det J = l_1 l_2", Verdict.REFUTED),
         (r"\theta_2 = k\pi", r"\det J = l_1 l_2", Verdict.REFUTED),
         (r"\theta_2 = \frac{\pi}{2}", r"\det J = l_1 l_2 s_2", Verdict.PROVED),
+        (r"c_2 = 1", r"p_2 = [(l_1 + l_2) c_1, (l_1 + l_2) s_1, 0]^T", Verdict.UNCHECKED),
+        (r"c_2 = 1", r"p_2 = [(l_1 - l_2) c_1, (l_1 - l_2) s_1, 0]^T", Verdict.REFUTED),
+        (r"\theta_1 + \theta_2 = \pi", r"p_2 = [l_1 c_1 - l_2, l_1 s_1, 0]^T", Verdict.UNCHECKED),
+        (r"\theta_1 + \theta_2 = \pi", r"p_2 = [l_1 c_1 + l_2, l_1 s_1, 0]^T", Verdict.REFUTED),
+        (r"l_1 = l_2", r"\det J = l_1^2 s_2", Verdict.UNCHECKED),
+        (r"l_1 = l_2", r"\det J = l_1^2 c_2", Verdict.REFUTED),
+        (r"c_{12} = c_1 c_2 - s_1 s_2", r"\det J = l_1 l_2", Verdict.REFUTED),
     ],
 )
 def test_what_holds_at_the_values_of_the_text_is_not_refuted(
     suffix: str, said: str, claim: str, verdict: Verdict
 ) -> None:
     document = parse_document(Path(f"page{suffix}"), SAID_IN[suffix] % (r"s_{12} = s_{12}", said, claim))
+    assert check_document(document).equations[-1].verdict is verdict
+
+
+@pytest.mark.parametrize("suffix", SAID_IN)
+@pytest.mark.parametrize(
+    ("words", "claim", "verdict"),
+    [
+        ("the arm stretched out along $x_0$", r"p_2 = [l_1 + l_2, 0, 0]^T", Verdict.UNCHECKED),
+        ("le bras tendu", PLACE, Verdict.UNCHECKED),
+        ("the tool at the origin", r"p_2 = 0", Verdict.UNCHECKED),
+        ("the arm stretched out", r"\det J = l_1 l_2 c_2", Verdict.REFUTED),
+        ("the arm of the figure", PLACE, Verdict.REFUTED),
+        ("the straightforward case", PLACE, Verdict.REFUTED),
+    ],
+)
+def test_what_may_hold_in_a_posture_that_the_text_names_is_not_refuted(
+    suffix: str, words: str, claim: str, verdict: Verdict
+) -> None:
+    page = SAID_IN[suffix].replace(r"\(%s\)", "%s").replace(":math:`%s`", "%s").replace("For $%s$", "For %s")
+    document = parse_document(Path(f"page{suffix}"), page % (STATED, words.replace("$", ""), claim))
     assert check_document(document).equations[-1].verdict is verdict
