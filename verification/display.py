@@ -27,6 +27,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.quantities import is_inverse_link
+from armproof.verification.naming.state import Told
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
 CHANGES = re.compile(
@@ -322,7 +323,7 @@ class Statements:
         if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
             self.circumstances.of_display(chain)
         outcomes = [without_misreading(o, chain, self.names) if o.verdict is Verdict.REFUTED else o for o in outcomes]
-        if self.names.state.told.section != self.names.state.section:
+        if self.names.state.told == Told():
             return outcomes
         return [self.circumstances.judge(o) if o.verdict is Verdict.REFUTED else o for o in outcomes]
 

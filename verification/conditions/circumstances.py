@@ -58,7 +58,7 @@ class Circumstances:
         ended = [(key, _value(key, state.configuration.pop(key).node)) for key in over]
         if conditions or in_words:
             earlier = tuple(value for key, value in ended if key not in names)
-            state.told = Told(state.section, tuple(conditions), earlier, in_words)
+            state.told = Told(tuple(conditions), earlier, in_words)
 
     def _conditions(self, chain: n.Chain) -> Iterator[n.Chain]:
         """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""
@@ -80,7 +80,7 @@ class Circumstances:
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave open what is refuted, and may be meant where the text before it says."""
         told = self.names.state.told
-        if told.section != self.names.state.section or outcome.true is None or outcome.printed is None:
+        if outcome.true is None or outcome.printed is None:
             return outcome
         if told.conditions and self._follows(told, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))

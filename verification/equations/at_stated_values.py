@@ -55,6 +55,8 @@ class StatedValues:
 
     def read(self, outcome: Outcome, pairs: Sequence[Pair]) -> Outcome | None:
         """Return what becomes of an equation that is one at stated values, or None where it is none."""
+        if not self.enabled:
+            return self._without_lengths(outcome)
         arm = self.names.arm
         if arm is None or any(isinstance(b, n.At) for side in _sides(outcome) for b in n.walk(side.node)):
             return None
@@ -209,6 +211,18 @@ class StatedValues:
             outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VALUES_OF_LENGTHS, names=sorted(given)),), pair=None,
             wrong=[], gives=given, defines=tuple(given),
         )  # fmt: skip
+
+    def _without_lengths(self, outcome: Outcome) -> Outcome | None:
+        """Leave open decimals that stand where the arm has lengths to which nothing gives values: det J_v = 0.15 s_2."""
+        true, printed = _sides(outcome)
+        lengths = set(self.names.arm.lengths) if self.names.arm is not None else set()
+        below = [*n.walk(printed.node)]
+        if true.rank < 3 or not any(isinstance(each, n.Number) and each.decimals for each in below):
+            return None
+        symbols = {self.names.known_symbol(each.key) for each in below if isinstance(each, n.Name)}
+        if symbols & lengths or lengths & self.names.state.configuration.keys():
+            return None
+        return outcome.left_open(say(Kind.NUMBERS_FOR_LENGTHS))
 
     def _rounded(self, outcome: Outcome, numbers: n.Node, differences: list[Scalar]) -> Outcome | None:
         """Coefficients that are off by less than a unit of the last decimal are rounded, perhaps."""

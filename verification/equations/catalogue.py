@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import (
     Pair,
     agree_exactly,
@@ -35,12 +36,13 @@ class Catalogue:
     def judge(self, outcome: Outcome) -> Outcome:
         """Say what a matrix that is given a name is on the arm; one that is nearly a quantity, or is several, is not decided."""
         value = outcome.true.value if outcome.true is not None else None
+        value = Matrix(((value,),)) if isinstance(value, Scalar) else value
         if self.members.names.arm is None or not isinstance(value, Matrix) or is_constant(value):
             return outcome
         (name,) = outcome.defines
         pairs = [(quantity, Pair(true, value)) for quantity, true in self._alike(value)]
         exact = [quantity for quantity, pair in pairs if agree_exactly(pair)]
-        if len(exact) == 1:
+        if len(exact) == 1 or (exact and exact[0].scalar):
             outcome.read_as = kind_of(exact[0]).tell(exact[0])
             return outcome
         if exact:
@@ -49,13 +51,19 @@ class Catalogue:
         return self._unless_near(outcome, name, pairs)
 
     def _unless_near(self, outcome: Outcome, name: str, pairs: list[tuple[Quantity, Pair]]) -> Outcome:
-        near = [(different_entries(pair, exactly_equal), quantity) for quantity, pair in pairs if is_near(pair)]
+        near = [
+            (different_entries(pair, exactly_equal), quantity)
+            for quantity, pair in pairs
+            if is_near(pair) and (not quantity.scalar or _has_as_many_terms(pair))
+        ]
         wrong, quantity = min(near, key=lambda each: len(each[0]), default=([], None))
         if quantity is None or len(wrong) > MOST_WRONG:
             return outcome
         row, column = (index + 1 for index in wrong[0])
-        reading, line = kind_of(quantity).tell(quantity), as_line(name, quantity)
-        finding = say(Kind.NEAR_QUANTITY, name=name, reading=reading, row=row, column=column, line=line)
+        terms = {"name": name, "reading": kind_of(quantity).tell(quantity), "line": as_line(name, quantity)}
+        finding = say(Kind.NEAR_QUANTITY, row=row, column=column, **terms)
+        finding = say(Kind.NEAR_COORDINATE, **terms) if quantity.scalar else finding
+        self.members.names.leave_open(name, finding)
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
 
     def _alike(self, value: Matrix) -> Iterator[tuple[Quantity, Matrix]]:
@@ -63,7 +71,8 @@ class Catalogue:
         seen: list[Matrix] = []
         for quantity in self._quantities(value.shape):
             true = self.members.exact.quantity(quantity)
-            if isinstance(true, Matrix) and true.shape == value.shape and true not in seen:
+            true = Matrix(((true,),)) if isinstance(true, Scalar) else true
+            if isinstance(true, Matrix) and not is_constant(true) and true.shape == value.shape and true not in seen:
                 seen.append(true)
                 yield quantity, true
 
@@ -73,7 +82,15 @@ class Catalogue:
         rows = (1, 2) if shape == (2, 1) else None
         for index, frame in enumerate(arm.frames[1:]):
             for reference in dict.fromkeys((arm.frames[0], arm.frames[index])):
+                if shape == (1, 1) and reference == arm.frames[0]:
+                    yield from (Quantity("origin", frame, reference, rows=(row,), scalar=True) for row in (1, 2, 3))
                 if shape in KINDS:
                     yield Quantity(KINDS[shape], frame, reference, rows=rows)
         if shape[1] == len(arm.joints):
             yield from (Quantity("jacobian", arm.frames[-1], arm.frames[0], rows=part) for part in PARTS)
+
+
+def _has_as_many_terms(pair: Pair) -> bool:
+    """Whether two scalars are sums of as many terms: l_2 c_{12} is a part of p_x, and no slip in it."""
+    sides = (side.rows[0][0] for side in (pair.true, pair.printed))
+    return len({len([*side.ring.terms(side.numerator)]) for side in sides}) == 1

@@ -41,7 +41,7 @@ class ChainChecker:
         self.route = SecondRoute(self.members)
         self.equality = Equality(self.members, self.route)
         self.readings = Readings(self.equality)
-        self.conventions = Conventions(self.members, self.route)
+        self.conventions = Conventions(self.equality)
         self.redefinitions = Redefinitions(names)
         self.catalogue = Catalogue(self.members)
 
@@ -122,7 +122,7 @@ class ChainChecker:
         outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
-        outcomes = [self.catalogue.judge(outcome) if outcome.names_matrix else outcome for outcome in outcomes]
+        outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
         if defined is not None:
             check = partial(self.check, first_equation=first_equation, line=line)
             outcomes = self.redefinitions.judge(chain, outcomes, defined, check)

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import cached_property
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.quantity_kinds import as_line, kind_of
 from armproof.verification.equations.alignment import (
     Pair,
     agree_exactly,
@@ -23,116 +23,55 @@ from armproof.verification.equations.alignment import (
     is_near,
     square_rows,
 )
+from armproof.verification.equations.by_size import BySize
+from armproof.verification.equations.doubts import Doubts
+from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.second_route import SecondRoute
-from armproof.verification.equations.sides import Member, Members
-from armproof.verification.errors import EvaluationError, TooComplex, UnboundName
-from armproof.verification.evaluation.blocks import partition
+from armproof.verification.equations.sides import Member
+from armproof.verification.equations.spellings import POINTS, Spellings
+from armproof.verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
+from armproof.verification.evaluation.blocks import partition, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
-from armproof.verification.naming.conventions import LETTERS, applied, conventional, is_usual
+from armproof.verification.naming.conventions import LETTERS, ORIENTATIONS, applied, conventional, is_usual
 from armproof.verification.verdict import Verdict
 
 ENTRIES = frozenset("rnoa")  # letters of a rotation's entries: in a matrix they mean what stands in their place
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
-POINTS, INDEXED = frozenset("OPAEC"), frozenset("pPoOdRJvz")
 
 
 class Conventions:
-    """Binds what notation and front matter leave open, one chain at a time.
+    """Binds what notation and front matter leave open, one chain at a time."""
 
-    Attributes:
-        weak: the names that stand inside formulas of the chain and were bound.
-        open: the names that have a usual meaning, and were equated to something else.
-    """
+    def __init__(self, equality: Equality) -> None:
+        self.equality = equality
+        self.members = equality.members
+        self.names = equality.names
+        self.doubts = Doubts(self.names)
 
-    def __init__(self, members: Members, route: SecondRoute) -> None:
-        self.members = members
-        self.names = members.names
-        self.route = route
-        self.weak: set[str] = set()
-        self.open: dict[str, Quantity] = {}
+    @cached_property
+    def spellings(self) -> Spellings:
+        """Reads names that are spelt otherwise; made where one is met."""
+        return Spellings(self.members)
 
     def read(self, chain: n.Chain) -> n.Chain:
         """Return a chain whose sides are names where they are spelt otherwise: O_0O_2, p_e(θ), p^1_2."""
         if self.names.arm is None:
             return chain
-        self.weak, self.open = set(), {}
-        keys = {_plain_key(member) for member in chain.members}
-        self._forget(keys & self.names.state.conventional)
+        self.doubts = Doubts(self.names)
+        keys = set(map(_plain_key, chain.members))
+        if known := keys & self.names.state.conventional:  # a name that stands alone is asked anew
+            self.doubts.forget(known)
         for key in filter(self._usual, keys):
             self.names.state.definitions.pop(key, None)
-        members = (self._as_name(self._with_arrows(member)) for member in chain.members)
+        members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
         return replace(chain, members=tuple(members)) if len(chain.members) > 1 else chain
-
-    def _with_arrows(self, node: n.Node) -> n.Node:
-        """Two points in braces are what stands under an arrow."""
-        for below in [*n.walk(node)]:
-            if (
-                isinstance(below, n.Group)
-                and below.brackets == "{}"
-                and (name := self._between(below.inner)) is not None
-            ):
-                node = n.substitute(node, below, name)
-        return node
-
-    def _between(self, node: n.Node) -> n.Name | None:
-        if not isinstance(node, n.Product) or len(node.factors) != 2 or node.operators != ("",):
-            return None
-        first, second = node.factors
-        if not (isinstance(first, n.Name) and isinstance(second, n.Name)):
-            return None
-        if not (self._is_point(first) and self._is_point(replace(second, pre_sup=""))):
-            return None
-        start, end = (first.sub or (first.base if first.base != "O" else self._base)), second.sub or second.base
-        between = n.Name("O", f"{start}to{end}", pre_sup=second.pre_sup, span=node.span)
-        assert self.names.arm is not None
-        return between if conventional(between, self.names.arm, self.names.transforms) else None
-
-    def _is_point(self, name: n.Name) -> bool:
-        """Whether a letter may be a point of a figure: it is no matrix A_1, and the document gives it no value."""
-        placed = name.sup or name.pre_sub or name.pre_sup or name.primes or name.dots
-        if name.base not in POINTS or placed or name.key in self.names.state.definitions:
-            return False
-        quantity = self.names.quantity(name)
-        return self.names.known_symbol(name.key) is None and (quantity is None or quantity.kind == "origin")
-
-    def _as_name(self, node: n.Node) -> n.Node:
-        inner = bare(node)
-        if (
-            isinstance(inner, n.Name)
-            and len(inner.key) == 2
-            and set(inner.key) <= POINTS
-            and self._is_open(inner, inner)
-        ):
-            points = tuple(n.Name(letter, span=node.span) for letter in inner.base)
-            return self._between(n.Product(points, ("",), span=node.span)) or node
-        if isinstance(inner, n.Power) and isinstance(inner.base, n.Name) and isinstance(inner.exponent, n.Number):
-            name, index = inner.base, str(inner.exponent.value)
-            assert self.names.arm is not None
-            placed = name.base in INDEXED and name.sub and not name.pre_sup and index in self.names.arm.frames
-            return replace(name, sup=index) if placed else node
-        if (between := self._between(inner)) is not None:
-            return between
-        if not isinstance(inner, n.Product) or len(inner.factors) != 2 or inner.operators != ("",):
-            return node
-        first, second = inner.factors
-        if not isinstance(first, n.Name):
-            return node
-        if isinstance(second, n.Group | n.Sequence) and not self.members.evaluate(first).known:
-            arguments = second.items if isinstance(second, n.Sequence) else (second.inner,)
-            if all(self._is_configuration(argument) for argument in arguments):
-                return first
-        return node
 
     @property
     def _base(self) -> str:
         assert self.names.arm is not None
         return self.names.arm.frames[0]
-
-    def _is_configuration(self, node: n.Node) -> bool:
-        return isinstance(node, n.Name) and (node.key in ("q", "theta", "Theta") or self.members.is_symbol(node))
 
     def bind(self, members: list[Member]) -> list[Member]:
         """Return the members with those bound whose names have a usual meaning that fits."""
@@ -140,27 +79,28 @@ class Conventions:
             return members
         members = [self._bound_inside(member) for member in members]
         known = [member for member in members if member.known]
-        if len(known) > 1:
-            members = [self._height(member, [m for m in known if m is not member]) for member in members]
+        if not _fit_together(members):
+            members = BySize(self.members, self.doubts).read(members)
+            known = [member for member in members if member.known]
+        if not known:
+            members, known = self._of_letters(members)
         if not known:
             known = [member for member in members if isinstance(member.problem, OutsideAlgebra)]
         return [self._bound(member, known) for member in members]
 
-    def _height(self, member: Member, others: list[Member]) -> Member:
-        """z_4 beside a scalar is no axis where it is the coordinate of the frame's origin."""
-        name = member.node
-        if not isinstance(name, n.Name) or name.base not in "zZ" or name.dots or not isinstance(member.value, Matrix):
-            return member
-        axis = self.names.quantity(name)
-        if axis is None or name.key in (*self.names.quantities, *self.names.state.definitions):
-            return member
-        tried = self._tried(name, name, replace(axis, kind="origin", rows=(3,), scalar=True))
-        pairs = [self._closest(tried, other) for other in others]
-        if any(pair is not None and not is_constant(pair.printed) and self._agree(tried, other, pair)
-               for pair, other in zip(pairs, others, strict=True)):  # fmt: skip
-            return tried
-        self._forget({name.key})
-        return member
+    def _of_letters(self, members: list[Member]) -> tuple[list[Member], list[Member]]:
+        """p = (X, Y, 0)^T: a usual name beside nothing but letters and numbers, of its size, is what it usually is."""
+        sizes = [(len(rows), len(rows[0])) for each in members if (rows := _letters_of(each.node))]
+        for place, member in enumerate(members):
+            name = _plain(member.node)
+            for quantity in (
+                self._candidates(member.node, name) if sizes and name is not None and is_usual(name) else ()
+            ):
+                tried = self._tried(member.node, name, quantity)  # type: ignore[arg-type]
+                if isinstance(tried.value, Matrix) and tried.value.shape in sizes:
+                    return [*members[:place], tried, *members[place + 1 :]], [tried]
+                self.doubts.forget({name.key})  # type: ignore[union-attr]
+        return members, []
 
     def _bound_inside(self, member: Member) -> Member:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
@@ -171,17 +111,17 @@ class Conventions:
         added: set[str] = set()
         for below in n.walk(member.node):
             name = _plain(below)
-            if name is None or not is_usual(name) or not self._is_open(below, name):
+            if name is None or not is_usual(name) or not self.names.is_open(name):
                 continue
             quantities = self._candidates(below, name)
             if quantities and quantities[0].frame != self._base:
-                self._infer(name.key, quantities[0])
+                self.doubts.infer(name.key, quantities[0])
                 added.add(name.key)
         bound = self.members.evaluate(member.node) if added else member
         if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
-            self._forget(added)
+            self.doubts.forget(added)
             return member
-        self.weak |= added
+        self.doubts.weak |= added
         return bound
 
     def _bound(self, member: Member, known: list[Member]) -> Member:
@@ -200,21 +140,26 @@ class Conventions:
                 if self._agree(tried, other, pair):
                     self.names.state.usual[name.key, self.names.state.section] = quantity
                     return tried
+                if pair is not None and is_constant(pair.printed) and name.base not in ORIENTATIONS:
+                    there = self.equality.compare(tried, other, 1, False).verdict
+                    if there is Verdict.CONFIRMED:
+                        return tried
+                    if there is Verdict.REFUTED and is_usual(name):
+                        self.doubts.open.setdefault(name.key, quantity)
                 if pair is not None and is_usual(name) and not is_constant(pair.printed):
-                    self.open.setdefault(name.key, quantity)
+                    self.doubts.open.setdefault(name.key, quantity)
                     may_be_near = quantity == usual or quantity.kind != "angle"
                     near = near or (quantity if may_be_near and is_near(pair) else None)
-        self._forget({name.key})
+        self.doubts.forget({name.key})
         if near is None or (near != usual and self._is_of_another(known)):
             return member
-        self.open.pop(name.key, None)
+        self.doubts.open.pop(name.key, None)
         return self._tried(member.node, name, near)
 
     def _with_entries(self, member: Member, known: list[Member]) -> Member:
         """[x; y] = …: each entry that is a name by itself, by the entry that stands in its place."""
-        node = bare(member.node)
-        value = known[0].value if known else None
-        blocks = partition(node.rows, value.shape) if isinstance(node, n.Matrix) and isinstance(value, Matrix) else None
+        value, rows = known[0].value if known else None, written_rows(member.node)
+        blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) else None
         if blocks is None or not isinstance(value, Matrix):
             return member
         for block in blocks:
@@ -227,33 +172,19 @@ class Conventions:
         return self.members.evaluate(member.node)
 
     def _tried(self, node: n.Node, name: n.Name, quantity: Quantity) -> Member:
-        self._infer(name.key, quantity)
+        self.doubts.infer(name.key, quantity)
         try:
             return self.members.evaluate(node)
         except TooComplex:
             return Member(node)
 
-    def _infer(self, key: str, quantity: Quantity) -> None:
-        self.names.state.inferred[key] = quantity
-        self.names.state.conventional.add(key)
-
-    def _forget(self, keys: set[str]) -> None:
-        for key in keys:
-            self.names.state.inferred.pop(key, None)
-            self.names.state.conventional.discard(key)
-
     def _usual(self, key: str) -> Quantity | None:
         """Return what an equation under this heading has shown a name to be, as convention says."""
         return self.names.state.usual.get((key, self.names.state.section))
 
-    def _is_open(self, node: n.Node, name: n.Name) -> bool:
-        state = self.names.state
-        taken = name.key in self.names.quantities or name.key in state.definitions or name.key in state.inferred
-        return not taken and self.names.known_symbol(name.key) is None and self.names.quantity(name) is None
-
     def _candidates(self, node: n.Node, name: n.Name) -> tuple[Quantity, ...]:
         arm = self.names.arm
-        if arm is None or name.base not in LETTERS or not self._is_open(node, name):
+        if arm is None or name.base not in LETTERS or not self.names.is_open(name):
             return ()
         found = conventional(name, arm, self.names.transforms)
         if isinstance(bare(node), n.Call):
@@ -289,7 +220,7 @@ class Conventions:
         if isinstance(tried.value, Matrix):
             return False
         problem = EvaluationError(say(Kind.ABSOLUTE_VALUE))
-        return self.route.confirm_only(tried.node, other.node, 1, False, problem).verdict is Verdict.CONFIRMED
+        return self.equality.route.confirm_only(tried.node, other.node, 1, False, problem).verdict is Verdict.CONFIRMED
 
     def _is_of_another(self, known: list[Member]) -> bool:
         """Whether the value is exactly that of another frame: a wrist, an elbow under a name that the tool's has elsewhere."""
@@ -309,26 +240,11 @@ class Conventions:
 
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit."""
-        if outcome.verdict is Verdict.DEFINED and (named := set(outcome.defines) & set(self.open)):
-            key = min(named)
-            return replace(outcome, verdict=Verdict.UNCHECKED, findings=(self._finding(key, self.open[key]),))
-        if outcome.verdict is not Verdict.REFUTED:
-            return outcome
-        if (meant := self._defined_otherwise(outcome)) is not None:
+        if outcome.verdict is Verdict.REFUTED and (meant := self._defined_otherwise(outcome)) is not None:
             return outcome.left_open(meant)
-        if outcome.pair is not None and is_near(outcome.pair):
-            return outcome
-        if self._holds_numbers_for_lengths(outcome):
-            return outcome.left_open(say(Kind.NUMBERS_FOR_LENGTHS))
-        if outcome.true is not None and _is_placed_above(outcome.true.node):  # p_0^2 may place frame 2 in frame 0
-            return outcome.left_open(say(Kind.WHICH_INDEX))
-        if not self.weak:
-            return outcome
-        key = min(self.weak)
-        quantity = self.names.state.inferred.get(key)
-        self._forget(self.weak)
-        finding = self._finding(key, quantity) if quantity is not None else say(Kind.NOT_BOUND, name=key)
-        return outcome.left_open(finding)
+        near = outcome.pair is not None and is_near(outcome.pair)
+        doubtful = (outcome.verdict is Verdict.REFUTED and not near) or (outcome.defines and self.doubts.open)
+        return self.doubts.judge(outcome) if doubtful else outcome
 
     def _defined_otherwise(self, outcome: Outcome) -> Finding | None:
         """A name that the document gave another meaning is exactly what it usually is: nobody can tell which is meant."""
@@ -343,21 +259,6 @@ class Conventions:
                 return say(Kind.SECOND_MEANING, name=name.key, line=definition.line)
         return None
 
-    def _holds_numbers_for_lengths(self, outcome: Outcome) -> bool:
-        """Whether decimals stand where the arm has lengths to which the document gives no values: det J_v = 0.15 s_2."""
-        if outcome.true is None or outcome.printed is None or outcome.true.rank < 3:
-            return False
-        lengths = set(self.names.arm.lengths) if self.names.arm is not None else set()
-        printed = [*n.walk(outcome.printed.node)]
-        if not any(isinstance(each, n.Number) and each.decimals for each in printed):
-            return False
-        symbols = {self.names.known_symbol(each.key) for each in printed if isinstance(each, n.Name)}
-        return not symbols & lengths and not lengths & self.names.state.configuration.keys()
-
-    def _finding(self, key: str, quantity: Quantity) -> Finding:
-        reading, line = kind_of(quantity).tell(quantity), as_line(key, quantity)
-        return say(Kind.NOT_AS_USUAL_BOUND, name=key, reading=reading, line=line)
-
 
 def _plain(node: n.Node) -> n.Name | None:
     """Return the name that a node is, without its dots and arguments, or None."""
@@ -367,10 +268,28 @@ def _plain(node: n.Node) -> n.Name | None:
     return replace(node, dots=0) if isinstance(node, n.Name) and node.base not in ("words", "=") else None
 
 
+def _letters_of(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:
+    """Return the rows of a matrix or a list of letters and numbers alone, with a letter; else ()."""
+    rows = written_rows(node)
+    cells = [bare(cell) for row in rows for cell in row]
+    alone = all(isinstance(cell, n.Name | n.Number) for cell in cells)
+    return rows if alone and any(isinstance(cell, n.Name) for cell in cells) else ()
+
+
+def _fit_together(members: list[Member]) -> bool:
+    """Whether no two members have values of different sizes, and none has sizes that do not fit."""
+    sizes = {getattr(member.value, "shape", None) for member in members if member.known}
+    return len(sizes) < 2 and not any(isinstance(member.problem, ShapeError) for member in members)
+
+
+def _is_spelt(node: n.Node) -> bool:
+    """Whether a side may be a name, or hold one, that is spelt otherwise."""
+    inner = bare(node)
+    points = (below for below in n.walk(node) if isinstance(below, n.Name) and set(below.base) <= POINTS)
+    applied = isinstance(inner, n.Product) and isinstance(inner.factors[1], n.Group | n.Sequence)
+    return applied or isinstance(inner, n.Power) or next(points, None) is not None
+
+
 def _plain_key(node: n.Node) -> str:
     name = _plain(node)
     return name.key if name is not None else ""
-
-
-def _is_placed_above(node: n.Node) -> bool:
-    return isinstance(node, n.Name) and node.base in "pPoOd" and node.sup.isdigit() and node.sub.isdigit()

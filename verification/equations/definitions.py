@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
@@ -13,8 +12,8 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
-from armproof.verification.evaluation.blocks import partition
-from armproof.verification.findings import Finding, Kind, finding_of, say
+from armproof.verification.evaluation.blocks import partition, written_rows
+from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.names import Names
@@ -90,17 +89,8 @@ class Definitions:
 
     def _define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
-        node = n.ungrouped(member.node)
-        transposed = isinstance(node, n.Postfix) and node.operator == "T"
-        if isinstance(node, n.Postfix) and transposed:
-            node = node.base
-        if isinstance(node, n.Sequence):
-            node = n.Matrix((node.items,) if transposed else tuple((i,) for i in node.items), span=node.span)
-        if not isinstance(node, n.Matrix):
-            return None
-        rows = tuple(zip(*node.rows, strict=False)) if transposed else node.rows
-        value = true.value
-        blocks = partition(rows, value.shape) if isinstance(value, Matrix) else None
+        value, rows = true.value, written_rows(member.node)
+        blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) else None
         if not isinstance(value, Matrix) or blocks is None:
             return None
         first: dict[str, Value] = {}  # what a name is where it stands first
@@ -248,7 +238,8 @@ class Redefinitions:
             del definitions[key]
             return check(chain)
         second = say(Kind.SECOND_MEANING, name=key, line=definition.line)
-        definitions[key] = replace(definition, evaluate=_undecided(second), has_two_meanings=True)
+        self.names.leave_open(key, second)
+        definitions[key] = replace(definitions[key], has_two_meanings=True)
         rest = (
             check(replace(chain, members=chain.members[1:], relations=chain.relations[1:]))
             if len(chain.members) > 2
@@ -263,15 +254,8 @@ class Redefinitions:
 
 
 def _is_another_meaning(outcome: Outcome) -> bool:
-    """Whether two formulas have little in common; a number is a condition or a value, and no meaning."""
+    """Whether two formulas have little in common, or two numbers differ; a formula's number is a condition or a value."""
     pair = outcome.pair
     numbers = [is_constant(value) for value in (pair.true, pair.printed)] if pair is not None else []
     near = pair is not None and is_near(pair)
-    return outcome.verdict is Verdict.REFUTED and not near and not any(numbers)
-
-
-def _undecided(finding: Finding) -> Callable[[Any], Value]:
-    def evaluate(_: Any) -> Value:
-        raise EvaluationError(finding)
-
-    return evaluate
+    return outcome.verdict is Verdict.REFUTED and not near and len(set(numbers)) < 2

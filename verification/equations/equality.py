@@ -79,7 +79,7 @@ class Equality:
                 return self.route.confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
                 best = (pair, wrong)
-        if not branches and self.stated.enabled and (there := self.stated.read(outcome, pairs)) is not None:
+        if not branches and (there := self.stated.read(outcome, pairs)) is not None:
             return there
         assert best is not None
         outcome.pair, outcome.wrong = best

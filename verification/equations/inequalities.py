@@ -11,6 +11,7 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.decimals import finest_decimals, is_number
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -44,6 +45,8 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
     outcome = Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
     if relation == "∈":
         return _membership(checker, left, right, outcome)
+    if relation == "≈" and (there := _at_configuration(checker, left, right, equation)) is not None:
+        return there
     sides = checker.member(left), checker.member(right)
     known = all(side.known for side in sides)
     if relation == "≠":
@@ -63,6 +66,16 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
     if relation == "≈":
         return check_approximation(checker, sampled, (left, right), constant, outcome)
     return check_inequality(checker, sampled, (left, right), relation, outcome)
+
+
+def _at_configuration(checker: ChainChecker, left: n.Node, right: n.Node, equation: int) -> Outcome | None:
+    """P_x ≈ 0.346 behind a stated configuration is decided as P_x = 0.346, None elsewhere; P_x ≈ 1 is refuted by nothing."""
+    if not checker.names.state.configuration or is_number(left) or not is_number(right):
+        return None
+    (found,) = checker.check(n.Chain((left, right), ("=",)), equation, 0, define=False)
+    if found.verdict is Verdict.CONFIRMED or (found.verdict is Verdict.REFUTED and finest_decimals((right,))):
+        return found
+    return None
 
 
 def _identical(a: Any, b: Any) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix, is_zero
+from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.sides import Member
@@ -14,6 +14,7 @@ from armproof.verification.errors import NoValue
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import DECIDED, EquationResult, Role, Verdict
 
@@ -85,9 +86,9 @@ class Outcome:
         return self.verdict is Verdict.REFUTED and known and self.pair is None and not self.wrong
 
     @property
-    def names_matrix(self) -> bool:
-        """Whether a matrix that is written out is given one name."""
-        written = self.true is not None and self.true.rank == 1 and isinstance(self.true.value, Matrix)
+    def names_value(self) -> bool:
+        """Whether a matrix or a formula that is written out is given one name."""
+        written = self.true is not None and self.true.rank == 1 and isinstance(self.true.value, Matrix | Scalar)
         return self.verdict is Verdict.DEFINED and len(self.defines) == 1 and written
 
     @property
@@ -149,7 +150,14 @@ def _is_of_kinematics(node: n.Node, names: Names) -> bool:
         or names.known_symbol(plain.key) is not None
         or names.quantity(plain) is not None
         or bool(node.pre_sub or node.pre_sup)
+        or (bool(node.sub) and is_usual(plain) and _is_of_moving_frame(plain, names))
     )
+
+
+def _is_of_moving_frame(name: n.Name, names: Names) -> bool:
+    """Whether convention has a meaning for a name with an index, and not of the base: P_x, x_2."""
+    usual = conventional(name, names.arm, names.transforms) if names.arm is not None else ()
+    return names.arm is not None and any(quantity.frame != names.arm.frames[0] for quantity in usual)
 
 
 def hold(outcomes: list[Outcome]) -> bool:
@@ -159,7 +167,8 @@ def hold(outcomes: list[Outcome]) -> bool:
 
 def without_misreading(outcome: Outcome, chain: n.Chain, names: Names) -> Outcome:
     """Return a refuted outcome, or an unchecked one where it was not understood."""
-    reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or sizes_of_convention(outcome, chain, names)
+    reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
+    reason = reason or sizes_of_convention(outcome, chain, names)
     reason = reason or _nothing_to_compare(outcome, chain, names)
     return outcome if reason is None else outcome.left_open(reason)
 
@@ -179,6 +188,16 @@ def _rotation_for_pose(outcome: Outcome, names: Names) -> Finding | None:
     ):
         return None
     return say(Kind.SIZES_OF_CONVENTION, reason=say(Kind.WRONG_SIZE, printed=printed.size, correct=true.size))
+
+
+def _determinant(outcome: Outcome, names: Names) -> Finding | None:
+    """J = l_1 l_2 s_2: a scalar beside the name of a Jacobian may be its determinant."""
+    if outcome.true is None or outcome.printed is None or not isinstance(as_scalar(outcome.printed.value), Scalar):
+        return None
+    name = bare(outcome.true.node)
+    quantity = names.quantity(name) if isinstance(name, n.Name) else None
+    is_jacobian = quantity is not None and quantity.kind == "jacobian" and name.key not in names.quantities  # type: ignore[attr-defined]
+    return say(Kind.DETERMINANT_MEANT, name=name.text) if is_jacobian else None  # type: ignore[attr-defined]
 
 
 def _own_name(chain: n.Chain, names: Names) -> Finding | None:

@@ -26,6 +26,17 @@ class Block:
         return block.rows[0][0] if block.shape == (1, 1) else block
 
 
+def written_rows(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:
+    """Return the cells of a matrix or a list as they stand in its value, a transposed one the other way; () of another tree."""
+    node = n.ungrouped(node)
+    transposed = isinstance(node, n.Postfix) and node.operator == "T"
+    node = n.ungrouped(node.base) if isinstance(node, n.Postfix) and transposed else node
+    if isinstance(node, n.Sequence):
+        return tuple((item,) for item in node.items)
+    rows = node.rows if isinstance(node, n.Matrix) else ()
+    return tuple(zip(*rows, strict=False)) if transposed else rows
+
+
 def partition(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> list[Block] | None:
     """Return the blocks of a value of that size, or None where the printed rows cannot be laid over it.
 

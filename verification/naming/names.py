@@ -13,8 +13,8 @@ from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.document import Document
-from armproof.verification.errors import DocumentError, ReadError
-from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.errors import DocumentError, EvaluationError, ReadError
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, VARIANTS, one_of
 from armproof.verification.latex.nodes import call_key
@@ -180,6 +180,11 @@ class Names:
         component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
         return component or bool(FREE_IN_GENERAL.fullmatch(name.base))
 
+    def is_open(self, name: n.Name) -> bool:
+        """Whether neither notation nor the document gives a name a meaning."""
+        taken = name.key in self.quantities or name.key in self.state.definitions or name.key in self.state.inferred
+        return not taken and self.known_symbol(name.key) is None and self.quantity(name) is None
+
     def defines_sign(self, key: str) -> bool:
         """Whether a display that gives a name both signs defines it: nothing else gives it a meaning."""
         return not (key in self.quantities or key in self.state.definitions or self.known_symbol(key) is not None)
@@ -193,6 +198,15 @@ class Names:
         definition = self.state.definitions[key]
         self.state.consulted.add((key, definition.line))
         return definition.evaluate(algebra)
+
+    def leave_open(self, key: str, doubt: Finding) -> None:
+        """Let nothing be decided by a name's definition, of which nobody can tell whether it is meant so."""
+
+        def evaluate(_: Algebra) -> Value:
+            raise EvaluationError(doubt)
+
+        if key in self.state.definitions:
+            self.state.definitions[key] = replace(self.state.definitions[key], evaluate=evaluate)
 
     def define(
         self,

@@ -45,16 +45,14 @@ class Stated:
 
 @dataclass(frozen=True)
 class Told:
-    """What the text between displays says of a configuration, or of lengths.
+    """What the text between displays says of a configuration, or of lengths, under the heading at hand.
 
     Attributes:
-        section: the heading under which it stands.
         conditions: equations that it gives.
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation.
     """
 
-    section: str = ""
     conditions: tuple[n.Chain, ...] = ()
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
@@ -172,7 +170,8 @@ class DocumentState:
 
     def enter(self, section: str) -> None:
         """Go on under a heading, in a new exercise where it says so."""
-        self.section = section
+        if section != self.section:
+            self.section, self.told = section, Told()
         self.exercise = section if EXERCISE.match(section) else self.exercise
 
     def foreign(self) -> list[Key]:

@@ -33,7 +33,24 @@ def test_a_value_near_a_quantity_is_not_decided(judge: Judge, display: str, wher
     assert f"but for entry {where}" in record.message and line in record.message
     left, _, value = display.partition(" = ")
     used = judge(display, f"3 {left} = 3 {value}", arm="planar_2r")
-    assert used.verdict is Verdict.PROVED  # what is said of the name is decided, and does not make it a quantity
+    assert used.verdict is Verdict.UNCHECKED and f"but for entry {where}" in used.message
+
+
+@pytest.mark.parametrize(
+    ("value", "says"),
+    [
+        (r"l_1 c_1 + l_2 c_{12}", ""),
+        (r"l_1 c_1 - l_2 c_{12}", '{"k": {origin: 2, component: x}}'),
+        (r"l_1 s_1 + l_2 c_{12}", '{"k": {origin: 2, component: x}}'),
+        (r"l_1 + l_2 c_2", ""),
+        (r"l_2 c_{12}", ""),
+        (r"l_1^2 + l_2^2 + 2 l_1 l_2 c_2", ""),
+    ],
+)
+def test_a_scalar_near_a_coordinate_is_not_decided(judge: Judge, value: str, says: str) -> None:
+    record, used = judge(f"k = {value}", arm="planar_2r"), judge(f"k = {value}", f"2 k = 2 ({value})", arm="planar_2r")
+    assert used.verdict is (Verdict.UNCHECKED if says else Verdict.PROVED)
+    assert says in record.message and ("but for a term" in record.message) == bool(says)
 
 
 @pytest.mark.parametrize(
