@@ -36,10 +36,10 @@ class BySize:
     def _in_plane(self, member: Member) -> Member:
         """Vectors without a third coordinate are read as columns of two."""
         node, names = member.node, self.members.names
-        for below in [*n.walk(node)]:
-            plain = replace(below, dots=0) if isinstance(below, n.Name) else None
-            quantity = names.quantity(plain) if plain is not None and plain.key not in names.quantities else None
-            if plain is None or quantity is None or quantity.kind != "origin" or quantity.rows is not None:
+        for below in [each for each in n.walk(node) if isinstance(each, n.Name)]:
+            plain = replace(below, dots=0)
+            quantity = names.quantity(plain) if plain.key not in names.quantities else None
+            if quantity is None or quantity.kind != "origin" or quantity.rows is not None:
                 continue
             value = self.members.evaluate(plain).value
             if isinstance(value, Matrix) and is_zero(value.rows[2][0]):
