@@ -147,11 +147,15 @@ def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Ev
 
 
 def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: Evaluator) -> Scalar | None:
-    """√f = g as f = g², where g is a sum of positive lengths: ‖p‖ = l_1 + l_2."""
+    """√f = g as f = g², where g is a sum of positive lengths, or an absolute value: ‖p‖ = l_1 + l_2, ‖p‖ = |l_1 − l_2|."""
     (powers, factor), *more = [*checker.exact.ring.terms(root.numerator)] or [({}, Fraction(0))]
     if more or factor != 1 or not root.denominator.is_one() or [kind for kind, _ in powers] != ["radical"]:
         return None
-    value, arm = as_scalar(evaluator.evaluate(right)), checker.names.arm
+    absolute = isinstance(inner := bare(right), n.Call) and inner.function == "abs"
+    value = as_scalar(evaluator.evaluate(inner.arguments[0] if isinstance(inner, n.Call) and absolute else right))
+    if absolute:
+        return root * root - value * value if isinstance(value, Scalar) else None
+    arm = checker.names.arm
     if not isinstance(value, Scalar) or not value.denominator.is_one() or arm is None:
         return None
     lengths = {("symbol", name) for name, length in arm.lengths.items() if length > 0}

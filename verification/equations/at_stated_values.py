@@ -152,10 +152,10 @@ class StatedValues:
             raise
         except EvaluationError:
             return None
-        if missing and length_values([value], lengths) is not None:
+        if missing and not value.is_zero() and length_values([value], lengths) is not None:
             return None
         self._rest_on(stated)
-        if missing:  # no lengths make d_6 + d_G zero
+        if missing and not value.is_zero():  # no lengths make d_6 + d_G zero
             return inf
         number = value.as_fraction()
         size = float(number) if number is not None else float(self.members.sampled().from_exact(value)[0])

@@ -34,7 +34,7 @@ from armproof.verification.evaluation.blocks import partition, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
-from armproof.verification.naming.conventions import LETTERS, ORIENTATIONS, applied, conventional, is_usual
+from armproof.verification.naming.conventions import LETTERS, applied, conventional, is_usual
 from armproof.verification.verdict import Verdict
 
 ENTRIES = frozenset("rnoa")  # letters of a rotation's entries: in a matrix they mean what stands in their place
@@ -106,7 +106,7 @@ class Conventions:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
         if not isinstance(member.problem, UnboundName) or _plain(member.node) is not None:
             return member
-        if isinstance(bare(member.node), n.Matrix):
+        if _letters_of(member.node):
             return member
         added: set[str] = set()
         for below in n.walk(member.node):
@@ -140,11 +140,11 @@ class Conventions:
                 if self._agree(tried, other, pair):
                     self.names.state.usual[name.key, self.names.state.section] = quantity
                     return tried
-                if pair is not None and is_constant(pair.printed) and name.base not in ORIENTATIONS:
+                if pair is not None and self.names.state.configuration:
                     there = self.equality.compare(tried, other, 1, False).verdict
                     if there is Verdict.CONFIRMED:
                         return tried
-                    if there is Verdict.REFUTED and is_usual(name):
+                    if there is Verdict.REFUTED and is_usual(name) and is_constant(pair.printed):
                         self.doubts.open.setdefault(name.key, quantity)
                 if pair is not None and is_usual(name) and not is_constant(pair.printed):
                     self.doubts.open.setdefault(name.key, quantity)

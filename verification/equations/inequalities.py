@@ -13,6 +13,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals, is_number
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict, worst
@@ -70,7 +71,8 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
 
 def _at_configuration(checker: ChainChecker, left: n.Node, right: n.Node, equation: int) -> Outcome | None:
     """P_x ≈ 0.346 behind a stated configuration is decided as P_x = 0.346, None elsewhere; P_x ≈ 1 is refuted by nothing."""
-    if not checker.names.state.configuration or is_number(left) or not is_number(right):
+    cells = [cell for row in written_rows(right) for cell in row] or [right]
+    if not checker.names.state.configuration or is_number(left) or not all(map(is_number, cells)):
         return None
     (found,) = checker.check(n.Chain((left, right), ("=",)), equation, 0, define=False)
     if found.verdict is Verdict.CONFIRMED or (found.verdict is Verdict.REFUTED and finest_decimals((right,))):

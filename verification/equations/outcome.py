@@ -150,8 +150,13 @@ def _is_of_kinematics(node: n.Node, names: Names) -> bool:
         or names.known_symbol(plain.key) is not None
         or names.quantity(plain) is not None
         or bool(node.pre_sub or node.pre_sup)
-        or (bool(node.sub) and is_usual(plain) and _is_of_moving_frame(plain, names))
+        or (_is_expected(plain, names) and _is_of_moving_frame(plain, names))
     )
+
+
+def _is_expected(name: n.Name, names: Names) -> bool:
+    """Whether a name is likely to be meant as usual: it is common and has an index, or a configuration is given."""
+    return bool(names.state.configuration) or (bool(name.sub) and is_usual(name))
 
 
 def _is_of_moving_frame(name: n.Name, names: Names) -> bool:

@@ -82,6 +82,7 @@ _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
 _REMARK = re.compile(r"\(\s*[ijkn]\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
+_CONDITION = re.compile(r"\((?!\s*\\text)[^()&=]{1,60}\\neq?(?![A-Za-z])[^()&=]{1,60}\)")
 _DECIMAL_COMMA = re.compile(r",(\d+)(?!\s*,\s*\d)")
 _NEXT_BAR = re.compile(
     r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
@@ -534,6 +535,8 @@ class _Scanner:
         if self.text.startswith("\\mid", start):
             return False
         member = _NEXT_BAR.split(self.text[end:], maxsplit=1)[0]
+        if self.text.startswith("\\|", start):
+            return member.count("\\|") % 2 == 1
         member = re.sub(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_", "", member)
         return len(re.findall(r"\||\\vert(?![A-Za-z])", member)) % 2 == 1
 
@@ -563,6 +566,9 @@ class _Scanner:
         elif kind == "LPAR":
             if value == "(" and (remark := _REMARK.match(self.text, start)):  # (i = 1, …, n)
                 return [self.token("TEXT", remark.group(), start, remark.end())], remark.end()
+            if value == "(" and (condition := _CONDITION.match(self.text, start)):  # (s_2 ≠ 0)
+                self.transparent_braces.add(condition.end() - 1)
+                return [self.token("TEXT", "if", start, end)], end
             self._deeper(start)
         elif kind in ("DOT", "STAR"):
             is_product = kind == "STAR" or (self.previous in _ENDS_OPERAND and _FACTOR.match(self.text, end))
