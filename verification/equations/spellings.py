@@ -38,14 +38,14 @@ class Spellings:
         first, second = node.factors
         if not (isinstance(first, n.Name) and isinstance(second, n.Name)):
             return None
-        if not (self._is_point(first) and self._is_point(second)):
+        if not (self._is_point(first) and self._is_point(replace(second, pre_sup=""))):
             return None
         assert self.names.arm is not None
         start, end = (
             (first.sub or (first.base if first.base != "O" else self.names.arm.frames[0])),
             second.sub or second.base,
         )
-        between = n.Name("O", f"{start}to{end}", span=node.span)
+        between = n.Name("O", f"{start}to{end}", pre_sup=second.pre_sup, span=node.span)
         return between if conventional(between, self.names.arm, self.names.transforms) else None
 
     def _is_point(self, name: n.Name) -> bool:
