@@ -200,7 +200,8 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
     if outcome.true is None or outcome.printed is None or not isinstance(as_scalar(outcome.printed.value), Scalar):
         return None
     name = bare(outcome.true.node)
-    quantity = names.quantity(name) if isinstance(name, n.Name) else None
+    is_matrix = isinstance(outcome.true.value, Matrix)  # J_{11} is an entry
+    quantity = names.quantity(name) if isinstance(name, n.Name) and is_matrix else None
     is_jacobian = quantity is not None and quantity.kind == "jacobian" and name.key not in names.quantities  # type: ignore[attr-defined]
     return say(Kind.DETERMINANT_MEANT, name=name.text) if is_jacobian else None  # type: ignore[attr-defined]
 
