@@ -46,7 +46,7 @@ class Doubts:
             if not key:
                 return outcome
             doubt = _unusual(key, self.open[key])
-            if self.open[key].kind != "angle":
+            if self.open[key].kind == "difference":  # no equation gives two points another vector
                 self.names.leave_open(key, doubt)
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(doubt,))
         if outcome.true is not None and _is_placed_above(outcome.true.node):  # p_0^2 may place frame 2 in frame 0
