@@ -106,7 +106,7 @@ class Conventions:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
         if not isinstance(member.problem, UnboundName) or _plain(member.node) is not None:
             return member
-        if _letters_of(member.node):
+        if any(isinstance(bare(cell), n.Name) for row in written_rows(member.node) for cell in row):
             return member
         added: set[str] = set()
         for below in n.walk(member.node):
