@@ -88,7 +88,9 @@ class Statements:
             given = dict(self.names.state.configuration)
             if implication is None:
                 assert isinstance(statement, n.Chain)
-                found = self._chain(statement, equation, line, define)
+                alternative = _is_alternative(statements, index)
+                found = self._chain(statement, equation, line, define and not alternative)
+                found = [_left_open_beside_or(outcome) for outcome in found] if alternative else found
                 if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
                     self.names.state.configuration = given  # what is concluded is no data
                 outcomes.extend(with_role(outcome, statement, self.names) for outcome in found)
@@ -386,6 +388,16 @@ def _tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcom
     for outcome in outcomes if words else ():
         if outcome.verdict in DECIDED or (outcome.verdict is Verdict.REFUTED and "exists" in words):
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
+
+
+def _is_alternative(statements: list[n.Statement], index: int) -> bool:
+    """Whether an "or" stands beside a statement: A or B says of neither that it holds."""
+    beside = [*statements[max(index - 1, 0) : index], *statements[index + 1 : index + 2]]
+    return any(isinstance(each, n.Connective) and each.kind == "or" for each in beside)
+
+
+def _left_open_beside_or(outcome: Outcome) -> Outcome:
+    return outcome.left_open(say(Kind.ONE_OF_TWO)) if outcome.verdict is Verdict.REFUTED else outcome
 
 
 def _asked(statement: n.Statement) -> n.Statement:

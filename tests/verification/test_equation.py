@@ -212,3 +212,8 @@ def test_a_proof_is_evaluated_on_the_double_plant_as_well(judge: Judge) -> None:
     assert record.samples == 1000 and record.max_error is not None and record.max_error < 1e-14
     unconfirmed = judge(f"p_1 = {P1}", confirm=False)
     assert unconfirmed.verdict is Verdict.PROVED and (unconfirmed.samples, unconfirmed.max_error) == (0, None)
+
+
+@pytest.mark.parametrize(("word", "verdict"), [("or", "unchecked"), ("ou", "unchecked"), ("and", "refuted")])
+def test_beside_or_nothing_is_refuted(check: Check, word: str, verdict: str) -> None:
+    assert verdicts(check(rf"c_1^2 + s_1^2 = 1 \quad\text{{{word}}}\quad c_1^2 + s_1^2 = 2")) == [verdict]
