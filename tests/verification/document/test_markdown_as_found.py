@@ -97,5 +97,5 @@ def test_rows_of_an_arm_may_be_written_in_latex(rows: str):
     assert [r.verdict.value for r in verify_text(front + body.format("+", "-0.12")).equations] == ["proved", "proved"]
     assert [r.verdict.value for r in verify_text(front + body.format("-", "0.12")).equations] == [
         "refuted",
-        "unchecked",
+        "refuted",
     ]
