@@ -206,7 +206,7 @@ FRONTS = {
     "quantity of no arm": ("quantities: {T: {pose: 4}}", r"2: quantity 'T' is of an arm, but the front matter names no arm"),
     "unknown transforms": ("arm: scara\ntransforms: left", r"\d: 'transforms' must be upper or lower, not 'left'"),
     "not a mapping": ("- arm: scara", r"2: the front matter must be a mapping of keys such as 'arm: scara'"),
-    "not YAML": ("title: x\narm: [scara", r"4: the front matter is not YAML: did not find expected ',' or '\]'"),
+    "not YAML": ("title: x\narm: [scara", r"3: the front matter is not YAML: did not find expected ',' or '\]'"),
     "unknown convention": ("arm: {dh: modern, rows: []}", r"2: DH table: dh is classic or modified, not 'modern'"),
     "no rows": ("arm: {dh: classic}", r"2: DH table: rows is a list of rows, one a joint, not None"),
     "row without keys": ("arm: {dh: classic, rows: [{a: 1}]}", r"2: DH table, row 1: a row has the keys a, alpha, d, theta, not a"),
@@ -274,7 +274,7 @@ def test_front_matter_nested_without_end_is_refused(verify, tmp_path: Path):
 UNREADABLE = {
     "file": (r"\input{/etc/passwd} = 1", r"'\\input' is not a command of kinematic LaTeX"),
     "shell": (r"\immediate\write18{touch touched} = 1", r"'\\immediate' is not a command of kinematic LaTeX"),
-    "macro": (r"\def\a{\a\a}\a = 1", r"'\\def' is not a command of kinematic LaTeX"),
+    "macro": (r"\def\a{\a\a}\a = 1", r"'\\a' is not a command of kinematic LaTeX"),
     "code": ("__import__('os').system('touch touched') = 1", "unexpected '''; expected .*"),
     "right code": ("C_{12} = __import__('os')", "unexpected '''; expected .*"),
     "1 MB": ("a + " * 250_000 + "a = 1", r"the display is too long: 1,000,0\d\d characters, at most 100,000"),

@@ -28,8 +28,18 @@ class Circumstances:
         self.given = given
         self.names = checker.names
 
-    def heed(self, said: Iterable[str]) -> None:
-        """The text before a display gives values or a condition: the configuration stated before it is over, perhaps."""
+    def heed(self, said: Sequence[str], above: int = 0) -> None:
+        """The text before a display gives values or a condition: the configuration stated before it is over, perhaps.
+
+        What stands `above` the last heading ends a configuration as well, but tells nothing of what stands below.
+        """
+        if above:
+            self._heed(said[:above])
+            self.names.state.told = Told()
+        if said[above:]:
+            self._heed(said[above:])
+
+    def _heed(self, said: Iterable[str]) -> None:
         names: set[str] = set()
         conditions: list[n.Chain] = []
         in_words = False
@@ -80,7 +90,7 @@ class Circumstances:
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave open what is refuted, and may be meant where the text before it says."""
         told = self.names.state.told
-        if outcome.true is None or outcome.printed is None:
+        if outcome.true is None or outcome.printed is None or _states_values(outcome):
             return outcome
         if told.conditions and self._follows(told, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
@@ -108,6 +118,12 @@ class Circumstances:
         sides = ([cell for row in side.rows for cell in row] for side in (outcome.pair.true, outcome.pair.printed))
         one, other = (symbols_in(cells) & set(self.given.joints) for cells in sides)
         return one != other
+
+
+def _states_values(outcome: Outcome) -> bool:
+    """Whether an equation says itself where it holds: J|_{θ_2 = 0}."""
+    sides = (side.node for side in (outcome.true, outcome.printed) if side is not None)
+    return any(isinstance(below, n.At) for node in sides for below in n.walk(node))
 
 
 def _equated(chain: n.Chain) -> Iterator[str]:

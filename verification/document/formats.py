@@ -65,13 +65,14 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 def _with_what_is_said(document: Document) -> Document:
     """Give each display the equations and the postures of the text before it, which are no displays."""
     displays: list[Display] = []
-    said: list[str] = []
+    said: list[Display] = []
     for display in document.displays:
         if display.opening != INLINE:
-            displays.append(replace(display, said=tuple(said)))
+            above = sum(each.section != display.section for each in said)
+            displays.append(replace(display, said=tuple(each.latex for each in said), said_above=above))
             said = []
         elif _SAYS.search(display.latex):
-            said.append(display.latex)
+            said.append(display)
     return replace(document, displays=tuple(displays))
 
 

@@ -43,6 +43,7 @@ class Display:
     opening: str = "$$"  # what it begins with in the file
     file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
     said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one
+    said_above: int = 0  # how many of them stand above the last heading
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
@@ -54,7 +55,7 @@ class Catalogue:
         near = [
             (different_entries(pair, exactly_equal), quantity)
             for quantity, pair in pairs
-            if is_near(pair) and (not quantity.scalar or _has_as_many_terms(pair))
+            if is_near(pair) and (not quantity.scalar or (_has_as_many_terms(pair) and self._is_of_the_arm(pair)))
         ]
         wrong, quantity = min(near, key=lambda each: len(each[0]), default=([], None))
         if quantity is None or len(wrong) > MOST_WRONG:
@@ -65,6 +66,12 @@ class Catalogue:
         finding = say(Kind.NEAR_COORDINATE, **terms) if quantity.scalar else finding
         self.members.names.leave_open(name, finding)
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
+
+    def _is_of_the_arm(self, pair: Pair) -> bool:
+        """Whether a scalar holds the arm's letters alone: d_1 - Z - d_4 is a joint solved for, and no slip in z."""
+        arm = self.members.names.arm
+        assert arm is not None
+        return symbols_in(pair.printed.rows[0]) <= {*arm.lengths, *(joint.symbol for joint in arm.joints)}
 
     def _alike(self, value: Matrix) -> Iterator[tuple[Quantity, Matrix]]:
         """Yield the quantities of a size, each with its value; of two frames that are one, the first."""

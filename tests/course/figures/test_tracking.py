@@ -55,4 +55,4 @@ def test_an_arm_without_masses_says_so(tmp_path) -> None:
 
 def test_the_caption_names_the_errors() -> None:
     assert "80%" in caption(load_arm("planar_2r")) and "mm" in caption(load_arm("planar_2r"))
-    assert "80 %" in caption(load_arm("planar_2r"), "fr")
+    assert "80\N{NO-BREAK SPACE}%" in caption(load_arm("planar_2r"), "fr")

@@ -159,7 +159,7 @@ def test_a_right_document_is_not_written_again(correct, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--diff", "--in-place"], "--diff, --output and --in-place exclude each other"),
+        (["--diff", "--in-place"], "give one of --diff, --output and --in-place"),
         (["--output", "missing/copy.md"], "missing/copy.md: cannot be written: No such file or directory"),
     ],
 )
