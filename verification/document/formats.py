@@ -11,7 +11,6 @@ from armproof.verification.document.accepts import with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.front_matter import read_any_text
 from armproof.verification.document.markdown import read_markdown_file
-from armproof.verification.document.markdown_macros import with_macros
 from armproof.verification.document.model import INLINE, Display, Document
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.rst import read_rst
@@ -33,6 +32,7 @@ _MARKS = {
 }
 _SAYS = re.compile(r"=|≈|\\(?:approx|simeq|equiv)(?![A-Za-z])|^\\text\{")
 _EQUATION = r"[^\])\"'\s]*(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
+_DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
 _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">
     rf"!\[{_EQUATION}\]\([^)\n]{{1,2000}}\)|!\[[^\]\n]{{0,200}}\]\({_EQUATION}\)|<img\b[^>]{{0,500}}?(?:src|alt)=\\?[\"']{_EQUATION}"
     rf"|\\includegraphics\s*(?:\[[^\]]{{0,200}}\])?\{{{_EQUATION}\}}",
@@ -55,7 +55,11 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         raise DocumentError(say(Kind.UNKNOWN_FORMAT, format=format, formats=formats), path=path)
     suffix = f".{format}" if format else path.suffix
     document = _READERS.get(suffix, read_markdown_file)(path, text)
-    document = _with_what_is_said(document if suffix == ".tex" else with_macros(document))
+    if suffix != ".tex" and any(_DEFINES.search(display.latex) for display in document.displays):
+        from armproof.verification.document.markdown_macros import with_macros
+
+        document = with_macros(document)
+    document = _with_what_is_said(document)
     if (images := len(_IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))

@@ -2,7 +2,6 @@ r"""Macros that a Markdown document or notebook defines in its formulas: as in M
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from functools import partial
 
@@ -10,13 +9,9 @@ from armproof.verification.document.model import Display, Document
 from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import Macro, Macros
 
-_DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
-
 
 def with_macros(document: Document) -> Document:
     """Return a document with its displays' own macros expanded, each part still with its place in the file."""
-    if not any(_DEFINES.search(display.latex) for display in document.displays):
-        return document
     known: dict[str, Macro] = {}
     displays: list[Display] = []
     for display in document.displays:
