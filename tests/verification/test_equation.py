@@ -217,3 +217,8 @@ def test_a_proof_is_evaluated_on_the_double_plant_as_well(judge: Judge) -> None:
 @pytest.mark.parametrize(("word", "verdict"), [("or", "unchecked"), ("ou", "unchecked"), ("and", "refuted")])
 def test_beside_or_nothing_is_refuted(check: Check, word: str, verdict: str) -> None:
     assert verdicts(check(rf"c_1^2 + s_1^2 = 1 \quad\text{{{word}}}\quad c_1^2 + s_1^2 = 2")) == [verdict]
+
+
+def test_what_has_no_value_with_equal_lengths_is_refuted_all_the_same(check: Check) -> None:
+    printed = r"\frac{1}{1 - \frac{a_1}{a_2}}"
+    assert verdicts(check(rf"a_1 c_1 {printed} = a_1 s_1 {printed}")) == ["refuted"]

@@ -14,7 +14,7 @@ from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import EvaluationError
+from armproof.verification.errors import EvaluationError, NoValue
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
@@ -135,7 +135,10 @@ class Probe:
         one = self.checker.exact.ring.one
         equal = dict.fromkeys(self.names.arm.lengths, one)
         true, printed = outcome.pair.true.rows, outcome.pair.printed.rows
-        return all(substitute(true[r][c] - printed[r][c], equal).is_zero() for r, c in outcome.wrong)
+        try:
+            return all(substitute(true[r][c] - printed[r][c], equal).is_zero() for r, c in outcome.wrong)
+        except NoValue:  # with equal lengths a square is negative, or a divisor zero
+            return False
 
     def _is_free_symbol(self, name: n.Name) -> bool:
         return self.names.is_free(name) and name.key in self.names.used and name.key not in self.names.state.definitions
