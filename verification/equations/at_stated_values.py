@@ -16,7 +16,7 @@ from armproof.verification.equations.decimals import FEW, finest_decimals, round
 from armproof.verification.equations.length_values import length_values
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
-from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -193,7 +193,10 @@ class StatedValues:
         ):
             return None
         stated = self._stated(lengths)
-        differences = [self._at(each, stated) for each in _differences(pair)]
+        try:
+            differences = [self._at(each, stated) for each in _differences(pair)]
+        except NoValue:  # the root of a negative number
+            return None
         found = length_values(differences, lengths)
         if found is None:
             return self._rounded(outcome, numbers, differences) if len(stated) == len(lengths) else None
