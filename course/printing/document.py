@@ -16,7 +16,7 @@ from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, 
 from armproof.course.sheet.proof import check_language
 from armproof.course.sheet.reading import BlockReader
 from armproof.course.translation.catalogue import translated_sentence, translation_of
-from armproof.course.translation.documents import translated
+from armproof.course.translation.documents import in_language
 from armproof.course.words import say
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
@@ -91,8 +91,7 @@ def _bodies(path: Path, lang: str) -> Sequence[tuple[str, int, int | None]]:
             path=path, suffix=path.suffix, printed=list(PRINTED))  # fmt: skip
     text = read_text(path)
     if path.suffix != ".ipynb":
-        text = translated(path, text, translation_of(path, lang), lang)
-        _, body, first = split_front_matter(path, text)
+        _, body, first = split_front_matter(path, in_language(path, text, lang))
         return [(body, first, None)]
     return split_cells(path, read_cells(path, text))[1]
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from armproof.course.errors import SiteError
 from armproof.course.site.order import Built, Neighbour, Order
 from armproof.models.errors import ArmproofError
-from armproof.models.language import ENGLISH, use
+from armproof.models.language import use
 
 if TYPE_CHECKING:
     from armproof.course.feedback import Lesson
@@ -67,18 +67,14 @@ def _write_lesson(order: Order, described: Sequence[Neighbour], index: int, fold
     from armproof.course.site.page import write_page
     from armproof.course.sources.editions import student_notebook
     from armproof.course.sources.lesson_source import read_lesson_source
-    from armproof.course.translation.catalogue import translation_of
-    from armproof.course.translation.documents import translated
+    from armproof.course.translation.documents import in_language
     from armproof.verification.check import check_document
     from armproof.verification.document import parse_document
 
     path, me = order.sources[index], described[index]
     source = read_lesson_source(path, order.lang)
     cells = execute(source, order.place, solved=order.solutions)
-    text = path.read_text(encoding="utf-8")
-    if order.lang != ENGLISH:
-        text = translated(path, text, translation_of(path, order.lang), order.lang)
-    document = parse_document(path, text)
+    document = parse_document(path, in_language(path, path.read_text(encoding="utf-8"), order.lang))
     html, warnings = write_page(_open(order, path), cells, document, check_document(document), described, order)
     (folder / me.page).write_text(html, encoding="utf-8")
     (folder / me.notebook).write_bytes(student_notebook(source))

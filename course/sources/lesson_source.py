@@ -10,8 +10,7 @@ from pathlib import Path
 
 from armproof.course.errors import AuthoringError, SourceError
 from armproof.course.sources.solutions import BEGIN, END, Block, find_blocks
-from armproof.course.translation.catalogue import translation_of
-from armproof.course.translation.documents import translated
+from armproof.course.translation.documents import in_language
 from armproof.models.language import ENGLISH
 from armproof.verification.document.cells import Cell, percent_cells
 
@@ -30,7 +29,7 @@ def read_cells(path: Path, lang: str = ENGLISH) -> tuple[Cell, ...]:
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
         raise AuthoringError("{path}: cannot be read: {reason}", path=path, reason=reason) from None
-    return parse_cells(path, text if lang == ENGLISH else translated(path, text, translation_of(path, lang), lang))
+    return parse_cells(path, in_language(path, text, lang))
 
 
 def parse_cells(path: Path, text: str) -> tuple[Cell, ...]:

@@ -9,9 +9,10 @@ from io import StringIO
 from pathlib import Path
 from tokenize import COMMENT, DEDENT, INDENT, NEWLINE, STRING, TokenInfo, generate_tokens
 
-from armproof.course.translation.catalogue import Translate
+from armproof.course.translation.catalogue import Translate, translation_of
 from armproof.course.translation.markdown import segments, translated_markdown
 from armproof.course.translation.prose import Prose
+from armproof.models.language import ENGLISH
 from armproof.verification.document.cells import Cell, percent_cells
 from armproof.verification.document.front_matter import split_front_matter
 
@@ -43,6 +44,11 @@ def translated(path: Path, text: str, translate: Translate, lang: str) -> str:
     return _OPENING.sub(rf'\g<call>, lang="{lang}"', made) if path.suffix == ".py" else made
 
 
+def in_language(path: Path, text: str, lang: str) -> str:
+    """Return a document's text in a language: as it stands in English, else with the words of its catalogue."""
+    return text if lang == ENGLISH else translated(path, text, translation_of(path, lang), lang)
+
+
 def _changed(path: Path, text: str, change: Change) -> str:
     """Return a document's text with each of its Markdown texts changed."""
     if path.suffix != ".py":
@@ -56,8 +62,7 @@ def _changed(path: Path, text: str, change: Change) -> str:
 
 
 def _changed_markdown(path: Path, text: str, change: Change) -> str:
-    split = split_front_matter(path, text)
-    front, body = split[0], split[-2]
+    front, body, _ = split_front_matter(path, text)
     head = text.replace("\r\n", "\n")[: -len(body) or None] if front is not None else ""
     return _NAMED.sub(lambda found: _changed_value(found, change), head) + change(body)
 

@@ -189,6 +189,11 @@ def as_scalar(value: Any) -> Any:
     return value.rows[0][0] if isinstance(value, Matrix) and value.shape == (1, 1) else value
 
 
+def as_matrix(value: Any) -> Matrix:
+    """Return a scalar as a 1×1 matrix, a matrix as it is."""
+    return value if isinstance(value, Matrix) else Matrix(((value,),))
+
+
 def is_zero(value: Any) -> bool:
     """Whether a scalar of either algebra vanishes everywhere."""
     if hasattr(value, "is_zero"):

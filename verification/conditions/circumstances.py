@@ -90,7 +90,7 @@ class Circumstances:
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave open what is refuted, and may be meant where the text before it says."""
         told = self.names.state.told
-        if outcome.true is None or outcome.printed is None or _states_values(outcome):
+        if outcome.true is None or outcome.printed is None or outcome.states_values:
             return outcome
         if told.conditions and self._follows(told, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
@@ -118,12 +118,6 @@ class Circumstances:
         sides = ([cell for row in side.rows for cell in row] for side in (outcome.pair.true, outcome.pair.printed))
         one, other = (symbols_in(cells) & set(self.given.joints) for cells in sides)
         return one != other
-
-
-def _states_values(outcome: Outcome) -> bool:
-    """Whether an equation says itself where it holds: J|_{θ_2 = 0}."""
-    sides = (side.node for side in (outcome.true, outcome.printed) if side is not None)
-    return any(isinstance(below, n.At) for node in sides for below in n.walk(node))
 
 
 def _equated(chain: n.Chain) -> Iterator[str]:

@@ -219,6 +219,10 @@ def _in_dollars(found: re.Match[str], dollars: Sequence[int]) -> str:
 @lru_cache(maxsize=1)
 def markdown_reader() -> MarkdownIt:
     """Return the reader of the Markdown that documents are written in."""
+    return _new_reader()
+
+
+def _new_reader() -> MarkdownIt:
     return (
         MarkdownIt("commonmark", {"maxNesting": 100})
         .enable("table")
@@ -230,7 +234,7 @@ def markdown_reader() -> MarkdownIt:
 @lru_cache(maxsize=1)
 def display_reader() -> MarkdownIt:
     """Return the reader that finds displays: an environment for equations ends the paragraph before it."""
-    reader = markdown_reader.__wrapped__()
+    reader = _new_reader()
     reader.block.ruler.before(
         "html_block", "amsmath", _quiet(_environment), {"alt": ["paragraph", "reference", "blockquote", "list"]}
     )

@@ -58,7 +58,7 @@ class StatedValues:
         if not self.enabled:
             return self._without_lengths(outcome)
         arm = self.names.arm
-        if arm is None or any(isinstance(b, n.At) for side in _sides(outcome) for b in n.walk(side.node)):
+        if arm is None or outcome.states_values:
             return None
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
         sides = [[symbols_in(_cells(side)) for side in (pair.true, pair.printed)] for pair in pairs]

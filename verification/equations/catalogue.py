@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
 from armproof.verification.algebra.ring import Scalar
@@ -37,7 +37,7 @@ class Catalogue:
     def judge(self, outcome: Outcome) -> Outcome:
         """Say what a matrix that is given a name is on the arm; one that is nearly a quantity, or is several, is not decided."""
         value = outcome.true.value if outcome.true is not None else None
-        value = Matrix(((value,),)) if isinstance(value, Scalar) else value
+        value = as_matrix(value) if isinstance(value, Scalar) else value
         if self.members.names.arm is None or not isinstance(value, Matrix) or is_constant(value):
             return outcome
         (name,) = outcome.defines
@@ -78,7 +78,7 @@ class Catalogue:
         seen: list[Matrix] = []
         for quantity in self._quantities(value.shape):
             true = self.members.exact.quantity(quantity)
-            true = Matrix(((true,),)) if isinstance(true, Scalar) else true
+            true = as_matrix(true) if isinstance(true, Scalar) else true
             if isinstance(true, Matrix) and not is_constant(true) and true.shape == value.shape and true not in seen:
                 seen.append(true)
                 yield quantity, true

@@ -92,6 +92,12 @@ class Outcome:
         return self.verdict is Verdict.DEFINED and len(self.defines) == 1 and written
 
     @property
+    def states_values(self) -> bool:
+        """Whether the equation says itself where it holds: J|_{θ_2 = 0}."""
+        sides = (side.node for side in (self.true, self.printed) if side is not None)
+        return any(isinstance(below, n.At) for node in sides for below in n.walk(node))
+
+    @property
     def is_overloaded(self) -> bool:
         """Whether a formula without a value, for the sizes in it, stands in the equation."""
         return (

@@ -14,7 +14,7 @@ from armproof.models.arm import Arm
 from armproof.models.errors import Sentence
 from armproof.models.exact.numbers import exact_number
 from armproof.verification.algebra.calculus import substitute, symbols_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.diagnosis.causes.probes import probes
@@ -57,7 +57,7 @@ class Bench:
         if quantity not in self._true:
             with self.ring.budget.of(math.inf):  # the arm's own, once for all checks
                 value = self.exact.quantity(quantity)
-            self._true[quantity] = value if isinstance(value, Matrix) else Matrix(((value,),))
+            self._true[quantity] = as_matrix(value)
         return self._true[quantity]
 
     def lengths_in(self, quantity: Quantity) -> list[str]:

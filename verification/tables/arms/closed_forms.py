@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
-from armproof.verification.errors import EvaluationError, ReadError
-from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, renamed, symbol_of
+from armproof.verification.tables.arms.letters import equations_of, value_in_letters
 
 _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE)?,?([xyz])")
 _ANGLES = re.compile(r"(?:theta|q)_?\d+")
@@ -33,9 +30,8 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
     with algebra.budget.of(SECONDS):
         found: Found = {}
         for display in document.displays:
-            if not display.erratum and display.closed and "=" in display.latex:
-                for axis, value in _coordinates(display, names, algebra, letters):
-                    found.setdefault(axis, (value, display))
+            for axis, value in _coordinates(display, names, algebra, letters) if "=" in display.latex else ():
+                found.setdefault(axis, (value, display))
         rows = _planar(found, algebra) or _turned(found, algebra) if {"x", "y"} <= found.keys() else None
     if rows is None:
         return None
@@ -52,26 +48,12 @@ def _coordinates(
     display: Display, names: Names, algebra: ExactAlgebra, letters: dict[str, n.Name]
 ) -> Iterator[tuple[str, Scalar]]:
     """Yield the coordinates that a display gives alone: x = …."""
-    try:
-        statements = names.reader.read(display.latex)
-    except (ReadError, RecursionError):
-        return
-    for chain in statements:
-        if not isinstance(chain, n.Chain) or len(chain.members) != 2 or chain.relations != ("=",):
-            continue
-        match = _COORDINATE.fullmatch(bare_key(chain.members[0]) or "")
-        if match is None:
-            continue
-        held = {b.key: b for b in n.walk(chain.members[1]) if isinstance(b, n.Name) and b.key != "pi"}
-        try:
-            value = Evaluator(replace(names, symbols={key: key for key in held}), algebra).evaluate(
-                bare(chain.members[1])
-            )
-        except (EvaluationError, RecursionError):
-            continue
-        if not isinstance(value, Matrix | list) and hasattr(value, "normal"):
-            letters.update(held)
-            yield (match[1] or match[2]).lower(), value
+    for chain in equations_of(display, names):
+        match = _COORDINATE.fullmatch(bare_key(chain.members[0]) or "") if len(chain.members) == 2 else None
+        evaluated = value_in_letters(bare(chain.members[1]), names, algebra) if match is not None else None
+        if match is not None and evaluated is not None and isinstance(evaluated[0], Scalar):
+            letters.update({name.key: name for name in evaluated[1]})
+            yield (match[1] or match[2]).lower(), evaluated[0]
 
 
 def _planar(found: Found, algebra: ExactAlgebra) -> list[Mapping[str, str]] | None:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
-from armproof.verification.errors import EvaluationError, ReadError
-from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -18,6 +17,7 @@ from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
+from armproof.verification.tables.arms.letters import equations_of, value_in_letters
 from armproof.verification.tables.arms.rows import joint_of
 from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, right_row
@@ -63,14 +63,8 @@ def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
 
 def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[_Link]:
     for display in document.displays:
-        if display.erratum or not display.closed or ("matri" not in display.latex and "array" not in display.latex):
-            continue
-        try:
-            statements = names.reader.read(display.latex)
-        except (ReadError, RecursionError):
-            continue
-        for chain in statements:
-            if isinstance(chain, n.Chain) and set(chain.relations) == {"="}:
+        if "matri" in display.latex or "array" in display.latex:
+            for chain in equations_of(display, names):
                 yield from _link_of(chain, names, algebra, display)
 
 
@@ -79,14 +73,10 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
     printed = [member for member in chain.members if isinstance(bare(member), n.Matrix)]
     if len(set(indices)) != 1 or not printed:
         return
-    letters = tuple(b for b in n.walk(printed[0]) if isinstance(b, n.Name) and b.key != "pi")
-    bound = replace(names, symbols={name.key: name.key for name in letters})
-    try:
-        value = Evaluator(bound, algebra).evaluate(printed[0])
-    except (EvaluationError, RecursionError):
+    evaluated = value_in_letters(printed[0], names, algebra)
+    if evaluated is None or not isinstance(evaluated[0], Matrix) or evaluated[0].shape != (4, 4):
         return
-    if not isinstance(value, Matrix) or value.shape != (4, 4):
-        return
+    value, letters = evaluated
     if any(cell.as_fraction() is None for row in value.rows for cell in row):  # one of numbers alone is an example
         yield _Link(indices[0], value, letters, display)
 

@@ -11,7 +11,7 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document
 from armproof.verification.equations.alignment import is_constant
@@ -83,9 +83,7 @@ class _Trial:
             self.held += tells and outcome.verdict is Verdict.PROVED
             self.failed += tells and outcome.verdict is Verdict.REFUTED
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
-                self.entries += sum(
-                    not is_constant(Matrix(((cell,),))) for row in outcome.pair.true.rows for cell in row
-                )
+                self.entries += sum(not is_constant(as_matrix(cell)) for row in outcome.pair.true.rows for cell in row)
 
     @property
     def reading(self) -> Reading:
