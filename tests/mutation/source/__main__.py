@@ -56,9 +56,12 @@ def main() -> int:
     parser.add_argument("files", nargs="*", help="files or patterns, from the project's folder; none: the trusted base")
     options = parser.parse_args()
     drawn = draw(options.files, options.sample, options.seed)
-    unchanged = {file: Mutant(UNCHANGED, 0, "", "") for file, _ in drawn[:1]}
-    if any(fate_of(pair, options.seconds).fate != "survived" for pair in unchanged.items()) or not drawn:
-        print("no mutant, or the selection fails without one", file=sys.stderr)
+    if not drawn:
+        print("no mutant of these files", file=sys.stderr)
+        return 2
+    file = drawn[0][0]
+    if (fate := fate_of((file, Mutant(UNCHANGED, 0, "", "")), options.seconds).fate) != "survived":
+        print(f"{file}: the selection fails without a mutant ({fate}; --seconds {options.seconds})", file=sys.stderr)
         return 2
     until = time.monotonic() + 60 * options.minutes
     with ThreadPoolExecutor(options.jobs) as pool:
