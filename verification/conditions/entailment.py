@@ -289,8 +289,11 @@ class Entailment:
 
         drawn = DrawnPoints(self.half, self.checker.names.arm, self.positive, self._named)
         others = [(system.zero, system.not_all_zero) for system in conclusion]
-        points = (drawn.point(variety, premise.not_all_zero, others, scale) for scale in SCALES)
-        return next((point for point in points if point), None)
+        for scale in SCALES:
+            self.checker.exact.budget.check()
+            if point := drawn.point(variety, premise.not_all_zero, others, scale):
+                return point
+        return None
 
     @cached_property
     def _named(self) -> tuple[set[str], set[str]]:

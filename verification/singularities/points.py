@@ -112,8 +112,11 @@ class Sampler:
 
     def values(self, polynomials: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
         """Return polynomials at N configurations, (N, polynomials)."""
+        return self._values([_Terms.of(polynomial) for polynomial in polynomials], q)
+
+    def _values(self, polynomials: Sequence[_Terms], q: np.ndarray) -> np.ndarray:
         x = self.coordinates(q)
-        return np.stack([_evaluate(p, x) for p in polynomials], axis=1) if polynomials else np.zeros((len(q), 0))
+        return np.stack([p.at(x) for p in polynomials], axis=1) if polynomials else np.zeros((len(q), 0))
 
     def sizes(self, polynomials: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
         """Return sums of the absolute values of the terms, sines and cosines taken as 1, (N, polynomials)."""
@@ -123,14 +126,17 @@ class Sampler:
 
     def gradients(self, polynomials: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
         """Return ∂polynomial/∂q at N configurations, (N, polynomials, n)."""
-        return self._gradients([self._derivatives(polynomial) for polynomial in polynomials], q)
+        return self._gradients([self._slopes(polynomial) for polynomial in polynomials], q)
 
-    def _gradients(self, derivatives: Sequence[Mapping[int, Polynomial]], q: np.ndarray) -> np.ndarray:
+    def _slopes(self, polynomial: Polynomial) -> dict[int, _Terms]:
+        return {j: _Terms.of(derivative) for j, derivative in self._derivatives(polynomial).items()}
+
+    def _gradients(self, derivatives: Sequence[Mapping[int, _Terms]], q: np.ndarray) -> np.ndarray:
         x = self.coordinates(q)
         found = np.zeros((len(q), len(derivatives), len(self.unknowns)))
         for k, of_one in enumerate(derivatives):
             for j, derivative in of_one.items():
-                found[:, k, j] = _evaluate(derivative, x)
+                found[:, k, j] = derivative.at(x)
         return found
 
     def derivatives(self, polynomial: Polynomial) -> dict[int, Polynomial]:
@@ -163,11 +169,12 @@ class Sampler:
         """Return configurations near the given ones at which all polynomials vanish (Gauss–Newton), and which succeeded."""
         q = q.copy()
         moving = np.arange(len(q) if polynomials else 0)
-        derivatives = [self._derivatives(polynomial) for polynomial in polynomials]
+        terms = [_Terms.of(polynomial) for polynomial in polynomials]
+        derivatives = [self._slopes(polynomial) for polynomial in polynomials]
         for _ in range(STEPS):
             if not len(moving):
                 break
-            value, gradient = self.values(polynomials, q[moving]), self._gradients(derivatives, q[moving])
+            value, gradient = self._values(terms, q[moving]), self._gradients(derivatives, q[moving])
             step = np.einsum("nij,nj->ni", np.linalg.pinv(gradient, rcond=1e-9), value)
             length = np.linalg.norm(step, axis=1, keepdims=True)
             q[moving] -= step * np.minimum(1.0, 1.0 / np.maximum(length, 1e-300))
@@ -176,7 +183,7 @@ class Sampler:
             return q, np.ones(len(q), dtype=bool)
         turning = [k for k, unknown in enumerate(self.unknowns) if unknown.is_angle]
         q[:, turning] = np.mod(q[:, turning] + np.pi, 2 * np.pi) - np.pi
-        return q, (np.abs(self.values(polynomials, q)) <= ZERO * self.sizes(polynomials, q)).all(axis=1)
+        return q, (np.abs(self._values(terms, q)) <= ZERO * self.sizes(polynomials, q)).all(axis=1)
 
     def sample(self, polynomials: Sequence[Polynomial], rng: np.random.Generator, count: int) -> np.ndarray:
         """Return up to `count` configurations at which all polynomials vanish, (≤ count, n)."""
@@ -203,12 +210,25 @@ def angle_derivative(half: HalfAngles, polynomial: Polynomial, angle: str) -> Po
 
 
 def _evaluate(polynomial: Polynomial, x: np.ndarray, *, absolute: bool = False) -> np.ndarray:
-    total = np.zeros(x.shape[1])
-    for exponents, coefficient in polynomial.terms():
-        number = float(coefficient.p) / float(coefficient.q)
-        term = np.full(x.shape[1], abs(number) if absolute else number)
-        for k, power in enumerate(exponents):
-            if power:
-                term = term * x[k] ** int(power)
-        total += term
-    return total
+    return _Terms.of(polynomial).at(x, absolute=absolute)
+
+
+@dataclass(frozen=True, eq=False)
+class _Terms:
+    """The coefficients (terms,) and exponents (terms, variables) of a polynomial, to be evaluated at many points."""
+
+    numbers: np.ndarray
+    exponents: np.ndarray
+
+    @staticmethod
+    def of(polynomial: Polynomial) -> _Terms:
+        numbers = [float(c.p) / float(c.q) for c in polynomial.coeffs()]
+        return _Terms(np.array(numbers), np.array(polynomial.monoms(), dtype=int).reshape(len(numbers), -1))
+
+    def at(self, x: np.ndarray, *, absolute: bool = False) -> np.ndarray:
+        """Return the value where the variables are the rows of x, (variables, N); of the terms without their signs."""
+        terms = np.repeat((np.abs(self.numbers) if absolute else self.numbers)[:, None], x.shape[1], axis=1)
+        for k in np.flatnonzero(self.exponents.any(axis=0)):
+            powers = x[k] ** np.arange(self.exponents[:, k].max() + 1)[:, None]
+            terms *= powers[self.exponents[:, k]]
+        return np.asarray(terms.sum(axis=0))
