@@ -223,7 +223,8 @@ class _Terms:
     @staticmethod
     def of(polynomial: Polynomial) -> _Terms:
         numbers = [float(c.p) / float(c.q) for c in polynomial.coeffs()]
-        return _Terms(np.array(numbers), np.array(polynomial.monoms(), dtype=int).reshape(len(numbers), -1))
+        variables = polynomial.context().nvars()
+        return _Terms(np.array(numbers), np.array(polynomial.monoms(), dtype=int).reshape(len(numbers), variables))
 
     def at(self, x: np.ndarray, *, absolute: bool = False) -> np.ndarray:
         """Return the value where the variables are the rows of x, (variables, N); of the terms without their signs."""
