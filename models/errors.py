@@ -12,7 +12,17 @@ from functools import reduce
 from string import Formatter
 from typing import Any
 
-from armproof.models.language import ENGLISH, look_up, look_up_plural, number_text, separator, use
+from armproof.models.language import (
+    ENGLISH,
+    known_language,
+    languages,
+    look_up,
+    look_up_plural,
+    number_text,
+    separator,
+    spoken,
+    use,
+)
 
 
 class MessageKind(StrEnum):
@@ -47,6 +57,21 @@ class ArmproofError(Exception):
     def __str__(self) -> str:
         said = self.args[0].template if isinstance(self.args[0], MessageKind) else self.args[0]
         return written(said, **self.terms) if isinstance(said, str) else str(said)
+
+
+class LanguageError(ArmproofError):
+    """There is no catalogue of a language."""
+
+
+def existing_language(name: str) -> str:
+    """Return the language of a name, "fr" of "fr-FR"; that which is spoken where none is named.
+
+    Raises:
+        LanguageError: a language that has no catalogue.
+    """
+    if not (known := known_language(name.strip()) if name else spoken()):
+        raise LanguageError("no language '{lang}'; the languages are {languages}", lang=name, languages=list(languages()))  # fmt: skip
+    return known
 
 
 class _Writer(Formatter):

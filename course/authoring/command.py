@@ -29,7 +29,7 @@ lesson = typer.Typer(
 
 
 @lesson.command("list")
-def list_lessons(folder: o.Folder = None) -> None:
+def list_lessons(folder: o.Folder = None, lang: Language = "") -> None:
     """List the lessons: number, name, title, tasks, arms."""
     from armproof.course.authoring.checking.report import rows
     from armproof.course.authoring.checking.tasks import described

@@ -20,13 +20,12 @@ from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.task import Task
 from armproof.course.feedback.translation import changed_task
 from armproof.course.translation.catalogue import translated_sentence, translation_of
-from armproof.models.errors import counted
+from armproof.models.errors import counted, existing_language
 from armproof.models.language import (
     ENGLISH,
     asked,
     known_language,
     language_of_environment,
-    languages,
     speak,
     spoken,
     use,
@@ -136,22 +135,22 @@ def open_lesson(name: str, folder: str | Path | None = None, lang: str = "") -> 
         lang: the language of its tasks and of what they answer; by default that of the environment.
 
     Raises:
-        LessonError: there is no such lesson, or its tasks are declared wrongly; another language.
+        LessonError: there is no such lesson, or its tasks are declared wrongly.
+        LanguageError: another language.
     """
     if "IPython" in sys.modules:
         show_figures()
         speak(asked(), known_language(lang) or spoken())  # from here on: figures too
-    if lang and not known_language(lang):
-        raise LessonError("no language '{lang}'; the languages are {languages}", lang=lang, languages=list(languages()))
-    key = (str(Path(folder).resolve()) if folder is not None else "", name, known_language(lang) or _usual_language())
+    wanted = existing_language(lang) if lang else _usual_language()
+    key = (str(Path(folder).resolve()) if folder is not None else "", name, wanted)
     if key not in _opened:
         _opened[key] = _in_language(_read(name) if folder is None else _read_own(name, Path(folder)), folder, key[2])
     return _opened[key]
 
 
 def _usual_language() -> str:
-    """Return the language that is spoken, in a command; elsewhere that of the environment."""
-    return language_of_environment() if spoken() == ENGLISH else spoken()
+    """Return the language that a command was asked for, else that which it speaks; elsewhere that of the environment."""
+    return asked() or (language_of_environment() if spoken() == ENGLISH else spoken())
 
 
 def _read(name: str) -> Lesson:

@@ -139,7 +139,7 @@ class Feedback:
             return self._written()
 
     def _written(self) -> str:
-        task = f"{self.task}: " if self.task else ""
+        task = written("{task}: ", task=self.task) if self.task else ""
         words = f" – {pretty(self.message)}" if self.message else ""
         lines = [f"{self.outcome.mark} {task}{self.outcome.words}{words}"]
         if self.rows:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextvars import copy_context
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from armproof.course.grading.sandbox.bubblewrap import lies_in_readable
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import Submission
 from armproof.course.grading.text import clean
+from armproof.models.language import look_up
 from armproof.verification.running.processes import cores
 
 
@@ -61,7 +63,9 @@ def grade(
     with Client(count, limits, used, own, unprotected=unprotected) as client:
         pool = ThreadPoolExecutor(count)
         try:
-            waiting = {pool.submit(_grade, each, read[each], client, limits): each for each in submissions}
+            waiting = {
+                pool.submit(copy_context().run, _grade, each, read[each], client, limits): each for each in submissions
+            }
             done = {}
             for future in as_completed(waiting):
                 done[waiting[future]] = future.result()
@@ -77,7 +81,7 @@ def mark_repeated(graded: Sequence[Graded]) -> tuple[Graded, ...]:
     """Add a remark to each submission of a student who handed in a lesson more than once."""
     counts = Counter((each.submission.student, lesson) for each in graded for lesson in each.lessons)
     return tuple(
-        replace(each, remarks=(*each.remarks, "another notebook of this student is on the same lesson"))
+        replace(each, remarks=(*each.remarks, look_up("another notebook of this student is on the same lesson")))
         if any(counts[each.submission.student, lesson] > 1 for lesson in each.lessons)
         else each
         for each in graded

@@ -14,7 +14,7 @@ from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
 from armproof.course.grading.submissions import Submission
 from armproof.course.grading.text import clean, clean_lines
 from armproof.models.errors import written
-from armproof.models.language import look_up
+from armproof.models.language import look_up, spoken
 
 _STARVED = 0.5  # of its time
 _SHOWN = 4000  # characters of the output on a page
@@ -31,7 +31,7 @@ def judge(
         submission,
         status,
         reason,
-        tuple(f"{lesson['number']} · {lesson['title']}" for lesson in lessons),
+        tuple(f"{lesson['number']} · {lesson['title'][spoken()]}" for lesson in lessons),
         tuple(_result(lesson["name"], task, report) for lesson in lessons for task in lesson["tasks"]),
         tuple(report.errors),
         tuple(report.notes),
@@ -91,17 +91,17 @@ def _lessons(notebook: Notebook, report: Report, catalogue: Sequence[dict[str, A
     """Return the lessons that were checked or opened, else that of the front matter's title."""
     named = {lesson for lesson, _ in report.results} | set(notebook.lessons)
     found = [lesson for lesson in catalogue if lesson["name"] in named]
-    return found or [lesson for lesson in catalogue if lesson["title"] == notebook.title]
+    return found or [lesson for lesson in catalogue if notebook.title in lesson["title"].values()]
 
 
-def _result(lesson: str, task: dict[str, str], report: Report) -> TaskResult:
+def _result(lesson: str, task: dict[str, Any], report: Report) -> TaskResult:
     outcome, message = report.results.get((lesson, task["name"]), (NOT_ATTEMPTED, ""))
     if report.changed and outcome != NOT_ATTEMPTED:
         outcome, message = (
             "error",
             written("not counted: what checks it was changed during the run ({what})", what=report.changed[0]),
         )
-    return TaskResult(lesson, task["name"], task["title"], outcome, message)
+    return TaskResult(lesson, task["name"], task["title"][spoken()], outcome, message)
 
 
 def _remarks(notebook: Notebook, ended: Ended, report: Report, lessons: Sequence[dict[str, Any]]) -> list[str]:

@@ -9,7 +9,10 @@ from typing import Any
 
 from armproof.course.grading.results import CellError
 from armproof.course.grading.text import clean
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
 
+SKIPPED = (noted("skipped"), noted("skipped, and set to None"))  # what a note begins with
 _MOST = 200  # errors and notes that are kept
 NOT_ATTEMPTED = "not attempted"
 OUTCOMES = ("correct (proved)", "correct (confirmed)", "wrong", NOT_ATTEMPTED, "error")
@@ -56,7 +59,7 @@ def _take(report: Report, entry: dict[str, Any], known: set[tuple[str, str]]) ->
     if "cell" in entry:
         report.cell = _number(entry["cell"])
     elif "note" in entry and len(report.notes) < _MOST:
-        report.notes.append(f"cell {_number(entry['in'])}: {_text(entry['note'])}")
+        report.notes.append(_note(entry))
     elif "error" in entry and len(report.errors) < _MOST:
         error = entry["error"]
         place = _number(error["cell"]), _number(error["line"])
@@ -68,6 +71,12 @@ def _take(report: Report, entry: dict[str, Any], known: set[tuple[str, str]]) ->
     elif "done" in entry:
         report.done = entry["done"] is True
         report.changed = [_text(name, 120) for name in entry["changed"]][:_MOST]
+
+
+def _note(entry: dict[str, Any]) -> str:
+    kind, colon, what = _text(entry["note"]).partition(": ")
+    note = written("{kind}: {what}", kind=look_up(kind), what=what) if colon else kind
+    return written("cell {cell}: {note}", cell=_number(entry["in"]), note=note)
 
 
 def _take_result(report: Report, result: dict[str, Any], known: set[tuple[str, str]]) -> None:

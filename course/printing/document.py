@@ -13,13 +13,13 @@ from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
 from armproof.course.sheet.editions import for_students, has_solutions, with_solutions
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, Text, plain
-from armproof.course.sheet.proof import check_language
 from armproof.course.sheet.reading import BlockReader
 from armproof.course.translation.catalogue import translated_sentence, translation_of
 from armproof.course.translation.documents import in_language
 from armproof.course.words import say
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
+from armproof.models.errors import existing_language
 from armproof.verification.document import Document
 from armproof.verification.document.front_matter import read_text, split_front_matter
 from armproof.verification.document.markdown import markdown_reader
@@ -55,7 +55,7 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
     """
     if not (result.passed or edition.draft):
         raise PrintError("{path}: it does not pass, so it is not printed; --draft prints it as a draft", path=document.path)  # fmt: skip
-    lang = check_language(edition.lang or str(document.front.get("lang") or document.front.get("language") or "en"))
+    lang = existing_language(edition.lang or str(document.front.get("lang") or document.front.get("language") or "en"))
     document = _in_language(document, lang)
     arm = arm_of(document.front, document.path.parent)
     inline = InlineReader(read_names(arm, document.front).reader.read, document.path.parent, lang)

@@ -12,9 +12,9 @@ from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.printing.pdf import check_installed, write_pdf
 from armproof.course.sheet.html import HtmlWriter
 from armproof.course.sheet.model import Sheet, plain
-from armproof.course.sheet.proof import check_language, proof_line
+from armproof.course.sheet.proof import proof_line
 from armproof.course.words import say
-from armproof.models.errors import written
+from armproof.models.errors import existing_language, written
 from armproof.verification.cli.application import complain
 from armproof.verification.document import Document
 from armproof.verification.report.html.templating import Shell
@@ -88,12 +88,13 @@ def prepare(printer: Printer, documents: Sequence[Path]) -> Printer:
     """Return the printer, once all that does not depend on a document's content is known to be in order.
 
     Raises:
-        PrintError: Typst is missing for pdf; an unknown language; two documents that would be one file; a folder that cannot be made.
+        PrintError: Typst is missing for pdf; two documents that would be one file; a folder that cannot be made.
+        LanguageError: an unknown language.
     """
     if printer.format == "pdf":
         check_installed()
     if printer.edition.lang is not None:
-        check_language(printer.edition.lang)
+        existing_language(printer.edition.lang)
     seen: dict[Path, Path] = {}
     for document in documents:
         target = printer.path_of(document)

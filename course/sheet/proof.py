@@ -5,23 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from armproof.course.errors import PrintError
 from armproof.course.words import say
 from armproof.models.errors import counted
-from armproof.models.language import ENGLISH, known_language, languages, use
+from armproof.models.language import ENGLISH, use
 from armproof.verification.report.html.templating import version_of
 from armproof.verification.verdict import Record, Verdict
-
-
-def check_language(lang: str) -> str:
-    """Return the language of a sheet: fr-FR is fr.
-
-    Raises:
-        PrintError: a language that has no catalogue.
-    """
-    if not (known := known_language(lang.strip())):
-        raise PrintError("no language '{lang}'; a sheet is printed in {languages}", lang=lang, languages=list(languages()))  # fmt: skip
-    return known
 
 
 def proof_line(records: Iterable[Record], lang: str, arm: str) -> str:

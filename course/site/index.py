@@ -54,8 +54,9 @@ def write_index(listed: Sequence[tuple[Lesson, Neighbour]], order: Order) -> str
         rows=[row for _, row in rows],
         total=sum(row.tasks for _, row in rows),
         arms=[
-            ArmRow(look_up(arm.title), picture_of(arm), tuple(row for of, row in rows if of == name), view_name(arm))
+            ArmRow(look_up(arm.title), picture_of(arm), tuple(row for of, row in rows if of == name), view)
             for name, arm in arms.items()
+            for view in [view_name(arm, order.suffix)]
         ],
         solutions=order.solutions,
         switches=switches(order.langs, order.lang, INDEX),

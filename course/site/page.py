@@ -64,7 +64,7 @@ def write_page(
         switches=switches(order.langs, order.lang, me.stem),
         contents=[entry for entry in body.contents if entry.level <= 3],
         body=written,
-        panel=arm_panel(reader.arm, reader.read),
+        panel=arm_panel(reader.arm, reader.read, order.suffix),
         notebook=me.notebook,
         index=f"{INDEX}{order.suffix}.html",
         before=next(iter(before), None),

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from armproof.course.errors import SiteError
-from armproof.course.site.order import Built, Neighbour, Order
+from armproof.course.site.order import Built, Neighbour, Order, ending_of
 from armproof.models.errors import ArmproofError
 from armproof.models.language import use
 
@@ -45,7 +45,7 @@ def build_lesson(order: Order, described: Sequence[Neighbour], index: int, folde
 
 
 def build_rest(order: Order, described: Sequence[Neighbour], folder: Path) -> None:
-    """Write the index, the glossary, and with the first language the 3D views of the arms."""
+    """Write the index, the glossary, and with the first language the 3D views of the arms in all."""
     from armproof.course.site.arms import write_views
     from armproof.course.site.glossary import GLOSSARY, write_glossary
     from armproof.course.site.index import write_index
@@ -59,7 +59,11 @@ def build_rest(order: Order, described: Sequence[Neighbour], folder: Path) -> No
     if glossary:
         (folder / f"{GLOSSARY}{order.suffix}.html").write_text(glossary, encoding="utf-8")
     if not order.suffix:
-        write_views(sorted({each.arm for each in described if each.arm}), folder)
+        write_views(
+            sorted({each.arm for each in described if each.arm}),
+            folder,
+            {lang: ending_of(lang, order.langs) for lang in order.langs},
+        )
 
 
 def _write_lesson(order: Order, described: Sequence[Neighbour], index: int, folder: Path) -> tuple[str, ...]:

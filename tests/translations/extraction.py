@@ -19,6 +19,7 @@ from armproof.course.words import words
 from armproof.models.language import FOLDER
 from armproof.verification.algebra.quantity_kinds import KINDS
 from armproof.verification.cli.application import app, as_command, commands
+from armproof.verification.cli.usage import SENTENCES
 from armproof.verification.findings.finding import ORDINALS
 from armproof.verification.findings.kinds import WORDS
 from armproof.verification.verdict import Role, Verdict
@@ -35,6 +36,9 @@ OF_TYPER = (
     "(dynamic)",
     "Missing command.",
     "No such command {name!r}.",
+    "Show this message and exit.",
+    "Aborted!",
+    *SENTENCES,
 )
 OF_SINGULARITIES = ("inside", "boundary", "boundary in part", "not decided")  # what a Position is called
 ROOMS = ("models", "verification", "course")

@@ -109,6 +109,32 @@ def test_the_help_is_french() -> None:
     assert "Donne le verdict de chaque équation" in help_text
 
 
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("verify", "--nope", "--lang=fr"), "L'option --nope n'existe pas."),
+        (
+            ("verify", "--lang", "fr", "--jobs", "aa"),
+            "Valeur incorrecte pour '--jobs' / '-j'\u00a0: ce n'est pas un nombre entier",
+        ),
+        (
+            ("verify", "--lang", "fr", "--format", "zz"),
+            "Valeur incorrecte pour '--format'\u00a0: 'zz' n'est pas parmi 'text', 'json', 'github'.",
+        ),
+        (("lesson", "sit", "--lang", "fr"), "La commande 'sit' n'existe pas. Vouliez-vous dire 'site'\u00a0?"),
+    ],
+)
+def test_a_wrong_use_is_told_in_french(arguments: tuple[str, ...], said: str) -> None:
+    wrong = run(Path.cwd(), *arguments)
+    assert wrong.returncode == 2 and f"Erreur\u00a0: {said}\n" in wrong.stderr and english_in(wrong.stderr)[0] == 0
+    assert "Error: " in run(Path.cwd(), *(word for word in arguments if "lang" not in word and word != "fr")).stderr
+
+
+def test_a_command_asked_for_english_opens_english_lessons() -> None:
+    assert "Frames and" in run(Path.cwd(), "lesson", "list", "--lang", "en", lang="fr_FR.UTF-8").stdout
+    assert "Repères et" in run(Path.cwd(), "lesson", "list", lang="fr_FR.UTF-8").stdout
+
+
 @pytest.mark.parametrize("lang", languages()[1:])
 def test_nothing_that_is_said_lacks_its_translation(lang: str) -> None:
     """Run `make translations` and fill in what it lists; what is no longer said goes with it, and harms nobody before."""

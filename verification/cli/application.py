@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gettext
 import os
+import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -18,8 +19,9 @@ import typer
 from typer.core import TyperGroup
 from typer.main import get_command
 
-from armproof.models.errors import ArmproofError, written
-from armproof.models.language import asked, languages, look_up, speak
+from armproof.models.errors import ArmproofError, LanguageError, existing_language, written
+from armproof.models.language import asked, known_language, look_up, speak
+from armproof.verification.cli.usage import telling_wrong_use
 from armproof.verification.report.text import write_lines
 
 if TYPE_CHECKING:
@@ -47,20 +49,30 @@ class Group(TyperGroup):
         """Return a command by its name; None if there is none."""
         own = super().get_command(ctx, name)
         if own is not None or (found := commands().get(name)) is None:
-            return _translated(own)
-        return _translated(as_command(name, found.load()))
+            return _translated(own, ctx)
+        return _translated(as_command(name, found.load()), ctx)
 
     def get_help(self, ctx: Any) -> str:
         """Return the help of the application."""
-        return super().get_help(_translated(self) and ctx)
+        return super().get_help(_translated(self, ctx) and ctx)
+
+    def make_context(self, *arguments: Any, **named: Any) -> Any:
+        """Return the context of the application; a wrong use is told in the language that is spoken."""
+        with telling_wrong_use():
+            return super().make_context(*arguments, **named)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command that is called for; a wrong use is told in the language that is spoken."""
+        with telling_wrong_use():
+            return super().invoke(ctx)
 
 
-def _translated(command: Any) -> Any:
+def _translated(command: Any, ctx: Any) -> Any:
     """Return a command whose helps are in the language that is spoken."""
-    for each in [command, *command.params] if command is not None else ():
+    for each in [command, *command.get_params(ctx)] if command is not None else ():
         each.help = look_up(each.help or "")
     for inner in getattr(command, "commands", {}).values() if command is not None else ():
-        _translated(inner)
+        _translated(inner, ctx)
     return command
 
 
@@ -87,12 +99,12 @@ app = typer.Typer(
 
 def heed(lang: str) -> str:
     """Speak the language that a command is asked for."""
-    if lang and lang not in languages():
-        raise typer.BadParameter(
-            written("no language '{lang}'; the languages are {languages}", lang=lang, languages=list(languages()))
-        )
-    speak(lang or asked())
-    return lang
+    try:
+        known = lang and existing_language(lang)
+    except LanguageError as error:
+        raise typer.BadParameter(str(error)) from None
+    speak(known or asked())
+    return known
 
 
 Language = Annotated[
@@ -121,12 +133,8 @@ def tell(template: str, /, **terms: object) -> None:
 
 def main() -> None:
     """Run the command line, in the language that it is asked for: the help is in it as well, and what typer says."""
-    given = [*sys.argv, ""]
-    speak(
-        next(
-            (given[at + 1] for at, word in enumerate(sys.argv) if word == "--lang" and given[at + 1] in languages()), ""
-        )
-    )
+    given = re.search(r"^--lang[=\n](.+)$", "\n".join(sys.argv), re.MULTILINE)
+    speak(known_language(given and given[1]))
     gettext.dgettext = lambda domain, message: look_up(message)
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:  # closed by the caller

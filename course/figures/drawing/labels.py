@@ -8,10 +8,10 @@ from math import degrees
 import numpy as np
 
 from armproof.course import words
-from armproof.course.errors import FigureError
 from armproof.models.arm import Arm
 from armproof.models.dh.entry import LinearForm
-from armproof.models.language import languages, look_up, spoken, use
+from armproof.models.errors import existing_language
+from armproof.models.language import look_up, use
 from armproof.verification.latex.writer import symbol_as_latex
 
 _DOTS = ("", r"\dot", r"\ddot")
@@ -19,35 +19,24 @@ _LONG = 6  # figures of a number that is written with a power of ten
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def check_language(lang: str) -> str:
-    """Return the language; that which is spoken where none is named.
-
-    Raises:
-        FigureError: a language that has no catalogue.
-    """
-    if lang not in ("", *languages()):
-        raise FigureError("no language '{lang}'; the labels are written in {languages}", lang=lang, languages=list(languages()))  # fmt: skip
-    return lang or spoken()
-
-
 def say(key: str, lang: str, **values: object) -> str:
     """Return the words of a key, with the values put in for its placeholders.
 
     Raises:
-        FigureError: an unknown language.
+        LanguageError: an unknown language.
     """
-    return words.say(key, check_language(lang), **values)
+    return words.say(key, existing_language(lang), **values)
 
 
 def arm_title(arm: Arm, lang: str) -> str:
     """Return the title of an arm."""
-    with use(check_language(lang)):
+    with use(existing_language(lang)):
         return look_up(arm.title)
 
 
 def number(value: float, lang: str, digits: int = 3, *, in_math: bool = False) -> str:
     """Return a number with that many significant digits: 0.45, in French 0,45; in mathematics 0{,}45; 1120, 5·10⁻⁵."""
-    lang = check_language(lang)
+    lang = existing_language(lang)
     if value == 0 or abs(value) < 1e-12:
         return "0"
     text = f"{value:.{digits}g}"

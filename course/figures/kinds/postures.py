@@ -7,7 +7,6 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.drawing.labels import (
-    check_language,
     joint_texts,
     joint_value,
     length,
@@ -43,9 +42,8 @@ def postures(arm: Arm, lang: str = "") -> Figure:
     one of them in full, the others pale behind it.
 
     Raises:
-        FigureError: a language that the labels are not written in.
+        LanguageError: a language that the labels are not written in.
     """
-    check_language(lang)
     found = postures_of(arm)
     return _draw_few(arm, found, lang) if len(found.q) <= _FEW else _draw_panels(arm, found, lang)
 

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.ellipsoid import draw_ellipsoid
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import check_language, say, values_text
+from armproof.course.figures.drawing.labels import say, values_text
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import STROKES, WIDTHS, styled
@@ -96,9 +96,8 @@ def singular(arm: Arm, lang: str = "") -> Figure:
     at the point concerned, and as an arrow the direction that is lost (with two heads where it is a rotation).
 
     Raises:
-        FigureError: a language that the labels are not written in.
+        LanguageError: a language that the labels are not written in.
     """
-    check_language(lang)
     poses, analysis, generic = singular_poses(arm), singularities_of(arm), showing_pose(arm)
     titles = [PanelTitle(say("generic_pose", lang), [say("rank", lang, rank=analysis.generic_rank)])]
     titles += [_title(letter, pose, lang) for letter, pose in zip(LETTERS, poses, strict=False)]

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.dimensions import draw_angle, draw_lengths, draw_turn
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import check_language, form_tex, length, math, say, values_text
+from armproof.course.figures.drawing.labels import form_tex, length, math, say, values_text
 from armproof.course.figures.drawing.layout import Layout
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import WIDTHS, new_figure, styled
@@ -40,9 +40,8 @@ def sketch(arm: Arm, lang: str = "", *, table: bool = True) -> Figure:
         table: whether the table stands beside the drawing; a lesson that asks for it leaves it out.
 
     Raises:
-        FigureError: a language that the labels are not written in.
+        LanguageError: a language that the labels are not written in.
     """
-    check_language(lang)
     rows, q = link_rows(arm), sketch_pose(arm)
     figure, scene = _page(arm, rows if table else None, q, lang)
     layout = draw_arm(scene, arm, q)

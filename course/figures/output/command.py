@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from armproof.models.errors import existing_language
 from armproof.models.language import noted
 from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, complain, ending
 from armproof.verification.cli.documents import Progress
@@ -80,12 +81,11 @@ def _formats(text: str) -> tuple[str, ...]:
 
 def _orders(names: tuple[str, ...], arms: Sequence[str] | None, lang: str) -> list[Order]:
     """Return what is to be drawn; raises ArmproofError for an unknown figure, arm or language."""
-    from armproof.course.figures.drawing.labels import check_language
     from armproof.course.figures.output.production import Order
     from armproof.course.figures.registry import find_kind
     from armproof.models.catalogue import arm_names
 
-    check_language(lang)
+    existing_language(lang)
     for name in names:
         find_kind(name)
     known = arm_names()

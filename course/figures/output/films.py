@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from armproof.course.errors import FigureError
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import check_language, number, say
+from armproof.course.figures.drawing.labels import number, say
 from armproof.course.figures.drawing.scene import Scene, View
 from armproof.course.figures.drawing.style import GREY, INK, SMALL, STROKES, WIDTHS, new_figure, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
@@ -22,6 +22,7 @@ from armproof.course.figures.facts.motions import Motion, motion_of
 from armproof.course.figures.facts.task import tool_points
 from armproof.course.figures.output.save import save_bytes
 from armproof.models.arm import Arm
+from armproof.models.errors import existing_language
 from armproof.models.motion.samples import sample_motion
 from armproof.models.showing.recording import record_page
 
@@ -89,7 +90,7 @@ def write_film(arm: Arm, path: Path | str, lang: str = "", motion: Motion | None
         ModelError: a page of an arm that has no shape.
     """
     path = Path(path)
-    check_language(lang)
+    lang = existing_language(lang)
     suffix = path.suffix.removeprefix(".")
     if suffix not in FILMS:
         raise FigureError("{path}: a film is written as {films}, not as {found}",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import importlib
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -76,12 +76,19 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
                 task.asks.judge(task.right[0])
     tasks = {id(task): (lesson.name, task.asks) for each in named.values() for lesson in each for task in lesson.tasks}
     Task.check, found = recording(Task.check, tasks)  # type: ignore[method-assign]
-    return [_described(lesson) for lesson in course], lambda: list(found.values())
+    return [_described(named[lesson.name]) for lesson in course], lambda: list(found.values())
 
 
-def _described(lesson: Any) -> dict[str, Any]:
-    tasks = [{"name": task.name, "title": task.title} for task in lesson.tasks]
-    return {"name": lesson.name, "number": lesson.number, "title": lesson.title, "tasks": tasks}
+def _described(each: Sequence[Any]) -> dict[str, Any]:
+    """Return a lesson, of all its languages, with the titles that it has in them."""
+    tasks = [
+        {"name": same[0].name, "title": _titles(same)} for same in zip(*(lesson.tasks for lesson in each), strict=True)
+    ]
+    return {"name": each[0].name, "number": each[0].number, "title": _titles(each), "tasks": tasks}
+
+
+def _titles(each: Sequence[Any]) -> dict[str, str]:
+    return {one.lang: one.title for one in each}
 
 
 def _own_lessons(folder: Path, base: str) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from armproof.course.figures.facts.task import tool_points
 from armproof.course.figures.output.films import FILMS, RATE, film_reason, frame_figure, frames, write_film
 from armproof.course.figures.output.production import Order, produce
 from armproof.models.catalogue import load_arm
-from armproof.models.errors import ModelError
+from armproof.models.errors import LanguageError, ModelError
 from tests.course.figures.test_sketch import TOLERANCE, drawn
 from tests.models.showing.test_rendering import TABLE
 
@@ -68,7 +68,7 @@ def test_bad_input_is_named(tmp_path: Path) -> None:
     arm, table = load_arm("planar_2r"), load_arm(TABLE)
     with pytest.raises(FigureError, match=r"written as gif, mp4, html, not as avi"):
         write_film(arm, tmp_path / "film.avi")
-    with pytest.raises(FigureError, match=r"no language 'de'"):
+    with pytest.raises(LanguageError, match=r"no language 'de'"):
         write_film(arm, tmp_path / "film.gif", "de")
     with pytest.raises(ModelError, match=r"has no shape"):
         write_film(table, tmp_path / "film.html")

@@ -75,7 +75,7 @@ def test_the_arm_of_a_document_is_drawn(armproof: Callable[..., Run], tmp_path: 
     [
         (("nonsense",), "no figure 'nonsense'; the figures are sketch"),
         (("--arm", "nonsense"), f"no arm 'nonsense'; an arm is one of {arm_names()[0]}"),
-        (("--lang", "de"), "no language 'de'; the labels are written in en, fr"),
+        (("--lang", "de"), "no language 'de'; the languages are en, fr"),
         (("--format", "bmp"), "no format 'bmp'; figures are written as pdf, svg, png, pgf"),
         (("--format", ","), "--format is empty"),
         (("sketch", "--arm", "planar_2r", "--out", "/dev/null/x"), "cannot be written"),

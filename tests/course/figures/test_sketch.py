@@ -7,11 +7,11 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.errors import FigureError
 from armproof.course.figures.facts.dh_rows import link_matrices, link_rows
 from armproof.course.figures.facts.lengths import frame_lengths
 from armproof.course.figures.kinds.sketch import caption, shown_frames, sketch, sketch_pose
 from armproof.models.arm import Arm
+from armproof.models.errors import LanguageError
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import choose_projection
 
@@ -123,5 +123,5 @@ def test_captions_hold_the_numbers(arm: Arm) -> None:
 def test_an_unknown_language_is_refused() -> None:
     from armproof.models.catalogue import load_arm
 
-    with pytest.raises(FigureError, match="no language 'it'"):
+    with pytest.raises(LanguageError, match="no language 'it'"):
         sketch(load_arm("planar_2r"), "it")

@@ -14,7 +14,7 @@ from armproof.course.grading.running.keeper import Ended, _with_token
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import Submission
 
-CATALOGUE = [{"name": "frames", "number": 1, "title": "Frames", "tasks": [{"name": "rot", "title": "Rot"}, {"name": "inv", "title": "Inv"}]}]  # fmt: skip
+CATALOGUE = [{"name": "frames", "number": 1, "title": {"en": "Frames", "fr": "Repères"}, "tasks": [{"name": "rot", "title": {"en": "Rot"}}, {"name": "inv", "title": {"en": "Inv"}}]}]  # fmt: skip
 DONE = '{"done": true, "changed": []}'
 GOOD = {"lesson": "frames", "task": "rot", "outcome": "correct (proved)", "message": "m"}
 

@@ -12,6 +12,7 @@ from armproof.course.errors import PrintError
 from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.sheet.model import Blank, Display, Heading, Paragraph, Picture, Quote, Sheet, Text, walk
 from armproof.course.sheet.proof import proof_line
+from armproof.models.errors import LanguageError
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
 from armproof.verification.verdict import Record, Verdict
@@ -170,5 +171,5 @@ def test_the_sheet_speaks_its_language(lang: str, words: str, document, pdf_text
 
 
 def test_an_unknown_language_is_refused(document, make):
-    with pytest.raises(PrintError, match="no language 'de'; a sheet is printed in en, fr"):
+    with pytest.raises(LanguageError, match="no language 'de'; the languages are en, fr"):
         make(document(RIGHT), lang="de")

@@ -47,7 +47,7 @@ def site(page, lesson, tmp_path_factory) -> Path:
     )
     for name, html in pages.items():
         (out / f"{name}.html").write_text(html, encoding="utf-8")
-    write_views(["planar_2r"], out)
+    write_views(["planar_2r"], out, {"en": ""})
     return out
 
 

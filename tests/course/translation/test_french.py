@@ -70,7 +70,7 @@ def test_english_words_are_counted() -> None:
 def test_a_lesson_in_french_speaks_french() -> None:
     lesson = open_lesson("frames", lang="fr")
     assert lesson.title != open_lesson("frames", lang="en").title
-    assert str(lesson.predict.check([0, 2, 0])).startswith("✓ predict: juste (démontré)")
+    assert str(lesson.predict.check([0, 2, 0])).startswith("✓ predict\u00a0: juste (démontré)")
     assert lesson.predict.check("0 ; 2,0 ; 0").is_right and not lesson.predict.check("0 ; 2,5 ; 0").is_right
     wrong = lesson.predict.check([2, 0, 0])
     assert not ENGLISH.search(wrong.message) and wrong.message
