@@ -236,6 +236,13 @@ def test_front_matter_at_fault_is_refused_at_its_line(verify, tmp_path: Path, fa
     assert_refused(verify(path), path, f":{message}")
 
 
+@pytest.mark.parametrize("blank", [0, 1, 3])
+def test_the_head_of_a_comment_is_counted_from_its_first_line(verify, tmp_path: Path, blank: int):
+    path = tmp_path / "page.rst"
+    path.write_text("..\n" + "\n" * blank + "   arm: [\n\nText.\n", encoding="utf-8")
+    assert_refused(verify(path), path, f":{blank + 2}: .*")
+
+
 def test_front_matter_that_never_ends_is_refused(verify, tmp_path: Path):
     path = tmp_path / "page.md"
     path.write_text("---\narm: scara\n\n$$ 1 = 1 $$\n", encoding="utf-8")

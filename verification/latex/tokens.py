@@ -225,8 +225,9 @@ class _Scanner:
     def on_script(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         argument, end = self._script_argument(start, end)
         kind = "SUB" if value == "_" else "SUP"
-        if kind == "SUP" and set(argument.replace("\\prime", "'").replace(" ", "")) == {"'"}:
-            return [self.token("PRIME", "'", start, end)], end
+        primes = argument.replace("\\prime", "'").replace(" ", "")
+        if kind == "SUP" and set(primes) == {"'"}:
+            return [self.token("PRIME", "'", start, end)] * len(primes), end
         return [self.token(kind, argument, start, end)], end
 
     def _script_argument(self, start: int, position: int) -> tuple[str, int]:

@@ -31,6 +31,7 @@ FATES = {
     OUT_OF_TIME: "timeout",
     -signal.SIGKILL: "timeout",
     -signal.SIGSEGV: "killed",
+    -signal.SIGABRT: "killed",
 }
 
 

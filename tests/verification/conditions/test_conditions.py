@@ -244,11 +244,29 @@ def test_values_at_a_configuration_are_exact(judge: Judge, latex: str, verdict: 
         (r"\frac{\pi}{5} \approx 0.5", Verdict.REFUTED, "an approximation, to the decimals printed"),
         (r"c_1 \approx 1", Verdict.UNCHECKED, "a condition, not a claim"),
         (r"{}^0R_4 \in SO(3)", Verdict.PROVED, "an element of SO(3)"),
+        (r"\begin{bmatrix} c_1 & -s_1 \\ s_1 & c_1 \end{bmatrix} \in SO(2)", Verdict.PROVED, "an element of SO(2)"),
+        (
+            r"\begin{bmatrix} c_1 & s_1 \\ s_1 & -c_1 \end{bmatrix} \in SO(2)",
+            Verdict.REFUTED,
+            "no element of SO(2): its rotation is not orthonormal with determinant 1",
+        ),
     ],
 )
 def test_relations_other_than_equality(judge: Judge, latex: str, verdict: Verdict, message: str) -> None:
     record = judge(latex)
     assert (record.verdict, record.message) == (verdict, message)
+
+
+def test_what_rates_do_not_imply_is_left_open(judge: Judge) -> None:
+    """At rest something may hold that does not hold everywhere; without a rate it is refuted."""
+    at_rest = judge(r"\dot\theta_1 = 0 \Rightarrow c_1 = 0", arm="planar_2r")
+    assert at_rest.verdict is Verdict.UNCHECKED and "where joints are at rest" in at_rest.message
+    assert judge(r"\theta_1 = 0 \Rightarrow c_1 = 0", arm="planar_2r").verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(("items", "verdict"), [("-1, 1", "proved"), ("-1, 2", "unchecked"), ("-1, x", "unchecked")])
+def test_a_sign_is_one_of_two_numbers(judge: Judge, items: str, verdict: str) -> None:
+    assert judge(rf"\sigma \in \{{{items}\}}", r"\sigma^2 = 1").verdict.value == verdict
 
 
 def test_cases_are_checked_each_under_its_condition(judge: Judge) -> None:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.check import check_document
+from armproof.verification.document import Display, Document
+from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 FRONT = {"arm": "planar_2r", "quantities": {"p": {"origin": 2}, "T": {"pose": 2}}}
 ROW = r"\begin{bmatrix} K & M & 0 \end{bmatrix}"
@@ -48,6 +52,22 @@ def test_a_name_means_what_its_display_gives_it(
     check: Callable[..., DocumentResult], displays: list[str], verdicts: str
 ) -> None:
     assert " ".join(record.verdict.value for record in check(*displays, **FRONT).equations) == verdicts
+
+
+def test_a_name_of_another_exercise_refutes_nothing(check: Callable[..., DocumentResult]) -> None:
+    front = Document(Path("page.md"), {"arm": "planar_2r"}, (), ())
+    lines = ["w = l_1 s_1", r"p_1 = \begin{bmatrix} l_1 c_1 \\ w \\ 0 \end{bmatrix}"]
+    wrong = r"p_2 = \begin{bmatrix} w \\ l_1 s_1 + l_2 s_{12} \\ 0 \end{bmatrix}"
+
+    def verdict_of_last(section: str) -> Record:
+        displays = [Display(4, lines[0], section="Exercise 1"), Display(6, lines[1], section="Exercise 1")]
+        document = replace(front, displays=(*displays, Display(9, wrong, section=section)))
+        return check_document(document).equations[-1]
+
+    assert verdict_of_last("Exercise 1").verdict is Verdict.REFUTED
+    elsewhere = verdict_of_last("Exercise 2")
+    assert elsewhere.verdict is Verdict.UNCHECKED
+    assert "the w of line 4, which another exercise defines" in elsewhere.message
 
 
 def test_a_wrong_entry_is_marked_and_a_wrong_block_is_said(check: Callable[..., DocumentResult]) -> None:

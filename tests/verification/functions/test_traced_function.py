@@ -16,6 +16,7 @@ from numpy import array, linalg, zeros
 
 from armproof.verification.functions.traced_function import trace_function
 from armproof.verification.functions.tracing.number import FUNCTIONS, TracedNumber, Untraceable
+from armproof.verification.functions.tracing.number import function as function_of
 
 TABLE = [(0.45, 0.0, 0.1, pi / 2), (0.3, -pi / 2, 0.0, 0.0)]
 LENGTHS = np.array([0.45, 0.3])
@@ -150,6 +151,14 @@ def test_the_formula_has_the_values_of_the_function(function: Callable[..., Any]
 def test_right_angles_are_exact() -> None:
     traced = np.array(trace_function(by_table, call), dtype=object)
     assert traced[2, 0].operation in ("sin", "cos", "constant", "negative")  # no 6.1e-17 beside it
+
+
+def test_only_a_right_angle_has_a_cosine_without_a_trace() -> None:
+    for quarter in range(-4, 5):
+        cosine, sine = (function_of(name, quarter * math.pi / 2) for name in ("cos", "sin"))
+        assert (cosine.operation, sine.operation) == ("constant", "constant")
+        assert (cosine.value, sine.value) == (round(math.cos(quarter * pi / 2)), round(math.sin(quarter * pi / 2)))
+    assert function_of("cos", 0.3).operation == "cos"
 
 
 def counts(q):

@@ -7,6 +7,7 @@ import pytest
 
 from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.preparing import prepared
 from armproof.verification.latex.reader import Reader, key_as_latex
 from armproof.verification.latex.tokens import Spelling
 from armproof.verification.verdict import Record, Verdict
@@ -50,6 +51,27 @@ def test_an_error_names_the_place_and_the_token(latex: str, offset: int, message
     with pytest.raises(ReadError, match=message) as caught:
         read(latex)
     assert abs(caught.value.offset - offset) <= 1
+
+
+@pytest.mark.parametrize("primes", [r"q^{\prime\prime}", r"q^{\prime \prime}", r"q^{''}", "q''"])
+def test_a_prime_is_a_prime_however_it_is_set(primes: str) -> None:
+    (chain,) = read(primes)
+    assert isinstance(chain, n.Chain)
+    (name,) = chain.members
+    assert isinstance(name, n.Name) and (name.primes, name.sup) == (2, "")
+
+
+def test_what_prints_nothing_leaves_every_character_at_its_place() -> None:
+    for latex in (r"a \not= b", r"a \not = b", r"\{a\}", r"\displaystyle a"):
+        assert len(prepared(latex)) == len(latex)
+    assert prepared(r"a \not= b").split() == ["a", r"\ne", "b"]
+
+
+def test_a_cell_of_two_expressions_is_told_at_the_second() -> None:
+    latex = r"\begin{bmatrix} a & b : cd \\ 0 & 1 \end{bmatrix}"
+    with pytest.raises(ReadError) as caught:
+        read(latex)
+    assert latex[caught.value.offset :].startswith((":", "cd"))
 
 
 def test_a_place_is_told_by_line_and_column(judge: Judge) -> None:

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from armproof.models.catalogue import load_arm
+from armproof.verification.check import load_arm_of
+from armproof.verification.document import Document
 from armproof.verification.errors import DocumentError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader
 from armproof.verification.naming.names import name_key, read_names
 from armproof.verification.verdict import Record, Verdict
+from tests.verification.conftest import check_displays
 
 Judge = Callable[..., Record]
 
@@ -158,3 +164,28 @@ def test_a_sign_is_a_name_that_nothing_else_gives_a_meaning() -> None:
     assert not any(names.defines_sign(key) for key in ("p", "l_1", "theta_1"))
     names.define("u", lambda algebra: algebra.symbol("l_1"))
     assert not names.defines_sign("u")
+
+
+@pytest.mark.parametrize(
+    ("name", "free"), [("n_x", True), (r"\operatorname{ab}_x", False), ("a_1", True), ("R_12", False), ("{}^0n_x", False)]
+)
+def test_without_an_arm_a_letter_with_indices_is_free(name: str, free: bool) -> None:
+    read = Reader().read_expression(name)
+    assert isinstance(read, n.Name)
+    assert read_names(None, {}).is_free(read) is free
+    assert not read_names(load_arm("planar_2r"), {}).is_free(read)
+
+
+@pytest.mark.parametrize("frame", ["7", "9"])
+def test_a_frame_that_the_arm_lacks_is_told(frame: str) -> None:
+    record = check_displays(rf"{{}}^0T_{frame} = I", arm="planar_2r").equations[0]
+    assert record.message == f"no frame '{frame}' on arm 'planar_2r'; its frames are 0, 1, 2"
+    assert "no frame" not in check_displays(rf"{{}}^0W_{frame} = I", arm="planar_2r").equations[0].message
+
+
+@pytest.mark.parametrize(("index", "joint"), [(1, "theta_1"), (2, "d_4"), (4, "d_4"), (3, None)])
+def test_an_index_is_that_of_the_joints_symbol_or_its_place(index: int, joint: str | None) -> None:
+    row = {"a": 0, "alpha": 0}
+    rows = [{**row, "d": 0, "theta": "theta_1"}, {**row, "d": "d_4", "theta": 0}]
+    arm = load_arm_of(Document(Path("page.md"), {"arm": {"dh": "classic", "rows": rows}}, (), ()))
+    assert read_names(arm, {}).known_symbol(f"q_{index}") == joint
