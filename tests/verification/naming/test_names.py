@@ -167,7 +167,8 @@ def test_a_sign_is_a_name_that_nothing_else_gives_a_meaning() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "free"), [("n_x", True), (r"\operatorname{ab}_x", False), ("a_1", True), ("R_12", False), ("{}^0n_x", False)]
+    ("name", "free"),
+    [("n_x", True), (r"\operatorname{ab}_x", False), ("a_1", True), ("R_12", False), ("{}^0n_x", False)],
 )
 def test_without_an_arm_a_letter_with_indices_is_free(name: str, free: bool) -> None:
     read = Reader().read_expression(name)
