@@ -2,6 +2,8 @@
 
 Classic:  A_i = Rz(θ_i) Tz(d_i) Tx(a_i) Rx(α_i), the transform {}^{i-1}T_i.
 Modified: A_i = Rx(α_{i-1}) Tx(a_{i-1}) Rz(θ_i) Tz(d_i), the transform {}^{i-1}T_i (Craig; row i holds a and α of i−1).
+
+A row may have no joint: a fixed step between two, the pose of the base before them or of the tool behind.
 """
 
 from __future__ import annotations
@@ -14,13 +16,15 @@ from math import pi
 from typing import Any, Literal
 
 from armproof.models.dh.entry import FORMS, LinearForm, as_typed, read_entry
+from armproof.models.dh.pose import FixedPose, read_pose, write_pose
 from armproof.models.errors import Fault, ModelError
 
-KEYS = ("dh", "rows", "joints", "first")
+KEYS = ("dh", "rows", "joints", "first", "frames", "base", "tool")
 COLUMNS = ("a", "alpha", "d", "theta")
 _ANGLES = ("alpha", "theta")
 _MOST_TIMES = 4
 _REVOLUTE_NAME = re.compile(r"(theta|q)_?\d+'*$")
+_FRAME = re.compile(r"[A-Za-z0-9]+")
 _PRISMATIC_NAME = re.compile(r"(d|q)_?\d+'*$")
 
 
@@ -29,8 +33,8 @@ class DHRow:
     """One row of a DH table: a and d in metres, alpha and theta in radians.
 
     Attributes:
-        joint: the joint variable, in theta (revolute) or d (prismatic).
-        kind: revolute or prismatic.
+        joint: the joint variable, in theta (revolute) or d (prismatic); "" where nothing moves.
+        kind: revolute, prismatic or fixed.
         sign: the sign, ±1, of the joint variable in its entry.
     """
 
@@ -39,39 +43,54 @@ class DHRow:
     d: LinearForm
     theta: LinearForm
     joint: str
-    kind: Literal["revolute", "prismatic"]
+    kind: Literal["revolute", "prismatic", "fixed"]
     sign: int
 
 
 @dataclass(frozen=True)
 class DHTable:
-    """A DH table: its convention and its rows, one a joint from base to tool, and the number of the frame of its base."""
+    """A DH table: its convention, its rows from base to tool, the poses of base and tool beside them, all frames by name."""
 
     convention: Literal["classic", "modified"]
     rows: tuple[DHRow, ...]
-    first: int = 0
+    frames: tuple[str, ...]
+    base: FixedPose | None = None
+    tool: FixedPose | None = None
+
+    @property
+    def joint_rows(self) -> tuple[DHRow, ...]:
+        """The rows with a joint."""
+        return tuple(row for row in self.rows if row.joint)
+
+    @property
+    def has_fixed(self) -> bool:
+        """Whether there are more steps from frame to frame than joints."""
+        return len(self.frames) > len(self.joint_rows) + 1
 
     @property
     def length_symbols(self) -> tuple[str, ...]:
-        """The symbols in a and d that are not joint variables, in order of appearance."""
-        return self._symbols("a", "d")
+        """The symbols in lengths that are not joint variables, in order of appearance."""
+        return self._symbols("a", "d", "xyz")
 
     @property
     def angle_symbols(self) -> tuple[str, ...]:
-        """The symbols in alpha and theta that are not joint variables, in order of appearance."""
-        return self._symbols("alpha", "theta")
+        """The symbols in angles that are not joint variables, in order of appearance."""
+        return self._symbols("alpha", "theta", "rpy")
 
-    def _symbols(self, *columns: str) -> tuple[str, ...]:
+    def _symbols(self, *parts: str) -> tuple[str, ...]:
         joints = {row.joint for row in self.rows}
-        found = (symbol for row in self.rows for column in columns for symbol, _ in getattr(row, column).symbols)
-        return tuple(dict.fromkeys(symbol for symbol in found if symbol not in joints))
+        steps = [step for step in (self.base, *self.rows, self.tool) if step is not None]
+        found = [getattr(step, part) for step in steps for part in parts if hasattr(step, part)]
+        forms = (form for each in found for form in (each if isinstance(each, tuple) else (each,)))
+        return tuple(dict.fromkeys(symbol for form in forms for symbol, _ in form.symbols if symbol not in joints))
 
 
 def read_table(spec: Mapping[str, Any]) -> DHTable:
     """Read a DH table {dh: classic | modified, rows: [{a, alpha, d, theta}, ...], joints: [...], first: 0}.
 
     Without `joints`, the variable of a row is the symbol in its theta that looks like a joint (theta_i, q_i), else the
-    symbol in its d.
+    symbol in its d. Where `joints` are fewer than the rows, those that hold none of them are fixed. `base` and `tool` are
+    fixed poses before and behind the rows; `frames` names all frames, else they are numbered from `first`, between B and E.
 
     Raises:
         ModelError: an unknown key or convention, a bad row or entry, a joint variable in no row or in two.
@@ -86,19 +105,10 @@ def read_table(spec: Mapping[str, Any]) -> DHTable:
     if not isinstance(raw, Sequence) or isinstance(raw, str) or not raw:
         raise ModelError(Fault.NO_ROWS, given=repr(raw))
     entries = [_read_row(number, row) for number, row in enumerate(raw, start=1)]
-    joints = spec.get("joints")
-    if joints is None:
-        joints = [_guess_joint(number, row) for number, row in enumerate(entries, start=1)]
-    elif not isinstance(joints, Sequence) or isinstance(joints, str) or not all(isinstance(j, str) for j in joints):
-        raise ModelError(Fault.NO_JOINTS, given=repr(joints))
-    joints = [as_typed(joint).strip() for joint in joints]
-    if len(joints) != len(entries):
-        raise ModelError(Fault.ROWS_AND_JOINTS, rows=len(entries), count=len(joints), joints=list(joints))
+    joints = _read_joints(spec.get("joints"), entries)
     rows = tuple(_make_row(number, row, joints) for number, row in enumerate(entries, start=1))
-    first = spec.get("first", 0)
-    if not isinstance(first, int) or isinstance(first, bool) or first < 0:
-        raise ModelError(Fault.NO_FIRST_FRAME, given=repr(first))
-    table = DHTable(convention, rows, first)
+    base, tool = (read_pose(key, spec.get(key)) for key in ("base", "tool"))
+    table = DHTable(convention, rows, _read_frames(spec, len(rows)), base, tool)
     both = set(table.length_symbols) & set(table.angle_symbols)
     if both:
         raise ModelError(Fault.LENGTH_AND_ANGLE, symbol=min(both))
@@ -108,8 +118,45 @@ def read_table(spec: Mapping[str, Any]) -> DHTable:
 def write_table(table: DHTable) -> dict[str, Any]:
     """Return the mapping that `read_table` reads as this table."""
     rows = [{column: str(getattr(row, column)) for column in COLUMNS} for row in table.rows]
-    first = {"first": table.first} if table.first else {}
-    return {"dh": table.convention, "rows": rows, "joints": [row.joint for row in table.rows], **first}
+    poses = {key: write_pose(pose) for key, pose in (("base", table.base), ("tool", table.tool)) if pose is not None}
+    joints = [row.joint for row in table.joint_rows]
+    return {"dh": table.convention, "rows": rows, "joints": joints, "frames": list(table.frames), **poses}
+
+
+def _read_joints(given: object, rows: Sequence[Mapping[str, LinearForm]]) -> list[str]:
+    """Return the joint variable of each row, "" for one without."""
+    if given is None:
+        return [_guess_joint(number, row) for number, row in enumerate(rows, start=1)]
+    if not isinstance(given, Sequence) or isinstance(given, str) or not all(isinstance(joint, str) for joint in given):
+        raise ModelError(Fault.NO_JOINTS, given=repr(given))
+    joints = [as_typed(joint).strip() for joint in given]
+    if len(joints) == len(rows):
+        return joints
+    left = list(joints)
+    found = [left.pop(0) if left and _columns_with(row, left[0]) else "" for row in rows]
+    unnamed = [row for row, joint in zip(rows, found, strict=True) if not joint and _turns(row)]
+    if left or unnamed or not joints:
+        raise ModelError(Fault.ROWS_AND_JOINTS, rows=len(rows), count=len(joints), joints=joints)
+    return found
+
+
+def _turns(row: Mapping[str, LinearForm]) -> list[str]:
+    """Return the symbols in a row's theta that look like joint variables."""
+    return [symbol for symbol, _ in row["theta"].symbols if _REVOLUTE_NAME.match(symbol)]
+
+
+def _read_frames(spec: Mapping[str, Any], rows: int) -> tuple[str, ...]:
+    first, given = spec.get("first", 0), spec.get("frames")
+    if not isinstance(first, int) or isinstance(first, bool) or first < 0:
+        raise ModelError(Fault.NO_FIRST_FRAME, given=repr(first))
+    outer = [[name] if spec.get(key) is not None else [] for key, name in (("base", "B"), ("tool", "E"))]
+    numbered = (*outer[0], *map(str, range(first, first + rows + 1)), *outer[1])
+    if given is None:
+        return numbered
+    names = tuple(map(str, given)) if isinstance(given, list | tuple) else ()
+    if len(set(names)) != len(numbered) or not all(_FRAME.fullmatch(name) for name in names):
+        raise ModelError(Fault.FRAME_NAMES, count=len(numbered), given=repr(given))
+    return names
 
 
 def _read_row(number: int, row: object) -> dict[str, LinearForm]:
@@ -144,7 +191,7 @@ def _check_unit(number: int, column: str, text: object, form: LinearForm) -> Non
 
 def _guess_joint(number: int, row: Mapping[str, LinearForm]) -> str:
     """Return the joint variable of a row: what looks like one in theta, else the symbol in d."""
-    named = [symbol for symbol, _ in row["theta"].symbols if _REVOLUTE_NAME.match(symbol)]
+    named = _turns(row)
     if not named:
         in_d = [symbol for symbol, _ in row["d"].symbols]
         named = in_d if len(in_d) == 1 else [symbol for symbol in in_d if _PRISMATIC_NAME.match(symbol)]
@@ -158,6 +205,9 @@ def _guess_joint(number: int, row: Mapping[str, LinearForm]) -> str:
 def _make_row(number: int, row: Mapping[str, LinearForm], joints: Sequence[str]) -> DHRow:
     joint = joints[number - 1]
     _check_one_row_a_joint(number, row, joints)
+    if not joint:
+        _check_factors(number, row)
+        return DHRow(**row, joint="", kind="fixed", sign=0)
     column = _joint_column(number, row, joint)
     coefficient = row[column].coefficient(joint)
     if abs(coefficient) != 1:
@@ -179,7 +229,7 @@ def _check_one_row_a_joint(number: int, row: Mapping[str, LinearForm], joints: S
                 symbol=symbol,
                 other=joints.index(symbol) + 1,
             )
-    if joints.index(joint) != number - 1:
+    if joint and joints.index(joint) != number - 1:
         raise ModelError(Fault.JOINT_TAKEN, number=number, joint=joint, other=joints.index(joint) + 1)
 
 

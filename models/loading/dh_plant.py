@@ -12,6 +12,7 @@ import numpy as np
 
 from armproof.models.arm import Arm, Joint
 from armproof.models.dh.entry import LinearForm
+from armproof.models.dh.pose import FixedPose
 from armproof.models.dh.table import DHRow, DHTable
 from armproof.models.exact.numbers import add_angles, cos_sin_of_pi, cos_sin_of_radians, rotation
 from armproof.models.exact.offset import Offset
@@ -28,7 +29,7 @@ _ANGLES = (0.41, 0.73, 1.13, 0.59, 0.97, 0.29, 1.31, 0.83)
 def build_arm(table: DHTable) -> Arm:
     """Build the arm of a DH table.
 
-    Link i carries the i-th DH frame behind the first, and a joint is named by its variable. Each length symbol is given a positive value
+    Link i carries the frame behind the i-th joint and what is fixed to it; a joint is named by its variable. Each length symbol is given a positive value
     (m) and each constant angle symbol a value (rad) of its own, always the same; they serve the plant of doubles only.
     """
     from pydrake.multibody.plant import MultibodyPlant
@@ -37,17 +38,23 @@ def build_arm(table: DHTable) -> Arm:
     angles = dict(zip(table.angle_symbols, _values(_ANGLES), strict=False))
     plant = MultibodyPlant(time_step=0.0)
     builder = _Builder(plant, {**lengths, **angles})
-    frame = builder.add_base()
-    base, first = frame, table.first
-    frames = {str(first): base}
+    frames = [builder.add_base()]
     drake_joints = []
+    if table.base is not None:
+        frames.append(builder.add_pose("base_pose", frames[-1], table.base))
     for i, row in enumerate(table.rows, start=1):
-        joint, frame = builder.add_row(i, row, frame, classic=table.convention == "classic")
-        drake_joints.append(joint)
-        frames[str(first + i)] = frame
+        joint, frame = builder.add_row(i, row, frames[-1], classic=table.convention == "classic")
+        drake_joints.extend([] if joint is None else [joint])
+        frames.append(frame)
+    if table.tool is not None:
+        frames.append(builder.add_pose("tool_pose", frames[-1], table.tool))
     plant.Finalize()
-    joints = tuple(Joint(i, row.joint, row.joint, row.kind, *_limits(row)) for i, row in enumerate(table.rows, start=1))
-    drake = DrakeArm(plant, base.body(), tuple(drake_joints), MappingProxyType(frames))
+    joints = tuple(
+        Joint(i, row.joint, row.joint, "revolute" if row.kind == "revolute" else "prismatic", *_limits(row))
+        for i, row in enumerate(table.joint_rows, start=1)
+    )
+    named = dict(zip(table.frames, frames, strict=True))
+    drake = DrakeArm(plant, frames[0].body(), tuple(drake_joints), MappingProxyType(named))
     return Arm(
         name=NAME,
         title=noted("Arm of a classic DH table")
@@ -58,7 +65,7 @@ def build_arm(table: DHTable) -> Arm:
         joints=joints,
         lengths=MappingProxyType(lengths),
         angles=MappingProxyType(angles),
-        frames=tuple(frames),
+        frames=table.frames,
         exact=SymbolicPlant(NAME, joints, drake, builder.offsets),
         drake=drake,
         dh=table,
@@ -90,10 +97,23 @@ class _Builder:
         self.plant.WeldFrames(self.plant.world_frame(), base.body_frame())
         return base.body_frame()
 
+    def add_pose(self, name: str, previous: Any, pose: FixedPose) -> Any:
+        """Add a frame at a fixed pose Trans(xyz) Rz(yaw) Ry(pitch) Rx(roll) in the one before."""
+        from pydrake.math import RigidTransform, RollPitchYaw
+
+        turns = [rotation(axis, cos_sin(angle)) for axis, angle in enumerate(pose.rpy)]
+        R = matrix_product(matrix_product(turns[2], turns[1]), turns[0])
+        offset = Offset(R, tuple(map(exact_length, pose.xyz)))
+        rpy, xyz = (np.array([form.value(self.values) for form in forms]) for forms in (pose.rpy, pose.xyz))
+        return self._add_fixed(name, previous, RigidTransform(RollPitchYaw(rpy), xyz), offset)
+
     def add_row(self, i: int, row: DHRow, previous: Any, classic: bool) -> tuple[Any, Any]:
-        """Add link i with its joint on the DH frame i−1; return the joint and the DH frame i."""
+        """Add the i-th row on the DH frame i−1, a link where it has a joint; return that joint, or None, and frame i."""
         from pydrake.multibody.tree import PrismaticJoint, RevoluteJoint
 
+        if not row.joint:
+            steps = row.theta, row.d, row.a, row.alpha
+            return None, self._add_frame(f"frame_{i}", previous, *steps, alpha_first=not classic)
         zero = LinearForm()
         revolute = row.kind == "revolute"
         theta, d = (row.theta.without(row.joint), row.d) if revolute else (row.theta, row.d.without(row.joint))
@@ -134,19 +154,23 @@ class _Builder:
     ) -> Any:
         """Add the frame Rx(α) T(x, 0, z) Rz(θ) if alpha_first, else Rz(θ) T(x, 0, z) Rx(α), with T in the axes so far."""
         from pydrake.math import RigidTransform, RotationMatrix
-        from pydrake.multibody.tree import FixedOffsetFrame
 
         Rx = RigidTransform(RotationMatrix.MakeXRotation(alpha.value(self.values)))
         Rz = RigidTransform(RotationMatrix.MakeZRotation(theta.value(self.values)))
         T = RigidTransform(np.array([x.value(self.values), 0.0, z.value(self.values)]))
         X_PF = Rx @ T @ Rz if alpha_first else Rz @ T @ Rx
-        frame = self.plant.AddFrame(FixedOffsetFrame(name, parent, X_PF))
         first, last = rotation(0, cos_sin(alpha)), rotation(2, cos_sin(theta))
         if not alpha_first:
             first, last = last, first
         column: Rows = ((exact_length(x),), (number(0),), (exact_length(z),))
         translation = tuple(row[0] for row in matrix_product(first, column))
-        self.offsets[int(frame.index())] = Offset(matrix_product(first, last), translation)
+        return self._add_fixed(name, parent, X_PF, Offset(matrix_product(first, last), translation))
+
+    def _add_fixed(self, name: str, parent: Any, X_PF: Any, exact: Offset) -> Any:
+        from pydrake.multibody.tree import FixedOffsetFrame
+
+        frame = self.plant.AddFrame(FixedOffsetFrame(name, parent, X_PF))
+        self.offsets[int(frame.index())] = exact
         return frame
 
 

@@ -208,7 +208,7 @@ FRONTS = {
     "not a mapping": ("- arm: scara", r"2: the front matter must be a mapping of keys such as 'arm: scara'"),
     "not YAML": ("title: x\narm: [scara", r"3: the front matter is not YAML: did not find expected ',' or '\]'"),
     "unknown convention": ("arm: {dh: modern, rows: []}", r"2: DH table: dh is classic or modified, not 'modern'"),
-    "no rows": ("arm: {dh: classic}", r"2: DH table: rows is a list of rows, one a joint, not None"),
+    "no rows": ("arm: {dh: classic}", r"2: DH table: rows is a list of rows, base to tool, not None"),
     "row without keys": ("arm: {dh: classic, rows: [{a: 1}]}", r"2: DH table, row 1: a row has the keys a, alpha, d, theta, not a"),
     "code in a row": (
         "arm: {dh: classic, rows: [{a: \"__import__('os')\", alpha: 0, d: 0, theta: theta_1}]}",

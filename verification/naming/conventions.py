@@ -44,28 +44,35 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
     """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
     if name.primes or (name.pre_sub and name.pre_sup and name.sub):
         return ()
-    if name.base in POSES | {"R"} and (name.pre_sup or name.sup) and (name.pre_sub or name.sub):
-        first, second = transform_pair(name, arm, transforms) or ("", "")
-        reference, index = _frame(first, arm), second
-    else:
-        above = name.pre_sup or name.sup
-        if name.sup and name.sub and transforms == "lower":
-            name = replace(name, sub=above, sup=(above := name.sub))
-        reference, index = (_frame(above, arm) if above else arm.frames[0]), name.pre_sub or name.sub
-    if reference is None or (name.pre_sup and name.sup):
-        return ()
     placed = bool(name.pre_sup or name.sup)
-    if not placed and (_is_entry(name) or (name.base in NORMALS and name.sub in tuple(AXES))):
+    if not placed:
+        bases = dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))
+        return tuple(dict.fromkeys(each for base in bases for each in _unplaced(name, base, arm)))
+    if name.base in POSES | {"R"} and (name.pre_sub or name.sub):
+        first, index = transform_pair(name, arm, transforms) or ("", "")
+    else:
+        first = name.pre_sup or name.sup
+        if name.sup and name.sub and transforms == "lower":
+            name = replace(name, sub=first, sup=(first := name.sub))
+        index = name.pre_sub or name.sub
+    reference = _frame(first, arm)
+    if reference is None or (name.pre_sup and name.sup) or (index != first and _frame(index, arm) == reference):
+        return ()  # {}^3T_E where frame 3 is the last: a tool beyond it
+    return tuple(dict.fromkeys(_all(name.base, index, reference, arm, True)))
+
+
+def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
+    """Yield what a name that tells no frame of reference may stand for in one."""
+    if _is_entry(name) or (name.base in NORMALS and name.sub in tuple(AXES)):
         row, column = (
             (int(name.sub[0]), int(name.sub[-1]))
             if _is_entry(name)
             else (AXES.index(name.sub) + 1, NORMALS.index(name.base) + 1)
         )
-        tools = dict.fromkeys((_tool(arm), _last(arm)))
-        return tuple(
-            Quantity("rotation", each, arm.frames[0], rows=(row,), columns=(column,), scalar=True) for each in tools
-        )
-    return tuple(dict.fromkeys(_all(name.base, index, reference, arm, placed)))
+        for each in dict.fromkeys((_tool(arm), _last(arm))):
+            yield Quantity("rotation", each, reference, rows=(row,), columns=(column,), scalar=True)
+        return
+    yield from _all(name.base, name.pre_sub or name.sub, reference, arm, False)
 
 
 def _is_entry(name: n.Name) -> bool:
@@ -77,9 +84,9 @@ def applied(name: n.Name, arm: Arm) -> tuple[Quantity, ...]:
     """Return what f(q) or FK(q) may stand for: the tool's position, its pose, or its position and orientation in a plane."""
     if name.base not in FUNCTIONS or name.sub or name.sup or name.pre_sub or name.pre_sup or name.dots:
         return ()
-    tools = dict.fromkeys((_tool(arm), _last(arm)))
+    tools, bases = dict.fromkeys((_tool(arm), _last(arm))), dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))
     kinds = ("origin", "pose", "task") if is_planar(arm) else ("origin", "pose")
-    return tuple(Quantity(kind, frame, arm.frames[0]) for frame in tools for kind in kinds)
+    return tuple(Quantity(kind, frame, base) for base in bases for frame in tools for kind in kinds)
 
 
 def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Iterator[Quantity]:
@@ -119,7 +126,7 @@ def _of_frame(base: str, index: str, origin: Quantity, arm: Arm, placed: bool) -
         yield replace(origin, kind="pose")
     if base == "R":
         yield replace(origin, kind="rotation")
-    if base == "J" and index:
+    if base == "J" and (index or arm.frames[0] != numbered_frames(arm)[0]):
         yield replace(origin, kind="jacobian")
     if base in ORIENTATIONS and not placed and is_planar(arm):
         yield replace(origin, kind="angle", scalar=True)

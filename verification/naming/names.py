@@ -88,7 +88,8 @@ class Names:
             named = [joint for joint in named if joint.kind == "revolute"]
         if len(named) == 1:
             return named[0]
-        return self.arm.joints[index - 1] if not named and 1 <= index <= len(self.arm.joints) else None
+        in_order = not named and not (self.arm.dh is not None and self.arm.dh.has_fixed)  # else rows are counted
+        return self.arm.joints[index - 1] if in_order and 1 <= index <= len(self.arm.joints) else None
 
     @property
     def offset_joints(self) -> dict[str, DHRow]:

@@ -196,7 +196,7 @@ def _implied_vector(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
         return None
     first = numbered_frames(arm)[0]
     if not reference:
-        if name.base not in ("p", "z", "o", "O"):
+        if name.base not in ("p", "z", "o", "O") or first != arm.frames[0]:  # in frame 0, or in that of the base?
             return None
         resolved: str | None = first
     else:
@@ -217,7 +217,7 @@ def _implied_jacobian(name: n.Name, arm: Arm) -> Quantity | None:
     if name.pre_sub or (name.pre_sup and name.sup):
         return None
     resolved = _frame(arm, reference) if reference else frames[0]
-    if resolved is None:
+    if resolved is None or (not reference and frames[0] != arm.frames[0]):
         return None
     if not name.sub or (name.sub == "n" and "n" not in arm.frames):
         return Quantity("jacobian", frames[-1], resolved)

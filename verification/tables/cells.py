@@ -27,6 +27,7 @@ _KINDS = {
 _GLUED = re.compile(  # q1, but not in a script
     r"[_^]\s*\{[^{}]*\}|(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"})
 )
+_WORD = re.compile(r"([-+]?[adlhrADLHR])([A-Za-z]{1,3})")  # dg, -LT: a length with its index
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
 
@@ -73,6 +74,8 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
     spelt = re.sub(r"\s*[(\[]\s*var(?:iable)?\.?\s*[)\]]$", "", spelt)
     spelt = re.sub(r"(?<=[\w}])\s*\^?\s*\{?\*+\}?(?=\s*(?:$|[-+=)]))", "", spelt)  # θ_1*: the star of a variable
     spelt = SPELT.sub(r"\\\1", spelt)
+    if word := _WORD.fullmatch(spelt):
+        spelt = f"{word[1]}_{{{word[2]}}}"
     spelt = _GLUED.sub(lambda found: f"{found[1]}_{{{found[2]}}}" if found[1] else found[0], spelt)
     spelt = re.sub(r"(?<=\d)\s*deg(?:rees)?\b", r"^\\circ", spelt)
     try:

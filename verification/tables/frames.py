@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from armproof.models.arm import Arm
+from armproof.models.exact.trace import trace_of
 from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
@@ -32,18 +33,20 @@ class Frames:
 def last_frames(arm: Arm) -> list[str]:
     """Return frame n and the frames beyond it, such as that of a gripper."""
     numbered = numbered_frames(arm)
-    return [numbered[-1], *(frame for frame in arm.frames if frame not in numbered)]
+    behind = arm.frames[arm.frames.index(numbered[0]) :]
+    return [numbered[-1], *(frame for frame in behind if frame not in numbered)]
 
 
 def row_frames(names: Names, arm: Arm, labels: list[str], count: int) -> tuple[list[Frames | None], bool]:
     """Return the frames of each row, and whether there are labels (else []) that were passed over."""
     numbered = numbered_frames(arm)
-    chain = pairwise([*numbered, *last_frames(arm)[1:]])
-    steps = [
-        Frames(frame, before, joint if joint < len(numbered) else None)
-        for joint, (before, frame) in enumerate(chain, start=1)
+    before, depth = arm.frames[: arm.frames.index(numbered[0])], trace_of(arm).depth
+    every = [
+        Frames(frame, reference, depth(frame) if depth(frame) > depth(reference) else None)
+        for reference, frame in pairwise([*before, *numbered, *last_frames(arm)[1:]])
     ]
-    found = [_labelled(names, arm, steps, label) for label in labels]
+    steps = every if count == len(every) else every[len(before) :]
+    found = [_labelled(names, arm, every, label) for label in labels]
     if count == len(numbered) and found and not found[0] and re.findall(r"\d+", labels[0]) == numbered[:1]:
         found[0] = Frames(numbered[0], numbered[0])  # a row for the base
     known = [row.frame for row in found if row is not None]
@@ -64,7 +67,7 @@ def _labelled(names: Names, arm: Arm, steps: list[Frames], label: str) -> Frames
     if (pair := _RANGE.fullmatch(spelt)) and pair.group(1) != pair.group(2):
         return _between(arm, steps, *sorted(pair.groups(), key=int))
     by_name = {step.frame: step for step in steps}
-    tool = next((step for step in steps if step.joint is None), None)
+    tool = steps[-1] if steps[-1].joint is None else None
     numbers = [int(number) for number in re.findall(r"\d+", spelt)]
     if len(numbers) == 1:
         is_next = tool is not None and tool.reference == str(numbers[0] - 1)

@@ -63,7 +63,7 @@ def link_rows(arm: Arm) -> LinkRows | None:
     frames = chain_frames(arm)
     if len(frames) != len(arm.joints) + 1:
         return None
-    if arm.dh is not None:
+    if arm.dh is not None and not arm.dh.has_fixed:
         rows = zip(frames, frames[1:], arm.dh.rows, strict=False)
         own = (LinkRow(frame, before, row.joint, row.a, row.alpha, row.d, row.theta) for before, frame, row in rows)
         return LinkRows(arm.dh.convention, tuple(own))

@@ -12,6 +12,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.dh.entry import read_entry
 from armproof.models.errors import ModelError
 from armproof.models.exact.trace import trace_of
+from armproof.models.exact.value import read_value, write_value
 from armproof.models.numeric.plant import NumericKinematics
 from tests.laws import examples
 from tests.models.evaluation import evaluate_entries
@@ -63,6 +64,36 @@ def product(table: dict[str, Any], arm: Arm, q: np.ndarray) -> list[np.ndarray]:
             A = Rot(0, alpha) @ Trans(0, a) @ Rot(2, theta) @ Trans(2, d)
         X.append(X[-1] @ A)
     return X
+
+
+FIXED = {
+    "base": {"xyz": [0, "b", 0.2], "rpy": [0, "pi/2", "-90deg"]},
+    "rows": [
+        {"a": 0, "alpha": 0, "d": "d_1", "theta": "theta_1"},
+        {"a": "a_2", "alpha": "pi/2", "d": 0, "theta": "pi/2"},
+        {"a": "a_3", "alpha": "beta", "d": "h", "theta": "pi/2 - theta_2"},
+        {"a": 0, "alpha": 0, "d": "q_3", "theta": 0},
+    ],
+    "joints": ["theta_1", "theta_2", "q_3"],
+    "tool": {"xyz": ["l_e", 0, 0]},
+}
+
+
+@pytest.mark.parametrize("dh", ["classic", "modified"])
+def test_rows_without_a_joint_and_the_poses_of_base_and_tool_are_steps_of_the_product(dh: str) -> None:
+    table = {**FIXED, "dh": dh}
+    arm = load_arm(table)
+    q = np.random.default_rng(4).uniform(-3, 3, (2, 3))
+    assert arm.frames == ("B", "0", "1", "2", "3", "4", "E")
+    assert [trace_of(arm).depth(frame) for frame in arm.frames] == [0, 0, 1, 1, 2, 3, 3]
+    for k in range(2):
+        base = Trans(1, arm.lengths["b"]) @ Trans(2, 0.2) @ Rot(2, -np.pi / 2) @ Rot(1, np.pi / 2)
+        whole = base @ product(table, arm, q[k])[-1] @ Trans(0, arm.lengths["l_e"])
+        np.testing.assert_allclose(NumericKinematics(arm, q).pose("E")[k], whole, atol=1e-12)
+        np.testing.assert_allclose(evaluate_entries(arm, trace_of(arm).pose("E"), q)[k], whole, atol=1e-12)
+    other = load_arm({**table, "base": {"xyz": [0, "b", 0.2], "rpy": [0, "-pi/2", "-90deg"]}})
+    assert trace_of(other).pose("E") != trace_of(arm).pose("E")
+    assert read_value(write_value(arm)).dh == arm.dh
 
 
 def _number(text: object, values: dict[str, float]) -> float:
@@ -196,18 +227,23 @@ def test_a_bad_row_is_refused_with_its_number(row: object, message: str) -> None
     [
         ({"dh": "standard", "rows": [ROW]}, "dh is classic or modified, not 'standard'"),
         ({"rows": [ROW]}, "dh is classic or modified, not None"),
-        ({"dh": "classic"}, "rows is a list of rows, one a joint, not None"),
+        ({"dh": "classic"}, "rows is a list of rows, base to tool, not None"),
         ({"dh": "classic", "rows": [{"a": 0, "alpha": 0, "d": 0, "theta": "q_1"}], "first": -1}, "0 or more, not -1"),
         ({"dh": "classic", "rows": []}, "rows is a list of rows"),
         ({"dh": "classic", "rows": [ROW], "link": 1}, "unknown key 'link'; the keys are dh, rows, joints"),
         ({"dh": "classic", "rows": [ROW, ROW]}, "row 2: 'theta_1' is the joint variable of row 1 already"),
         ({"dh": "classic", "rows": [ROW], "joints": "theta_1"}, "'joints' is a list of joint variables, not 'theta_1'"),
         ({"dh": "classic", "rows": [ROW], "joints": ["q"]}, "row 1: its joint variable 'q' stands nowhere"),
-        ({"dh": "classic", "rows": [ROW], "joints": ["q", "r"]}, r"1 rows but 2 joints \(q, r\); one a row"),
+        ({"dh": "classic", "rows": [ROW], "joints": ["q", "r"]}, r"1 rows but 2 joints \(q, r\); each stands in a row"),
         (
             {"dh": "classic", "rows": [ROW, {**ROW, "theta": "theta_2", "d": "theta_1"}]},
             "row 2: d holds 'theta_1', the joint variable of row 1; a joint variable stands in one row",
         ),
+        ({**FIXED, "dh": "classic", "joints": ["theta_1", "q_3"]}, "4 rows but 2 joints"),
+        ({**FIXED, "dh": "classic", "joints": ["theta_2", "theta_1", "q_3"]}, "4 rows but 3 joints"),
+        ({**FIXED, "dh": "classic", "frames": ["B", 0, 1, 2, 3, 4]}, "a list of 7 different names"),
+        ({**FIXED, "dh": "classic", "tool": {"xyz": [0, 0]}}, r"tool is a pose with xyz, rpy, three entries each"),
+        ({**FIXED, "dh": "classic", "tool": {"xyz": [0, 0, "pi"]}}, "tool: .* does not fit: xyz holds lengths"),
         ({"dh": "classic", "rows": [{**ROW, "a": object()}]}, "a DH table holds numbers and texts only"),
     ],
 )

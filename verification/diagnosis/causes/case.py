@@ -81,9 +81,9 @@ class Case:
 
     @cached_property
     def frames(self) -> list[str]:
-        """The frames of the chain, base to tool: those with numbers, and the one that is asked for behind them."""
-        numbered = numbered_frames(self.arm)
-        return numbered if self.quantity.frame in numbered else [*numbered, self.quantity.frame]
+        """The frames of the chain, base to tool: those with numbers, and the ends that are asked for beyond them."""
+        chain, ends = numbered_frames(self.arm), (self.quantity.reference, self.quantity.frame)
+        return [frame for frame in self.arm.frames if frame in (*chain, *ends)]
 
     @cached_property
     def size(self) -> np.ndarray:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.diagnosis.causes.case import TOLERANCE, Candidate, Case
@@ -123,11 +124,13 @@ def wrong_link(case: Case) -> Finding | None:
     for k, true in enumerate(matrices):
         implied = _implied(matrices, case.obtained, k)
         other = _implied(there, obtained_there, k)
-        joint = first + k
-        if joint >= len(other) or np.abs(implied[0] - other[joint]).max() > 1e-9:
+        near, far = case.frames[first + k : first + k + 2]
+        joint = trace_of(case.arm).depth(near)
+        is_fixed = trace_of(case.arm).depth(far) == joint
+        if is_fixed or joint >= len(other) or np.abs(implied[0] - other[joint]).max() > 1e-9:
             continue
         slip = slip_in_link(implied, true, convention_of(matrices))
-        place = {"link": link_name(case.frames, joint), "frame": case.frames[joint + 1]}
+        place = {"link": link_name(case.frames, first + k), "frame": far}
         finding = say(Kind.FIRST_WRONG_LINK, **place, slip=slip or _places(implied, true))
         if slip is not None:
             return finding

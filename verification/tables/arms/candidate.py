@@ -22,10 +22,11 @@ class Candidate:
 
     Attributes:
         source, line, cell: what it was read from ("table", "matrices" or "closed form"), and where that stands in the file.
-        rows: one a joint: a, alpha, d, theta as text.
-        joints: the joint variable of each row.
+        rows: a, alpha, d, theta as text.
+        joints: the joint variable of each row, "" where nothing moves.
         symbols: letters of the document that an arm's symbol cannot be → the symbol that stands for them.
         conventions: those that it can be read in.
+        frames: the names of all frames, where rows are fixed.
     """
 
     source: str
@@ -36,6 +37,7 @@ class Candidate:
     symbols: Mapping[str, str] = field(default_factory=dict)
     conventions: tuple[str, ...] = ("classic", "modified")
     more_lines: tuple[tuple[int | None, int], ...] = ()
+    frames: tuple[str, ...] = ()
 
     @property
     def lines(self) -> frozenset[tuple[int | None, int]]:
@@ -43,12 +45,22 @@ class Candidate:
         return frozenset(((self.cell, self.line), *self.more_lines))
 
     @property
+    def indices(self) -> tuple[int, ...]:
+        """The numbers of the joint variables that have one."""
+        numbers = [re.search(r"_(\d+)'*$", joint) for joint in self.joints if joint]
+        return tuple(int(number[1]) for number in numbers if number is not None)
+
+    @property
     def first(self) -> int:
         """The number of the base's frame: 3, where the joints are θ_4, θ_5 and θ_6."""
-        numbers = [re.search(r"_(\d+)'*$", joint) for joint in self.joints]
-        counted = [int(number[1]) for number in numbers if number is not None]
-        begin = counted[0] if counted else 1
-        return begin - 1 if begin > 1 and counted == list(range(begin, begin + len(self.joints))) else 0
+        begin = self.indices[0] if self.indices else 1
+        return begin - 1 if begin > 1 and self.indices == tuple(range(begin, begin + len(self.joints))) else 0
+
+    def lacks(self, used: Iterable[int]) -> int:
+        """Return the largest of some joints' numbers that no joint has, 0 where each has one: that of a fixed row is none's."""
+        fixed = "" in self.joints and len(self.indices) == sum(map(bool, self.joints))
+        most = self.first + len(self.joints)
+        return max((k for k in used if k > most or (fixed and k > 0 and k not in self.indices)), default=0)
 
     @property
     def is_numeric(self) -> bool:
@@ -66,8 +78,10 @@ class Candidate:
     def front(self, convention: str) -> dict[str, Any]:
         """Return the keys of front matter that name this arm in a convention."""
         rows = [{name: int(entry) if entry.isdigit() else entry for name, entry in row.items()} for row in self.rows]
-        arm: dict[str, Any] = {"dh": convention, "rows": rows, "joints": list(self.joints)}
-        if self.first:
+        arm: dict[str, Any] = {"dh": convention, "rows": rows, "joints": [joint for joint in self.joints if joint]}
+        if self.frames:
+            arm["frames"] = list(self.frames)
+        elif self.first:
             arm["first"] = self.first
         return {"arm": arm, **({"symbols": dict(self.symbols)} if self.symbols else {})}
 

@@ -84,8 +84,9 @@ def dh_tables(document: Document) -> Iterator[Table]:
 def _settle(document: Document, found: list[Candidate]) -> Inference:
     """Return the document with the arm of the candidates' best reading, or the reason why none is."""
     line = found[0].line
-    if (more := _joints_used(document)) > found[0].first + len(found[0].joints):
-        return Inference(document, None, say(Kind.JOINTS_MISSING, count=len(found[0].joints), index=more), line)
+    if more := found[0].lacks(_joints_used(document)):
+        count = sum(map(bool, found[0].joints))
+        return Inference(document, None, say(Kind.JOINTS_MISSING, count=count, index=more), line)
     try:
         best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)])
     except ArmproofError as error:
@@ -103,10 +104,10 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     return _taken(document, found[0], best)
 
 
-def _joints_used(document: Document) -> int:
-    """Return the largest index of a joint variable in a document's displays, as in θ_3 or c_{23}."""
+def _joints_used(document: Document) -> set[int]:
+    """Return the indices of joint variables in a document's displays, as in θ_3 or c_{23}."""
     found = (digit for d in document.displays if not d.erratum for part in _INDEXED.findall(d.latex) for digit in part)
-    return max(map(int, found), default=0)
+    return set(map(int, found))
 
 
 def _stated(document: Document) -> tuple[str, ...]:

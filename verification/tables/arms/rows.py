@@ -15,6 +15,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import letter_of, symbols_of, to_radians
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
+from armproof.verification.tables.arms.frame_names import frame_names, is_tool
 from armproof.verification.tables.cells import Cell, read_cell, read_kind
 from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
@@ -32,6 +33,7 @@ class _Row:
     cells: Mapping[int, Cell]
     kind: str
     variable: str
+    label: str
 
 
 def candidates(table: Table, columns: Columns, names: Names) -> Iterator[Candidate]:
@@ -44,11 +46,15 @@ def candidates(table: Table, columns: Columns, names: Names) -> Iterator[Candida
     bound = replace(names, symbols={**names.symbols, **{key: key for key in keys}})
     for reading in columns.readings(("",)):
         made = [_entries(bound, columns, reading, row) for row in rows]
-        joints = tuple(symbol_of(joint) for _, joint in made)
+        joints = tuple(symbol_of(joint) if joint else "" for _, joint in made)
         entries = tuple(row for row, _ in made)
         in_line = all(row["a"] == row["alpha"] == "0" for row in entries)  # one arm in both conventions
         conventions = CONVENTIONS[:1] if in_line else CONVENTIONS
-        yield Candidate("table", table.line, table.cell, entries, joints, renamed(letters), conventions)
+        found = Candidate("table", table.line, table.cell, entries, joints, renamed(letters), conventions)
+        if not any(joints):
+            raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=1))
+        named = frame_names([row.label for row in rows], [not joint for joint in joints]) if "" in joints else [()]
+        yield from (replace(found, frames=frames) for frames in named)
 
 
 def _read_row(names: Names, table: Table, columns: Columns, number: int) -> _Row:
@@ -58,11 +64,13 @@ def _read_row(names: Names, table: Table, columns: Columns, number: int) -> _Row
     used = sorted({columns.alpha, columns.theta, *(k for pair in columns.lengths for k in pair)})
     kind, variable = columns.first("sigma"), columns.first("q")
     named = read_cell(names, texts[variable], number, variable).name if variable is not None else None
+    label = columns.first("label")
     return _Row(
         number,
         {column: read_cell(names, texts[column], number, column) for column in used},
         read_kind(texts[kind]) if kind is not None else "",
         named.key if named is not None else "",
+        texts[label] if label is not None else "",
     )
 
 
@@ -77,14 +85,14 @@ def _is_general(keys: set[str]) -> bool:
 
 
 def _entries(names: Names, columns: Columns, reading: Reading, row: _Row) -> tuple[dict[str, str], str]:
-    """Return the entries of a row as text, and its joint variable; raises EvaluationError where it has none."""
+    """Return the entries of a row as text, and its joint variable, "" where nothing moves; raises EvaluationError."""
     algebra = ExactAlgebra(Ring(), None)
     values = {
         parameter: _value(names, algebra, columns, reading.columns[parameter], parameter, row)
         for parameter in PARAMETERS
     }
     place, joint = _joint_of(reading, row, values)
-    if joint not in symbols_of(values[place]):
+    if joint and joint not in symbols_of(values[place]):
         values[place] = values[place] + algebra.symbol(joint)
     return {parameter: entry_text(value) for parameter, value in values.items()}, joint
 
@@ -101,26 +109,32 @@ def _value(names: Names, algebra: ExactAlgebra, columns: Columns, column: int, p
 
 
 def _joint_of(reading: Reading, row: _Row, values: Mapping[str, Scalar]) -> tuple[str, str]:
-    """Return where a row holds its joint's variable, theta or d, and that variable; raises EvaluationError."""
+    """Return where a row holds its joint's variable, theta or d, and that variable, "" where nothing moves; raises EvaluationError."""
     if row.kind == "fixed":
-        raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=row.number))
+        return "", ""
     place = {"revolute": "theta", "prismatic": "d"}.get(row.kind, "")
     cells = {place: row.cells[reading.columns[place]] for place in ("theta", "d")}
     named = [place for place in cells if row.variable and row.variable in symbols_of(values[place])]
     marked = [place for place, cell in cells.items() if _is_marked(cell)]
     place = place or next((told[0] for told in (named, marked) if len(told) == 1), "")
     if not place:
-        return joint_of(values, row.number)
+        is_tool_length = is_tool(row.label) and not symbols_of(values["theta"])
+        return ("", "") if is_tool_length else joint_of(values, row.number)
     fallback = f"{'theta' if place == 'theta' else 'd'}_{row.number}"
     return place, row.variable or _variable(values[place], place) or fallback
 
 
 def joint_of(values: Mapping[str, Scalar], number: int) -> tuple[str, str]:
-    """Return where the values of a row hold a joint's variable, theta or d, and that variable; raises EvaluationError."""
+    """Return where the values of a row hold a joint's variable, theta or d, and that variable.
+
+    Both are empty where nothing in the row moves; raises EvaluationError where the variable is one of several letters.
+    """
     if symbol := _variable(values["theta"], "theta"):
         return "theta", symbol
     if (symbol := _variable(values["d"], "d")) and _is_slide(symbol):
         return "d", symbol
+    if not symbols_of(values["theta"]) and not any(map(_is_slide, symbols_of(values["d"]))):
+        return "", ""
     raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=number))
 
 

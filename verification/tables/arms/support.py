@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
@@ -13,7 +14,6 @@ from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
@@ -46,14 +46,15 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
         or value.shape != (4, 4)
     ):
         return frozenset()
-    frames, pose = numbered_frames(arm), members.exact.pose
+    frames, pose, depth = arm.frames, members.exact.pose, trace_of(arm).depth
     links = {k: (frames[k - 1], frames[k]) for k in _span(quantity, members)}
     ends = (frames[min(links) - 1], frames[max(links)]) if links else ("", "")
     if (quantity.reference, quantity.frame) != ends:
         return frozenset(links)
     left_over = {k: pose(ends[0], near) @ value @ pose(far, ends[1]) for k, (near, far) in links.items()}
     moving = {joint.symbol for joint in arm.joints}
-    return frozenset(k for k, link in left_over.items() if moving & _symbols(link) <= {arm.joints[k - 1].symbol})
+    own = {k: {joint.symbol for joint in arm.joints[depth(near) : depth(far)]} for k, (near, far) in links.items()}
+    return frozenset(k for k, link in left_over.items() if moving & _symbols(link) <= own[k])
 
 
 def _symbols(value: Matrix) -> set[str]:
@@ -68,8 +69,7 @@ def _span(quantity: Quantity, members: Members) -> Iterable[int]:
     arm = members.names.arm
     if arm is None or quantity.kind in ("joint", "link", "vector"):
         return ()
-    frames = numbered_frames(arm)
-    ends = [frames.index(f) if f in frames else len(frames) - 1 for f in (quantity.frame, quantity.reference)]
+    ends = [arm.frames.index(frame) for frame in (quantity.frame, quantity.reference)]
     return range(min(ends) + 1, max(ends) + 1)
 
 
