@@ -23,7 +23,10 @@ MOST_PLACES = 4
 GENERAL = (Kind.UNEQUAL, Kind.ONLY_WRONG_ENTRY)  # what is said where no mistake is recognised
 MOST_ROWS = 8
 _NOTHING = 1e-12
-_SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-z])_(?:(\d+)|\{{(\d+)\}})")
+_SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-zΑ-ωϑ])_(?:(\d+)|\{{(\d+)\}})(?!\w)")
+_LETTER = re.compile(rf"\\({one_of(GREEK)})(?![A-Za-z])")
+_POWER = re.compile(r"(?<=[\w)₀-₉])\^(\d)(?![\w.])")
+_ABOVE = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
@@ -146,7 +149,7 @@ class Feedback:
             at = written("at {configuration}", configuration=self._configuration) if self.at else ""
             lines += ["", f"    {at}".rstrip(), *_aligned(self._shown)]
             lines += [f"    {self._rest}"] if self._rest else []
-        lines += [f"    {written('note: {note}', note=note)}" for note in self.notes]
+        lines += [f"    {written('note: {note}', note=pretty(note))}" for note in self.notes]
         if self.error is not None and self.error.source:
             lines.append(f"    {written('line {line}: {source}', line=self.error.line, source=self.error.source)}")
         return "\n".join(lines)
@@ -183,8 +186,10 @@ def nothing() -> Feedback:
 
 
 def pretty(text: str) -> str:
-    """Return a text with its symbols as they are printed: theta_1 as θ₁, a_12 as a₁₂, S_{12} as S₁₂."""
-    return _SYMBOL.sub(lambda found: GREEK.get(found[1], found[1]) + (found[2] or found[3]).translate(_BELOW), text)
+    """Return a text with its symbols as they are printed: theta_1 as θ₁, S_{12} as S₁₂, a_1^2 as a₁², \\psi as ψ."""
+    text = _SYMBOL.sub(lambda found: GREEK.get(found[1], found[1]) + (found[2] or found[3]).translate(_BELOW), text)
+    text = _POWER.sub(lambda found: found[1].translate(_ABOVE), text)
+    return _LETTER.sub(lambda found: GREEK[found[1]], text)
 
 
 def _sentence(text: str) -> str:

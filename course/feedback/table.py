@@ -100,7 +100,7 @@ class Table:
             + (f" ({entry.change})" if entry.change else "")
             for entry in record.entries[:4]
         ]
-        return "; ".join(dict.fromkeys(told)) or record.message
+        return look_up("; ").join(dict.fromkeys(told)) or record.message
 
     def _rows(self, answer: Any) -> list[tuple[str, ...]]:
         if isinstance(answer, str):

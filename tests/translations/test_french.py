@@ -121,7 +121,7 @@ def test_the_help_is_french() -> None:
             ("verify", "--lang", "fr", "--format", "zz"),
             "Valeur incorrecte pour '--format'\u00a0: 'zz' n'est pas parmi 'text', 'json', 'github'.",
         ),
-        (("lesson", "sit", "--lang", "fr"), "La commande 'sit' n'existe pas. Vouliez-vous dire 'site'\u00a0?"),
+        (("lesson", "sit", "--lang", "fr"), "La commande 'sit' n'existe pas. Vouliez-vous dire 'site'\u202f?"),
     ],
 )
 def test_a_wrong_use_is_told_in_french(arguments: tuple[str, ...], said: str) -> None:

@@ -7,7 +7,7 @@ from functools import reduce
 
 import numpy as np
 
-from armproof.models.errors import written
+from armproof.models.errors import counted
 from armproof.verification.diagnosis.causes import find_cause
 from armproof.verification.diagnosis.causes.case import Case, Explanation
 from armproof.verification.diagnosis.causes.probes import partners, probes
@@ -46,7 +46,10 @@ def explain(caller: FunctionCaller, parts: list[Part], proof: Proof | None, foun
     q = telling.configuration
     outside = [joint.symbol for joint in caller.arm.joints if not joint.lower <= q[joint.symbol] <= joint.upper]
     if outside:
-        note = written("at the configuration shown, {joints} lies outside its limits", joints=outside)
+        note = counted(
+            "at the configuration shown, {joints} lies outside its limits",
+            "at the configuration shown, {joints} lie outside their limits", len(outside), joints=outside,
+        )  # fmt: skip
         caller.notes[note] = None
     return replace(found, findings=tuple(findings), entries=tuple(entries), counterexample=q, table=telling.table)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import degrees
 
@@ -11,7 +12,7 @@ from armproof.course import words
 from armproof.models.arm import Arm
 from armproof.models.dh.entry import LinearForm
 from armproof.models.errors import existing_language
-from armproof.models.language import look_up, use
+from armproof.models.language import look_up, separator, use
 from armproof.verification.latex.writer import symbol_as_latex
 
 _DOTS = ("", r"\dot", r"\ddot")
@@ -138,4 +139,10 @@ def joint_texts(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> list
 
 def values_text(arm: Arm, values: np.ndarray, lang: str, order: int = 0) -> str:
     """Return joint values (n,), or velocities or accelerations, with their symbols and units, as one text."""
-    return ", ".join(joint_texts(arm, values, lang, order))
+    return listed(joint_texts(arm, values, lang, order), lang)
+
+
+def listed(texts: Sequence[str], lang: str) -> str:
+    """Return texts one after the other: with semicolons, where a comma may be that of a decimal number."""
+    with use(lang):
+        return separator(texts).join(texts)

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import axis_label, joint_unit, math, number, say, with_unit
+from armproof.course.figures.drawing.labels import axis_label, joint_unit, listed, math, number, say, with_unit
 from armproof.course.figures.drawing.maps import plain_condition
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import at_peak, plot_axes
@@ -138,7 +138,7 @@ def caption(arm: Arm, lang: str = "") -> str:
         (
             say("passes" if found.passes else "comes_near", lang, moving=moving, family=plain_condition(found.family.latex), least=number(found.least, lang, 2)),
             say("highest_rates", lang, joint=math(joint.symbol), pseudo=highest[0], damped=highest[1], damping=number(found.damping, lang, in_math=True)),
-            say("and_error", lang, errors=", ".join(errors)),
+            say("and_error", lang, errors=listed(errors, lang)),
         )
     )  # fmt: skip
 

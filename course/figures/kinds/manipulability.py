@@ -14,6 +14,7 @@ from armproof.course.figures.drawing.labels import (
     joint_texts,
     joint_unit,
     joint_value,
+    listed,
     number,
     say,
 )
@@ -155,7 +156,7 @@ def caption(arm: Arm, lang: str = "") -> str:
 
 def _texts(arm: Arm, q: np.ndarray, joints: Iterable[int], lang: str) -> str:
     """Return the values of some joints in words."""
-    return ", ".join(joint_texts(arm, q, lang)[k] for k in joints)
+    return listed([joint_texts(arm, q, lang)[k] for k in joints], lang)
 
 
 KIND = Kind("manipulability", lambda arm, lang: None, manipulability_figure, caption)

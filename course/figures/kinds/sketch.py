@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.dimensions import draw_angle, draw_lengths, draw_turn
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import form_tex, length, math, say, values_text
+from armproof.course.figures.drawing.labels import form_tex, length, listed, math, say, values_text
 from armproof.course.figures.drawing.layout import Layout
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import WIDTHS, new_figure, styled
@@ -150,8 +150,8 @@ def caption(arm: Arm, lang: str = "") -> str:
         say("drawn_at", lang, pose=values_text(arm, q, lang)),
     ]
     if arm.lengths:
-        lengths = ", ".join(f"{math(symbol)} = {length(value, lang)}" for symbol, value in arm.lengths.items())
-        parts.append(say("lengths_are", lang, lengths=lengths))
+        lengths = [f"{math(symbol)} = {length(value, lang)}" for symbol, value in arm.lengths.items()]
+        parts.append(say("lengths_are", lang, lengths=listed(lengths, lang)))
     return " ".join(parts)
 
 

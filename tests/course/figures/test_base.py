@@ -16,6 +16,7 @@ from armproof.course.figures.drawing.placement import LEADER, Label, place_label
 from armproof.course.figures.drawing.style import HIGHEST, MM, WIDTHS, mm_axes, new_figure, styled
 from armproof.course.figures.facts.poses import showing_pose, zero_pose
 from armproof.models.arm import Arm
+from armproof.models.errors import LanguageError
 from armproof.models.language import look_up, use
 from armproof.models.numeric.joint_values import outside_limits
 from armproof.models.showing.projection import choose_projection
@@ -56,7 +57,7 @@ def test_every_word_stands_in_both_languages_with_the_same_placeholders() -> Non
 
 
 def test_an_unknown_language_is_told_which_are_known() -> None:
-    with pytest.raises(FigureError, match="'de'; the labels are written in en, fr"):
+    with pytest.raises(LanguageError, match="'de'; the languages are en, fr"):
         say("target", "de")
 
 

@@ -28,8 +28,13 @@ def test_a_letter_is_read_and_written_by_every_part(name: str):
     assert name_key(Reader(), f"{name}_1") == f"{name}_1"
     assert plain_text(rf"\{name}") == character
     assert to_ascii(character) == name
-    assert pretty(f"{name}_1") == f"{character}₁"
+    assert pretty(f"{name}_1") == pretty(f"{character}_1") == f"{character}₁"
     assert read_plain(f"2 * {name}_1") is not None
+
+
+def test_letters_and_powers_are_printed_and_names_of_code_are_left() -> None:
+    assert pretty(r"-\psi, l_1^2 + r^2, T_0^1") == "-ψ, l₁² + r², T₀¹"
+    assert pretty("p_0P, l_1**2, J^T J, z_{i-1}, 2^10") == "p_0P, l₁**2, J^T J, z_{i-1}, 2^10"
 
 
 def test_variants_are_the_same_letters():
