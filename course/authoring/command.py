@@ -117,6 +117,30 @@ def new(
     tell("check it with: armproof lesson check {name}{more}", name=name, more=more)
 
 
+@lesson.command()
+def coverage(lang: Language = "") -> None:
+    """List what of the source documents the course asks: each exercise with its sheets and its tasks.
+
+    Exit code 0: every exercise is asked; 1: one is open, or the table cites what is not there.
+    """
+    from armproof.course.authoring.checking.report import rows
+    from armproof.course.coverage.table import Status, count, faults, read_exercises
+    from armproof.course.feedback.lesson import lessons
+    from armproof.course.inverse import HANDOUTS
+    from armproof.verification.report.text import write_lines
+
+    with ending():
+        exercises = read_exercises()
+        tasks = {f"{each.name}.{task.name}" for each in lessons() for task in each.tasks}
+        wrong = list(faults(exercises, {path.stem for path in HANDOUTS.glob("*.md")}, tasks))
+    write_lines(rows([("", "", "exercise", "sheets", "tasks"), *(exercise.row() for exercise in exercises)]))
+    complain(wrong)
+    counted = count(exercises)
+    tell("{asked} lines asked, {open} open; {none} are no exercise",
+        asked=counted[Status.ASKED], open=counted[Status.OPEN], none=counted[Status.NONE])  # fmt: skip
+    raise typer.Exit(FAILS if wrong or counted[Status.OPEN] else PASSES)
+
+
 lesson.command()(site)
 
 
