@@ -20,15 +20,21 @@ class Budget:
 
     def __init__(self, seconds: float = math.inf) -> None:
         self._end = time.thread_time() + seconds
+        self._asked_from = 0.0  # of the wall clock, which costs little to read: before, no thread can have used so much
 
     @property
     def is_spent(self) -> bool:
         """Whether the time is over."""
-        return time.thread_time() > self._end
+        now = time.monotonic()
+        if now < self._asked_from:
+            return False
+        left = self._end - time.thread_time()
+        self._asked_from = now + left
+        return left < 0
 
     def check(self) -> None:
         """Raise TooComplex when the time is over."""
-        if time.thread_time() > self._end:
+        if self.is_spent:
             raise TooComplex(say(Kind.OUT_OF_TIME))
 
     def share(self, seconds: float) -> Budget:
@@ -49,8 +55,8 @@ class Budget:
     @contextmanager
     def of(self, seconds: float) -> Iterator[None]:
         """Give a phase of the work so many seconds of its own; behind it, what was left before holds again."""
-        before, self._end = self._end, time.thread_time() + seconds
+        before, self._end, self._asked_from = self._end, time.thread_time() + seconds, 0.0
         try:
             yield
         finally:
-            self._end = before
+            self._end, self._asked_from = before, 0.0

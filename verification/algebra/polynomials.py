@@ -36,6 +36,7 @@ class Polynomials:
         self.budget = budget
         self._slots, self._retirements = FIRST_SLOTS, 0
         self.context = _context(self._slots, self._retirements)
+        self.one = self.context.constant(1)
         self._slot: dict[Generator, int] = {}
         self._generator_at: list[Generator] = []
         self._relations: dict[int, fmpq_mpoly] = {}  # slot of the leading generator → relation
@@ -53,7 +54,7 @@ class Polynomials:
 
     def constant(self, value: int | Fraction) -> fmpq_mpoly:
         """Return a rational constant."""
-        return self.context.constant(fmpq(value.numerator, value.denominator))
+        return self.context.constant(value if isinstance(value, int) else fmpq(value.numerator, value.denominator))
 
     def adjoin(self, generator: Generator) -> fmpq_mpoly:
         """Return a new generator."""
@@ -91,6 +92,7 @@ class Polynomials:
     def _renew(self) -> None:
         """Move to a context for today's generators; no relation that is left holds a retired one."""
         self.context = _context(self._slots, self._retirements)
+        self.one = self.context.constant(1)
         self._relations = {slot: self._moved(relation) for slot, relation in self._relations.items()}
 
     # -- normal form -----------------------------------------------------------------------------------------------

@@ -168,7 +168,7 @@ class Ring:
 
     def scalar(self, numerator: fmpq_mpoly, denominator: fmpq_mpoly | None = None) -> Scalar:
         """Return numerator/denominator, both in normal form, as a scalar; the denominator is 1 unless given."""
-        return Scalar(self, numerator, self.polynomials.constant(1) if denominator is None else denominator)
+        return Scalar(self, numerator, self.polynomials.one if denominator is None else denominator)
 
     def rational(self, value: int | Fraction) -> Scalar:
         """Return a rational constant."""

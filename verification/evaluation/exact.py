@@ -43,7 +43,12 @@ class ArmAlgebra(OfArm):
 
 
 class TracedAlgebra(ArmAlgebra):
-    """An algebra that takes the poses and Jacobians of an arm from its exact trace, entry by entry."""
+    """An algebra that takes the poses and Jacobians of an arm from its exact trace, entry by entry, each once."""
+
+    def __init__(self, arm: Arm | None) -> None:
+        super().__init__(arm)
+        self._poses: dict[tuple[str, str], Matrix] = {}
+        self._jacobians: dict[tuple[str, str], Matrix] = {}
 
     @abstractmethod
     def from_entry(self, entry: Entry) -> Any:
@@ -51,11 +56,16 @@ class TracedAlgebra(ArmAlgebra):
 
     def pose(self, frame: str, reference: str) -> Matrix:
         assert self.arm is not None
-        return self._from_entries(trace_of(self.arm).pose(frame, reference))
+        if (frame, reference) not in self._poses:
+            self._poses[frame, reference] = self._from_entries(trace_of(self.arm).pose(frame, reference))
+        return self._poses[frame, reference]
 
     def jacobian(self, frame: str, expressed_in: str) -> Matrix:
         assert self.arm is not None
-        return self._from_entries(trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0]))
+        if (frame, expressed_in) not in self._jacobians:
+            rows = trace_of(self.arm).jacobian(frame, expressed_in, self.arm.frames[0])
+            self._jacobians[frame, expressed_in] = self._from_entries(rows)
+        return self._jacobians[frame, expressed_in]
 
     def _from_entries(self, rows: Rows) -> Matrix:
         return Matrix(tuple(tuple(self.from_entry(entry) for entry in row) for row in rows))

@@ -30,7 +30,6 @@ class GivenTarget(TracedAlgebra):
         self.target = target
         self.given = {slot.key: value for slot, value in zip(target.slots, values, strict=True) if slot.is_name}
         self._values = tuple(values)
-        self._poses: dict[tuple[str, str], Matrix] = {}
 
     @abstractmethod
     def solve(self, joint: str, value: Any) -> None:
@@ -57,9 +56,7 @@ class GivenTarget(TracedAlgebra):
     def pose(self, frame: str, reference: str) -> Matrix:
         """Return the pose, with None for the cells that the target leaves open."""
         if (frame, reference) not in self.target.pairs:
-            if (frame, reference) not in self._poses:
-                self._poses[frame, reference] = super().pose(frame, reference)
-            return self._poses[frame, reference]
+            return super().pose(frame, reference)
         cells = self.target.cells((frame, reference))
         last = tuple(self.rational(Fraction(number)) for number in (0, 0, 0, 1))
         given = {place: self._values[index] for place, index in cells.items()}
