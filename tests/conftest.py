@@ -64,7 +64,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         return
     waiting = [item for item in items if waits_for_the_sweep(item.nodeid, parameters(item))]
     config.hook.pytest_deselected(items=waiting)
-    items[:] = [item for item in items if item not in set(waiting)]
+    left = set(waiting)
+    items[:] = [item for item in items if item not in left]
 
 
 class Together(LoadFileScheduling):

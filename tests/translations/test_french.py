@@ -4,18 +4,17 @@ import html
 import os
 import re
 import subprocess
-import sys
 from collections import Counter
 from pathlib import Path
 
 import pytest
 
 from armproof.models.language import languages
+from tests.forked import armproof
 from tests.translations.catalogues import problems
 from tests.translations.extraction import catalogue_of_messages, said
 from tests.translations.terms import misused_in
 
-ARMPROOF = Path(sys.executable).parent / "armproof"
 ENGLISH = """the of and is are was it this that these those which what with without where when from into than then not no
 only other another each every all both one for by at as be been has have does do must should would its their there""".split()
 SAME = {"entre", "est", "on", "a", "an", "or", "as", "no", "son", "sera"}  # words of both languages are no evidence
@@ -46,10 +45,7 @@ def run(folder: Path, *arguments: str, lang: str = "C") -> subprocess.CompletedP
     environment = {
         name: value for name, value in os.environ.items() if name not in ("LANGUAGE", "LC_ALL", "LC_MESSAGES")
     }
-    environment |= {"LANG": lang, "PYTHONUTF8": "1", "LC_CTYPE": "C.UTF-8"}
-    return subprocess.run(
-        [ARMPROOF, *arguments], cwd=folder, env=environment, capture_output=True, text=True, timeout=120
-    )
+    return armproof(*arguments, folder=folder, environment=environment | {"LANG": lang})
 
 
 def visible(page: str) -> str:
