@@ -221,9 +221,11 @@ def is_near(pair: Pair) -> bool:
 def _shares_terms(true: Scalar, printed: Scalar) -> bool:
     """Whether two sums have as many terms and a third of them in common, or two thirds of the longer one's.
 
-    Two single terms are near that differ in their number alone, and sums of the same lengths of which half have the same factor.
+    Two values of opposite sign are near, two single terms that differ in their number alone, and sums of the same lengths of which half have the same factor.
     """
     a, b = true.normal(), printed.normal()
+    if (a + b).is_zero():
+        return True
     if not (a.denominator.is_one() and b.denominator.is_one()):
         return False
     terms, others = ([(tuple(sorted(p.items())), k) for p, k in a.ring.terms(x.numerator)] for x in (a, b))

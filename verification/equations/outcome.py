@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.alignment import Pair
+from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import NoValue
 from armproof.verification.findings import Finding, Kind, say
@@ -25,12 +25,6 @@ SIZES = (
     Kind.WRONG_SIZE, Kind.WRONG_SIZE_OF_VALUE, Kind.SUM_OF_SIZES, Kind.PRODUCT_OF_SIZES, Kind.SUM_WITH_SCALAR,
     Kind.NO_INVERSE_OF_SIZE, Kind.NO_DETERMINANT, Kind.NO_COFACTORS,
 )  # fmt: skip
-SIZES_OF_LETTERS = (
-    Kind.WRONG_SIZE,
-    Kind.WRONG_SIZE_OF_VALUE,
-    Kind.SUM_OF_SIZES,
-    Kind.SUM_WITH_SCALAR,
-)  # a letter may be a column
 ELEMENTARY = ("Rot", "Rot3", "Trans")
 TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
 
@@ -231,6 +225,8 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     """Sizes that do not fit tell a slip where the front matter or explicit frames say what the names are, on both sides."""
     if not _tells_sizes(outcome):
         return None
+    if names.arm is None:  # a letter may be a column, and a row of letters a matrix
+        return say(Kind.NO_ARM_TO_COMPARE)
     held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
     held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
@@ -269,21 +265,17 @@ def _are_columns(outcome: Outcome) -> bool:
 
 
 def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
-    """Without an arm, only identities, sizes and what the document has defined can be wrong.
+    """Without an arm, only a slip can be told: in an identity, or in what the document has defined. All else may be meant otherwise.
 
     Letters that the other side lacks make an equation a definition or a law of letters that nothing else binds.
     """
     if names.arm is not None or outcome.role is Role.LAW:
         return None
     below = [each for member in chain.members for each in n.walk(member)]
-    if _tells_sizes(outcome):
-        of_letter = outcome.findings[0].kind in SIZES_OF_LETTERS and not any(
-            isinstance(b, n.Call) and b.function in ELEMENTARY for b in below
-        )
-        is_column = of_letter and any(_may_be_column(member, names) for member in chain.members)
-        return say(Kind.NO_ARM_TO_COMPARE) if is_column else None
-    if any(isinstance(b, n.Name) and (b.pre_sup or b.key in names.quantities) for b in below):  # a law of link matrices
-        return None
+    written = any(isinstance(b, n.Matrix) for b in below)
+    if any(isinstance(b, n.Name) and ((b.pre_sup and not written) or b.key in names.quantities) for b in below):
+        return None  # a law of link matrices
+    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
     first, *others = [_letters(member, names) for member in chain.members]
     defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
     angles = any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below)
@@ -293,22 +285,12 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     if defined and outcome.true is not None and outcome.printed is not None:
         first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
     if defined or angles:  # an identity of angles, or a slip in one
-        bound = not (of_letters or has_value) and all(found <= first or first <= found for found in others)
+        alike = elementary or (not defined and all(found == first for found in others))
+        near = alike or (outcome.pair is not None and is_near(outcome.pair))
+        bound = near and not (of_letters or has_value) and all(found <= first or first <= found for found in others)
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
-
-
-def _may_be_column(node: n.Node, names: Names) -> bool:
-    """Whether a side holds a letter without a value that may stand for a column: alone, or as all of a row."""
-    if isinstance(node, n.Matrix):
-        return len(node.rows) == 1 and all(isinstance(bare(cell), n.Name) for cell in node.rows[0])
-    if isinstance(node, n.Name):
-        definition = names.state.definitions.get(node.key)
-        if definition is None:
-            return names.is_free(node) and not node.dots
-        return definition.node is not None and definition.node != node and _may_be_column(definition.node, names)
-    return any(_may_be_column(below, names) for below in n.children(node))
 
 
 def _is_of_letters(node: n.Node) -> bool:
