@@ -324,7 +324,10 @@ class Statements:
             self.given.remember(outcome.gives, line)
         if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
             self.circumstances.of_display(chain)
-        outcomes = [without_misreading(o, chain, self.names) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        outcomes = [
+            without_misreading(o, chain, self.names, not define) if o.verdict is Verdict.REFUTED else o
+            for o in outcomes
+        ]
         if self.names.state.told == Told():
             return outcomes
         return [self.circumstances.judge(o) if o.verdict is Verdict.REFUTED else o for o in outcomes]

@@ -170,11 +170,12 @@ def hold(outcomes: list[Outcome]) -> bool:
     return all(outcome.verdict in HOLDS for outcome in outcomes if outcome.verdict in DECIDED)
 
 
-def without_misreading(outcome: Outcome, chain: n.Chain, names: Names) -> Outcome:
-    """Return a refuted outcome, or an unchecked one where it was not understood."""
+def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: bool = False) -> Outcome:
+    """Return a refuted outcome, or an unchecked one where it was not understood; an erratum is said to be more than a slip."""
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
-    reason = reason or sizes_of_convention(outcome, chain, names)
-    reason = reason or _nothing_to_compare(outcome, chain, names)
+    if names.arm is not None or not erratum:
+        reason = reason or sizes_of_convention(outcome, chain, names)
+    reason = reason or _nothing_to_compare(outcome, chain, names, erratum)
     return outcome if reason is None else outcome.left_open(reason)
 
 
@@ -264,12 +265,12 @@ def _are_columns(outcome: Outcome) -> bool:
     return all(isinstance(value, Matrix) and value.shape[1] == 1 for value in values)
 
 
-def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
+def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum: bool) -> Finding | None:
     """Without an arm, only a slip can be told: in an identity, or in what the document has defined. All else may be meant otherwise.
 
     Letters that the other side lacks make an equation a definition or a law of letters that nothing else binds.
     """
-    if names.arm is not None or outcome.role is Role.LAW:
+    if names.arm is not None or outcome.role is Role.LAW or _tells_sizes(outcome):
         return None
     below = [each for member in chain.members for each in n.walk(member)]
     written = any(isinstance(b, n.Matrix) for b in below)
@@ -285,8 +286,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     if defined and outcome.true is not None and outcome.printed is not None:
         first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
     if defined or angles:  # an identity of angles, or a slip in one
-        alike = elementary or (not defined and all(found == first for found in others))
-        near = alike or (outcome.pair is not None and is_near(outcome.pair))
+        near = erratum or elementary or (not defined and all(found == first for found in others))
+        near = near or (outcome.pair is not None and is_near(outcome.pair))
         bound = near and not (of_letters or has_value) and all(found <= first or first <= found for found in others)
     else:
         bound = all(found == first for found in others)
