@@ -120,6 +120,8 @@ def _value(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evalua
     if symbol is None or any(isinstance(b, n.Name) and b.key in WHOLE_NUMBERS for b in n.walk(right)):
         return ()
     value = as_scalar(evaluator.evaluate(right))
+    if isinstance(value, Scalar) and isinstance(left, n.Name):
+        value = checker.names.variable_at(symbol, value, checker.exact, left.key)
     if not isinstance(value, Scalar) or not _is_angle(checker, checker.exact.symbol(symbol) - value):
         return ()
     return () if ("symbol", symbol) in value.generators else ((symbol, value),)

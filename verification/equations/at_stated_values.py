@@ -85,8 +85,12 @@ class StatedValues:
 
     def _of_variable(self, name: str, node: n.Node) -> Any:
         """Return the value of a variable; what is stated of a joint's letter is the table's angle where that is read so."""
-        value, offset = self.members.evaluate(node).value, self.names.angle_offset(name, self.members.exact)
-        return value if offset is None else value - offset
+        value = self.members.evaluate(node).value
+        return (
+            value
+            if self.names.table_row(name, name) is None
+            else self.names.variable_at(name, value, self.members.exact, name)
+        )
 
     def _rest_on(self, stated: dict[str, Stated]) -> None:
         """Remember the displays that stated the values: they count as used, with all the values that they state."""

@@ -84,11 +84,23 @@ class GivenValues:
         symbol = self.names.known_symbol(replace(left, dots=0).key)
         if left.dots:
             rate = "dot" * left.dots + f" {symbol}"
+            if symbol is not None and self.names.turn_of(symbol, replace(left, dots=0).key) < 0:
+                return {} if is_number(right) else None
             return {rate: right} if symbol is not None and is_number(right) else None
         if symbol is None:
             return {} if self._is_given_coordinate(left, right) else None
         is_value = self._is_joint_value(right) if symbol in self.joints else self._is_length_value(symbol, right)
-        return {symbol: right} if is_value else None
+        return {symbol: self._of_variable(symbol, left, right)} if is_value else None
+
+    def _of_variable(self, symbol: str, name: n.Name, value: n.Node) -> n.Node:
+        """Return the value of a joint's variable where θ_i, the angle of the table, has one."""
+        row = self.names.table_row(symbol, name.key)
+        if row is None or name.key == symbol:
+            return value
+        halves = n.Product((n.Number(row.theta.pi, str(row.theta.pi)), n.Name("pi")), ("⋅",))
+        offset = n.Sum((("+", halves), ("+", n.Number(row.theta.number, str(row.theta.number)))))
+        sign, other = ("+", "-") if row.sign > 0 else ("-", "+")
+        return n.Sum(((sign, n.Group(value)), (other, n.Group(offset))))
 
     def _together(self, pairs: Iterable[Pair]) -> Values | None:
         found = [self.values(*pair) for pair in pairs]

@@ -9,9 +9,9 @@ from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import DECIDED
+from armproof.verification.verdict import DECIDED, Verdict
 
-VARIABLE, TABLE = "variable", "table"
+VARIABLE, TABLE, LOOSE = "variable", "table", "loose"
 
 
 class TableAngles:
@@ -24,6 +24,8 @@ class TableAngles:
         self, chain: n.Chain, outcomes: list[Outcome], define: bool, again: Callable[[], list[Outcome]]
     ) -> list[Outcome]:
         """Return the outcomes in the reading of the document, which an equation decides that holds in one of the two only."""
+        if self._is_loose(chain, outcomes, again):
+            return [outcome.left_open(say(Kind.ANGLES_TOLD_OTHERWISE, other=VARIABLE)) for outcome in outcomes]
         told = self.names.state.angles
         if not any(each.verdict in DECIDED for each in outcomes) or (told and hold(outcomes)):
             return outcomes
@@ -50,6 +52,21 @@ class TableAngles:
             outcome.also(say(Kind.TABLE_ANGLES))
         state.inferred, state.conventional = bound_again
         return second
+
+    def _is_loose(self, chain: n.Chain, outcomes: list[Outcome], again: Callable[[], list[Outcome]]) -> bool:
+        """Whether an equation is wrong of the table's angles, and would be right if θ_i meant q_i: nobody says it does not."""
+        keys = {below.key for below in n.walk(chain) if isinstance(below, n.Name)}
+        symbols = {key: symbol for key in keys if (symbol := self.names.known_symbol(key)) is not None}
+        angles = [key for key, symbol in symbols.items() if key != symbol and self.names.table_row(symbol, key)]
+        refuted = any(each.verdict is Verdict.REFUTED for each in outcomes)
+        if not refuted or not angles or self.names.reader.spelling.variables != "both":
+            return False
+        state = self.names.state
+        bound = state.inferred.copy(), state.conventional.copy()
+        with self._read_as(LOOSE):
+            found = all(each.verdict in (Verdict.PROVED, Verdict.CONFIRMED) for each in again())
+        state.inferred, state.conventional = bound
+        return found
 
     def of_condition(self, chains: Iterable[n.Chain]) -> Finding | None:
         """Say that a condition on a table's angle is not decided: conditions are solved for the variables."""

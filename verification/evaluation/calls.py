@@ -48,7 +48,7 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
         return algebra.rational(Fraction(sign))
     symbol = names.known_symbol(node.key)
     if symbol is not None:
-        return _symbol_value(evaluator, symbol)
+        return names.table_angle(symbol, algebra, node.key)
     if node.key in names.state.definitions:
         return names.defined_value(node.key, algebra)
     if (quantity := names.quantity(node)) is not None:
@@ -73,11 +73,6 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     raise UnboundName(node.key)
 
 
-def _symbol_value(evaluator: Evaluating, symbol: str) -> Any:
-    value, offset = evaluator.algebra.symbol(symbol), evaluator.names.angle_offset(symbol, evaluator.algebra)
-    return value if offset is None else value + offset
-
-
 def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
     """Return the θ_1 + θ_2 of c_{12}."""
     total = evaluator.algebra.rational(Fraction(0))
@@ -85,7 +80,7 @@ def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
         symbol = evaluator.names.joint_angle(index)
         if symbol is None:
             raise ShapeError(say(Kind.NO_SUCH_ANGLE, index=index))
-        angle = _symbol_value(evaluator, symbol)
+        angle = evaluator.names.table_angle(symbol, evaluator.algebra)
         total = total + angle if sign > 0 else total - angle
     return total
 

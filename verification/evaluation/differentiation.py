@@ -29,6 +29,8 @@ def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Val
         return _in_time(evaluator, value)
     symbol = evaluator.names.known_symbol(variable.key) if isinstance(variable, n.Name) else None
     by = evaluator.algebra.symbol(symbol) if symbol is not None else sized(evaluator.evaluate(variable))
+    if symbol is not None and isinstance(variable, n.Name) and evaluator.names.turn_of(symbol, variable.key) < 0:
+        value = -value
     if isinstance(by, Matrix):  # ∂P/∂q: one column a variable
         cells = by.vector()
         value = value if isinstance(value, Matrix) else column([value])
@@ -43,7 +45,11 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
     plain = replace(node, dots=0)
     symbol = evaluator.names.known_symbol(plain.key)
     if symbol is not None and _is_variable(evaluator, symbol):
-        return evaluator.algebra.symbol(rate_symbol(symbol, node.dots))
+        rate, sign = (
+            evaluator.algebra.symbol(rate_symbol(symbol, node.dots)),
+            evaluator.names.turn_of(symbol, plain.key),
+        )
+        return rate * evaluator.algebra.rational(Fraction(sign))
     if evaluator.names.is_free(plain) and plain.key not in evaluator.names.state.definitions:
         evaluator.names.used.add(node.key)
         return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))

@@ -93,8 +93,8 @@ class Evaluator:
                 symbol = left.key
             if symbol is None:
                 raise EvaluationError(say(Kind.NO_CONFIGURATION))
-            offset = self.names.angle_offset(symbol, self.algebra)
-            values[symbol] = self.scalar(right) if offset is None else self.scalar(right) - offset
+            key = left.key if isinstance(left, n.Name) else ""
+            values[symbol] = self.names.variable_at(symbol, self.scalar(right), self.algebra, key)
         return self.at_values(values, node.inner)
 
     def at_values(self, values: dict[str, Any], node: n.Node) -> Value:

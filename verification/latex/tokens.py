@@ -130,11 +130,12 @@ def _decimal(number: re.Match[str]) -> str:
 
 @dataclass(frozen=True)
 class Spelling:
-    """How a document spells: its names of several letters, letters that it tells apart from their variants, its decimal comma."""
+    """How a document spells: its names of several letters, letters that it tells apart, its decimal comma."""
 
     words: frozenset[str] = frozenset()
     told_apart: frozenset[str] = frozenset()
     decimal_comma: bool = False
+    variables: str = ""  # "both" where it has q_i beside θ_i, "told" where it says what θ_i is by q_i
 
 
 class _Scanner:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from armproof.models.arm import Arm
+from armproof.models.dh.entry import LinearForm
 from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
@@ -34,6 +36,9 @@ READ_ALREADY = frozenset(
     ]
 )
 FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
+_TOLD = re.compile(
+    r"theta_(\d+)=(?!q_\1(?:[^\d+-]|$))[^=,;]*q_\1(?!\d)|(?<![A-Za-z])q_(\d+)=(?!\\?theta_\2(?:[^\d+-]|$))[^=,;]*theta_\2(?!\d)"
+)
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
 
 
@@ -76,7 +81,13 @@ class Names:
         if found:
             letter, index = found.group(1), int(found.group(2))
             joint = self._joint_of_index(index)
-            if joint is not None and (letter == "q" or (letter == "theta") == (joint.kind == "revolute")):
+            other = (
+                letter == "q"
+                and joint is not None
+                and joint.symbol.startswith("theta")
+                and self.reader.spelling.variables == "told"
+            )
+            if joint is not None and not other and (letter == "q" or (letter == "theta") == (joint.kind == "revolute")):
                 return str(joint.symbol)
         return None
 
@@ -93,17 +104,50 @@ class Names:
 
     @property
     def offset_joints(self) -> dict[str, DHRow]:
-        """The revolute joints whose angle in the DH table is their variable and an offset, by symbol."""
-        rows = self.arm.dh.rows if self.arm is not None and self.arm.dh is not None else ()
-        offset = (row for row in rows if row.kind == "revolute" and (row.theta.pi or row.theta.number))
-        return {row.joint: row for row in offset if row.sign > 0 and not row.theta.without(row.joint).symbols}
+        """The revolute joints whose angle in the DH table is their variable and an offset, by symbol.
 
-    def angle_offset(self, symbol: str, algebra: Algebra) -> Any:
-        """Return what a joint's letter holds beside its variable: the offset, where it is the table's angle; else None."""
-        row = self.offset_joints.get(symbol) if self.state.angles == "table" else None
-        if row is None:
-            return None
+        With a minus before the variable, in a document that tells it from the angle.
+        """
+        rows = self.arm.dh.rows if self.arm is not None and self.arm.dh is not None else ()
+        turns = [row for row in rows if row.kind == "revolute" and not row.theta.without(row.joint).symbols]
+        both = self.reader.spelling.variables
+        return {
+            row.joint: row
+            for row in turns
+            if (row.sign < 0 and both) or (row.sign > 0 and row.theta != LinearForm(((row.joint, Fraction(1)),)))
+        }
+
+    def table_row(self, symbol: str, key: str = "") -> DHRow | None:
+        """Return the row of the DH table whose angle a joint's letter means; None where it means the variable.
+
+        Beside q_i, θ_i is that angle; else an equation tells which of them the joint's letter means.
+        """
+        row = self.offset_joints.get(symbol)
+        is_told = self.reader.spelling.variables and self.state.angles != "loose"
+        if row is not None and key and is_told and not symbol.startswith("theta"):
+            return row if key.startswith("theta") else None
+        return row if self.state.angles == "table" else None
+
+    def turn_of(self, symbol: str, key: str) -> int:
+        """Return -1 where a joint's letter means the table's angle, and that is turned against the variable; else 1."""
+        row = self.table_row(symbol, key)
+        return 1 if row is None else row.sign
+
+    def angle_offset(self, row: DHRow, algebra: Algebra) -> Any:
+        """Return what the angle of a row holds beside the variable."""
         return algebra.pi() * algebra.rational(row.theta.pi) + algebra.rational(row.theta.number)
+
+    def table_angle(self, symbol: str, algebra: Algebra, key: str = "") -> Any:
+        """Return the angle that the letter of a joint means."""
+        value, row = algebra.symbol(symbol), self.table_row(symbol, key)
+        return value if row is None else value * algebra.rational(Fraction(row.sign)) + self.angle_offset(row, algebra)
+
+    def variable_at(self, symbol: str, angle: Any, algebra: Algebra, key: str = "") -> Any:
+        """Return the value of a joint variable where its letter has a value."""
+        row = self.table_row(symbol, key)
+        return (
+            angle if row is None else (angle - self.angle_offset(row, algebra)) * algebra.rational(Fraction(row.sign))
+        )
 
     def joint_angle(self, index: int) -> str | None:
         """Return the symbol of the angle that the digit in c_{12} names."""
@@ -263,8 +307,11 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", text))
     bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
     apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
+    said = "\n".join(each for display in document.displays for each in (display.latex, *display.said))
+    both = all(re.search(rf"{letter}\s*_\s*\{{?\s*\d", said) for letter in (r"theta", r"(?<![A-Za-z])q"))
+    variables = ("told" if _TOLD.search(re.sub(r"[\s{}&]", "", said)) else "both") if both else ""
     comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
-    return Spelling(words, frozenset(apart), comma)
+    return Spelling(words, frozenset(apart), comma, variables)
 
 
 def _scalars(arm: Arm) -> list[str]:

@@ -17,6 +17,7 @@ from armproof.verification.tables.arms.closed_forms import candidate_of_closed_f
 from armproof.verification.tables.arms.matrices import candidate_of_matrices
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
+from armproof.verification.tables.arms.variables import in_variables, told_variables
 from armproof.verification.tables.arms.witnesses import Reading, weigh
 from armproof.verification.tables.check import read_array, turned
 from armproof.verification.tables.columns import CONVENTIONS, read_columns
@@ -83,6 +84,8 @@ def dh_tables(document: Document) -> Iterator[Table]:
 
 def _settle(document: Document, found: list[Candidate]) -> Inference:
     """Return the document with the arm of the candidates' best reading, or the reason why none is."""
+    told = told_variables(document, plain_names(document))
+    found = [in_variables(candidate, told) for candidate in found] if told else found
     line = found[0].line
     if more := found[0].lacks(_joints_used(document)):
         count = sum(map(bool, found[0].joints))

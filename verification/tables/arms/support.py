@@ -28,14 +28,33 @@ class Inference:
 
 
 def links_of(outcome: Outcome, members: Members) -> frozenset[int]:
-    """Return the links of the arm that an equation tells of: those that its quantities span, beside a formula without any."""
+    """Return the links of the arm that an equation tells of: those that its quantities span, beside a formula without any.
+
+    One that is wrong of an angle of the table tells of that row.
+    """
+    if outcome.verdict is Verdict.REFUTED and (rows := _angle_rows(outcome, members)):
+        return rows
     if outcome.true is None or outcome.printed is None or _quantities(outcome.printed, members):
         return frozenset()
     return frozenset(link for quantity in _quantities(outcome.true, members) for link in _span(quantity, members))
 
 
+def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
+    """Return the links of the table's angles in an equation that tells of no quantity: θ_2 = q_2 + π/2."""
+    arm, names = members.names.arm, members.names
+    sides = [side for side in (outcome.true, outcome.printed) if side is not None]
+    if arm is None or any(_quantities(side, members) for side in sides):
+        return frozenset()
+    keys = {below.key for side in sides for below in n.walk(side.node) if isinstance(below, n.Name)}
+    symbols = {s for key in keys if (s := names.known_symbol(key)) is not None and names.table_row(s, key) is not None}
+    depths = [trace_of(arm).depth(frame) for frame in arm.frames]
+    return frozenset(depths.index(arm.joint(symbol).index) for symbol in symbols)
+
+
 def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     """Return the links of which another than the arm's would make a printed pose right: it depends on their joint alone."""
+    if rows := _angle_rows(outcome, members):
+        return rows
     arm, value = members.names.arm, outcome.printed.value if outcome.printed is not None else None
     quantity = members.quantity_of(outcome.true.node) if outcome.true is not None else None
     if (
@@ -106,7 +125,7 @@ def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...
 
 def _is_data(taken: TakenArm, record: Record, links: frozenset[int] = frozenset()) -> bool:
     """Whether the arm was taken from a table, or from the equation in a display that is about these links."""
-    count = {"table": not links, "matrices": len(links) == 1}.get(taken.source, bool(links))
+    count = {"table": True, "matrices": len(links) == 1}.get(taken.source, bool(links))
     return (record.cell, record.line) in taken.lines and count
 
 
