@@ -19,7 +19,6 @@ from armproof.course.feedback.notebook import render, show_figures
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.task import Task
 from armproof.course.feedback.translation import changed_task
-from armproof.course.translation.catalogue import translated_sentence, translation_of
 from armproof.models.errors import counted, existing_language
 from armproof.models.language import (
     ENGLISH,
@@ -30,6 +29,7 @@ from armproof.models.language import (
     spoken,
     use,
 )
+from armproof.verification.document.catalogue import translated_sentence, translation_of
 from armproof.verification.running.atomic import write_atomically
 
 VARIABLE = "ARMPROOF_PROGRESS"  # another file; empty: none

@@ -14,13 +14,13 @@ from armproof.course.sheet.editions import for_students, has_solutions, with_sol
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, Text, plain
 from armproof.course.sheet.reading import BlockReader
-from armproof.course.translation.catalogue import translated_sentence, translation_of
 from armproof.course.translation.documents import in_language
 from armproof.course.words import say
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
 from armproof.models.errors import existing_language
 from armproof.verification.document import Document
+from armproof.verification.document.catalogue import translated_sentence, translation_of
 from armproof.verification.document.front_matter import read_text, split_front_matter
 from armproof.verification.document.markdown import markdown_reader
 from armproof.verification.document.notebook import read_cells, split_cells

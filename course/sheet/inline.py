@@ -14,10 +14,10 @@ from urllib.parse import unquote
 from markdown_it.token import Token
 
 from armproof.course.sheet.model import Break, Code, Formula, Inline, Link, Styled, Text, plain
-from armproof.course.translation.catalogue import translated_sentence, translation_of
 from armproof.models.errors import ArmproofError
 from armproof.models.language import ENGLISH
 from armproof.verification.document import SUFFIXES, read_document
+from armproof.verification.document.catalogue import translated_sentence, translation_of
 from armproof.verification.errors import ReadError
 from armproof.verification.latex.mathml.display import pieces, write_display
 from armproof.verification.latex.mathml.writer import Read

@@ -9,12 +9,12 @@ from io import StringIO
 from pathlib import Path
 from tokenize import COMMENT, DEDENT, INDENT, NEWLINE, STRING, TokenInfo, generate_tokens
 
-from armproof.course.translation.catalogue import Translate, translation_of
 from armproof.course.translation.markdown import segments, translated_markdown
-from armproof.course.translation.prose import Prose
 from armproof.models.language import ENGLISH
+from armproof.verification.document.catalogue import Translate, translation_of
 from armproof.verification.document.cells import Cell, percent_cells
 from armproof.verification.document.front_matter import split_front_matter
+from armproof.verification.document.prose import Prose
 
 Change = Callable[[str], str]  # Markdown in, Markdown out, on as many lines
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from armproof.course.translation.prose import Prose, read_prose
 from armproof.verification.document.markdown import ADMONITIONS, markdown_reader, without_labels
+from armproof.verification.document.prose import Prose, read_prose
 
 _DISPLAY = re.compile(r"\$\$.*?(?:\$\$|\Z)", re.DOTALL)
 _OPENS_BLOCK = re.compile(r"[-+*#>=|~:<]|\d+[.)]|```")  # what no further line of a paragraph may begin with

@@ -9,9 +9,9 @@ from pathlib import Path
 from armproof.course.feedback import Lesson, open_lesson
 from armproof.course.feedback.translation import changed_task
 from armproof.course.sources.places import COURSE
-from armproof.course.translation.catalogue import catalogue_file
 from armproof.course.translation.documents import prose_of
-from armproof.course.translation.prose import Prose, read_prose
+from armproof.verification.document.catalogue import catalogue_file
+from armproof.verification.document.prose import Prose, read_prose
 from tests.translations.catalogues import Message
 
 DOCUMENTS = (*COURSE.sources(), *sorted((COURSE.root / "handouts").glob("*.md")))

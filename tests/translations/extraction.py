@@ -94,7 +94,9 @@ def of_arms() -> Iterator[Message]:
     """Yield what the cards of the arms tell of them."""
     for path in sorted((ROOT / "models").glob("*/arm.yaml")):
         card = yaml.safe_load(path.read_text(encoding="utf-8"))
-        yield from (Message(card[key], place(path)) for key in ("title", "zero") if isinstance(card.get(key), str))
+        yield from (
+            Message(card[key], place(path)) for key in ("title", "zero", "source") if isinstance(card.get(key), str)
+        )
 
 
 def of_words() -> Iterator[Message]:

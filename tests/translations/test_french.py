@@ -80,6 +80,20 @@ def test_pages_of_a_french_document_are_french(folder: Path) -> None:
         assert share < 0.005, found
 
 
+def test_headings_of_a_document_with_a_catalogue_are_french(tmp_path: Path) -> None:
+    document = str(Path(__file__).parents[2] / "course/handouts/dh-classic-001.md")
+    asked = ("--report", "rapport", "--errata", "errata.md")
+    said = run(tmp_path, "verify", document, *asked, "--verbose", "--lang", "fr").stdout
+    for page in (tmp_path / "rapport").glob("*.html"):
+        share, found = english_in(visible(page.read_text(encoding="utf-8")))
+        assert share < 0.005, found
+    sheet = (tmp_path / "errata.md").read_text(encoding="utf-8")
+    assert "ligne 62\u00a0: L'inverse" in sheet and "telle qu'imprimée" in sheet and "`a_i = 0,49` ; `" in sheet
+    assert english_in(said + sheet)[0] < 0.005
+    run(tmp_path, "verify", document, *asked, "--lang", "en")
+    assert "line 62: The inverse" in (tmp_path / "errata.md").read_text(encoding="utf-8")
+
+
 def test_an_english_page_is_found_english(folder: Path) -> None:
     assert run(folder, "verify", "bras.md", "--report", "report", "--lang", "en").returncode == 1
     page = (folder / "report/bras.html").read_text(encoding="utf-8")

@@ -28,7 +28,7 @@ def describe_arm(arm: Arm) -> Iterator[Line]:
     """Return the title, the source, the zero pose, the joints with their limits, the lengths and the frames of an arm."""
     yield ((arm.name, "bold"), (f"  {look_up(arm.title)}", ""))
     labels = look_up("source"), look_up("model"), look_up("zero")
-    for label, text in zip(labels, (arm.source, str(arm.path or ""), look_up(arm.zero)), strict=True):
+    for label, text in zip(labels, (look_up(arm.source), str(arm.path or ""), look_up(arm.zero)), strict=True):
         if text:
             yield (_label(label), (text, ""))
     for number, joint in enumerate(arm.joints):

@@ -11,11 +11,12 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from armproof.models.language import look_up
+from armproof.models.language import look_up, number_text
 from armproof.verification.correction import corrected_latex
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.findings.finding import Piece, distinct, pieces
 from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.report.headings import sentences_of
 from armproof.verification.report.text import ordered_records
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
@@ -97,7 +98,7 @@ def _one(index: int, mistake: Mistake, notation: Notation) -> str:
     record = mistake.record
     place = Kind.ERRATA_PLACE if record.cell is None else Kind.ERRATA_PLACE_IN_CELL
     where = say(place, index=index, path=record.file or Path(mistake.path).name, line=record.line, cell=record.cell)
-    section = f": {record.section}" if record.section else ""
+    section = look_up(": ") + sentences_of(mistake.path)(record.section) if record.section else ""
     lines = [notation.heading.format(notation.write([*pieces(where), *_spelled(section)]))]
     if source := _said_by_source(Path(mistake.path).parent / (record.file or Path(mistake.path).name), record):
         lines.append(notation.source.format(notation.write(_spelled(source))))
@@ -123,7 +124,7 @@ def _said(mistake: Mistake) -> Iterator[Finding]:
     reasons = [f for f in record.findings if f.kind not in _RESTATES and not any(f.holds(each) for each in told)]
     yield from (say(Kind.WHY, reason=reason) for reason in distinct(reasons))
     if record.counterexample:
-        values = [f"{symbol} = {value:.6g}" for symbol, value in record.counterexample.items()]
+        values = [f"{symbol} = {number_text(value, '.6g')}" for symbol, value in record.counterexample.items()]
         yield say(Kind.FOR_EXAMPLE, values=values)
     if mistake.again:
         yield say(Kind.ALSO_IN, lines=mistake.again)
@@ -140,8 +141,9 @@ def _said_by_source(path: Path, record: Record) -> str:
     begins = next((k for k in reversed(range(len(above))) if _ERRATUM.match(above[k])), None)
     if begins is None:
         return ""
-    said = [_ERRATUM.sub("", above[begins], count=1), *(line.lstrip("> %") for line in above[begins + 1 :])]
-    text = " ".join(re.split(r"\$\$|\\\[|\\begin|\.\. math", " ".join(said))[0].replace("*", "").split())
+    said = " ".join(line.lstrip("> %") for line in above[begins:])
+    said = sentences_of(path)(re.split(r"\$\$|\\\[|\\begin|\.\. math", said)[0].strip())
+    text = " ".join(_ERRATUM.sub("", said, count=1).replace("*", "").split())
     return text[:LONGEST].removeprefix("(").removesuffix(")")
 
 

@@ -7,8 +7,8 @@ import pytest
 from armproof.course.sources.places import COURSE
 from armproof.course.translation.documents import translated
 from armproof.course.translation.markdown import segments, translated_markdown
-from armproof.course.translation.prose import read_prose
 from armproof.verification.document import Display, parse_document
+from armproof.verification.document.prose import read_prose
 
 DOCUMENTS = [*COURSE.sources(), *sorted((COURSE.root / "handouts").glob("*.md"))]
 MARKDOWN = """# A title

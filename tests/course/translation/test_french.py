@@ -12,11 +12,11 @@ from armproof.course.printing.printing import write_html
 from armproof.course.sources.editions import student_notebook
 from armproof.course.sources.lesson_source import read_lesson_source
 from armproof.course.sources.places import COURSE
-from armproof.course.translation.catalogue import translation_of
 from armproof.course.translation.documents import translated
 from armproof.models.language import use
 from armproof.verification.check import check_document
 from armproof.verification.document import parse_document, read_document
+from armproof.verification.document.catalogue import translation_of
 from armproof.verification.verdict import DocumentResult, Verdict
 from tests.translations.catalogues import problems
 from tests.translations.documents import DOCUMENTS, catalogue_of, said_in

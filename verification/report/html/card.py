@@ -49,7 +49,7 @@ def arm_card(arm: Arm, painter: ArmPainter, read: Read) -> ArmCard:
     return ArmCard(
         arm.name,
         look_up(arm.title),
-        arm.source,
+        look_up(arm.source),
         prose.symbols_in(look_up(arm.zero), read),
         written("{convention} Denavit–Hartenberg", convention=look_up(arm.dh.convention)) if arm.dh is not None else "",
         tuple(JointRow(prose.symbol(each.symbol, read), look_up(each.kind), _limits(each)) for each in arm.joints),

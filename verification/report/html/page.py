@@ -14,6 +14,7 @@ from armproof.verification.diagnosis import counterexample
 from armproof.verification.document import Document
 from armproof.verification.evaluation import sampled
 from armproof.verification.naming.names import read_names
+from armproof.verification.report.headings import sentences_of, with_headings
 from armproof.verification.report.html import prose
 from armproof.verification.report.html.card import arm_card
 from armproof.verification.report.html.figures import painter_of
@@ -42,7 +43,7 @@ def render_page(document: Document, result: DocumentResult, index: str = "index.
         strict: whether an unchecked equation fails the document.
     """
     with of_document(result.front or document.front):
-        return _rendered(document, result, index, strict)
+        return _rendered(document, with_headings(result), index, strict)
 
 
 def _rendered(document: Document, result: DocumentResult, index: str, strict: bool) -> str:
@@ -63,7 +64,7 @@ def _rendered(document: Document, result: DocumentResult, index: str, strict: bo
         "document.html",
         title=prose.title(result.title, read) if result.title else name,
         plain_title=prose.plain_title(result.title) if result.title else name,
-        source=prose.title(str(document.front.get("source") or ""), read),
+        source=prose.title(sentences_of(document.path)(str(document.front.get("source") or "")), read),
         path=name,
         index=index,
         result=result,

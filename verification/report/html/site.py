@@ -10,6 +10,7 @@ from pathlib import Path
 from unicodedata import combining, normalize
 
 from armproof.verification.document import Document
+from armproof.verification.report.headings import sentences_of
 from armproof.verification.report.html import prose
 from armproof.verification.report.html.states import STATES, count_states, records_of
 from armproof.verification.report.html.templating import REPORT, versions
@@ -80,7 +81,7 @@ def render_index(names: dict[str, str], results: Sequence[DocumentResult | Failu
 
 
 def _row(result: DocumentResult, page: str, strict: bool) -> Row:
-    title = prose.plain_title(result.title) if result.title else Path(result.path).name
+    title = prose.plain_title(sentences_of(result.path)(result.title)) if result.title else Path(result.path).name
     return Row(result, page, title, count_states(result.records), passes(result, strict))
 
 

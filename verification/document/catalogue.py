@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from armproof.course.translation.prose import read_prose
 from armproof.models.language import catalogue
+from armproof.verification.document.prose import read_prose
 
 Translate = Callable[
     [str], str
@@ -15,7 +15,7 @@ Translate = Callable[
 
 def catalogue_file(document: Path, lang: str) -> Path:
     """Return the catalogue of a document in a language."""
-    return document.resolve().parents[1] / "translations" / lang / f"{document.stem}.po"
+    return document.resolve().parent.parent / "translations" / lang / f"{document.stem}.po"
 
 
 def translation_of(document: Path, lang: str) -> Translate:
