@@ -65,7 +65,7 @@ class Spellings:
             name, index = inner.base, str(inner.exponent.value)
             assert self.names.arm is not None
             placed = name.base in INDEXED and name.sub and not name.pre_sup and index in self.names.arm.frames
-            return replace(name, sup=index) if placed else node
+            return replace(name, sup=index) if placed and self.names.known_symbol(name.key) is None else node
         if (between := self._between(inner)) is not None:
             return between
         if not isinstance(inner, n.Product) or len(inner.factors) != 2 or inner.operators != ("",):
