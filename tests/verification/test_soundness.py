@@ -85,13 +85,13 @@ def test_roots_of_large_numbers_are_those_of_their_primes(check: Check) -> None:
 
 def test_a_number_too_large_to_factor_costs_no_time_and_refutes_nothing_true(check: Check) -> None:
     p, q = 10**30 + 57, 10**33 + 61  # primes; the factors of their product are not sought
-    started = time.monotonic()
+    started = time.process_time()
     true, squared, next_display = told(
         check(rf"\sqrt{{{p} \cdot {q}}} = \sqrt{{{p}}}\sqrt{{{q}}}", rf"\sqrt{{5 \cdot {q}^2}} = {q}\sqrt{{5}}",
               r"2 = 3")
     )  # fmt: skip
     assert (true, squared, next_display) == ("unchecked", "proved", "refuted")
-    assert time.monotonic() - started < 3.0
+    assert time.process_time() - started < 3.0
 
 
 def test_many_fractions_of_an_angle_cost_one_display_and_not_the_document(check: Check) -> None:

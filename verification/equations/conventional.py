@@ -130,8 +130,10 @@ class Conventions:
             return member
         if name is None:
             return self._with_entries(member, known)
-        near, usual = None, self._usual(name.key)
-        for quantity in self._candidates(member.node, name):
+        near, usual, candidates = None, self._usual(name.key), self._candidates(member.node, name)
+        if at_numbers := _is_at_numbers(member.node):  # at one configuration many points agree, and more nearly
+            candidates = (usual,) if usual is not None else candidates[:1]
+        for quantity in candidates:
             tried = self._tried(member.node, name, quantity)
             for other in known if tried.known else ():
                 pair = self._closest(tried, other)
@@ -148,7 +150,7 @@ class Conventions:
                         self.doubts.open.setdefault(name.key, quantity)
                 if pair is not None and is_usual(name) and not is_constant(pair.printed):
                     self.doubts.open.setdefault(name.key, quantity)
-                    may_be_near = quantity == usual or quantity.kind != "angle"
+                    may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
                     near = near or (quantity if may_be_near and is_near(pair) else None)
         self.doubts.forget({name.key})
         if near is None or (near != usual and self._is_of_another(known)):
@@ -266,6 +268,14 @@ def _plain(node: n.Node) -> n.Name | None:
     if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
         node = node.arguments[0]
     return replace(node, dots=0) if isinstance(node, n.Name) and node.base not in ("words", "=") else None
+
+
+def _is_at_numbers(node: n.Node) -> bool:
+    """Whether a side is a name at given joint values: P(0, π/2)."""
+    call = bare(node)
+    return isinstance(call, n.Call) and not any(
+        isinstance(below, n.Name) and below.key != "pi" for each in call.arguments[1:] for below in n.walk(each)
+    )
 
 
 def _letters_of(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:

