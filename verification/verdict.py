@@ -150,12 +150,14 @@ class Drawn:
     Attributes:
         kind: "pose" (4×4: both sides), or "axis", "difference", "velocity" and "angular velocity" (3×1: at the frame).
         frame: the frame whose pose it is, or from whose origin the vector is drawn.
+        joint: of a velocity, the joint (from 1) that alone moves; 0: none.
     """
 
     kind: str
     frame: str
     true: Rows
     printed: Rows
+    joint: int = 0
 
 
 @dataclass(frozen=True)

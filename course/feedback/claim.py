@@ -37,6 +37,8 @@ _FILE = Path("answer")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
 ANGLE = re.compile(rf"{one_of(ANGLES)}|q(_|$)")  # letters of angles
 _READ = (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED)
+_DECIMAL = re.compile(r"\d\.\d|\\frac\{\d+\}\{\d+\}")
+_NEAR = 1e-9
 SAMPLES = 200
 SEED = 11
 _JOINTS = {"revolute": (-2.6, 2.6), "prismatic": (0.1, 0.9)}
@@ -53,6 +55,7 @@ class Claim:
         unit: of an entry, by row and column (from 0).
         names: whether an answer may name quantities of the arm.
         own: the letters that an answer is made of, beside the arm's; without it, all that the front matter binds.
+        cases: values of the letters that a student can imagine; a wrong answer is shown at the first that tells it.
     """
 
     front: Mapping[str, Any]
@@ -61,6 +64,7 @@ class Claim:
     unit: Callable[[int, int], str] = field(default=lambda row, column: "–")
     names: bool = False
     own: tuple[str, ...] | None = None
+    cases: tuple[Mapping[str, float], ...] = ()
 
     def judge(self, latex: str) -> Feedback:
         """Return what becomes of a formula."""
@@ -78,8 +82,11 @@ class Claim:
             return Feedback(Outcome.CONFIRMED, record.message or _equal_at(record.samples))
         if record.verdict is Verdict.REFUTED:
             findings = told(record.findings, record.entries)
-            words, at = write_all(findings, Audience.STUDENT), record.counterexample
-            return Feedback(Outcome.WRONG, words, self._rows(record), at, self._picture(record), findings=findings)
+            rows, at = self._imagined(latex) or (self._rows(record), record.counterexample)
+            outcome = Outcome.LETTERS if self._is_measured(latex) else Outcome.WRONG
+            words = write_all(findings, Audience.STUDENT)
+            picture = self._picture(record) if at is record.counterexample else None
+            return Feedback(outcome, words, rows, at, picture, findings=findings)
         if record.says(Kind.NUMBERS_FOR_LENGTHS):
             return Feedback(
                 Outcome.WRONG, self._with_letters(look_up("numbers stand for lengths that are to stay letters"))
@@ -127,15 +134,15 @@ class Claim:
             value = Evaluator(self._checker.names, self.samples).evaluate(node)
         return self.samples.stacked(value)
 
-    def value_at(self, latex: str, at: Mapping[str, float]) -> float:
-        """Return a scalar formula at given values of joints and letters."""
+    def values_at(self, latex: str, at: Mapping[str, float]) -> np.ndarray:
+        """Return a formula at given values of joints and letters, (rows, columns)."""
         joints = self.arm.joints if self.arm is not None else ()
         q = np.array([[at.get(joint.symbol, 0.0) for joint in joints]])
         sampled = SampledAlgebra(self._checker.exact, q, SEED, {name: np.array([value]) for name, value in at.items()})
         node = self._checker.names.reader.read_expression(latex)
-        with self._budget.of(SECONDS_TO_DECIDE):
+        with self._budget.of(SECONDS_TO_DECIDE), np.errstate(all="ignore"):
             value = Evaluator(self._checker.names, sampled).evaluate(node)
-        return float(np.ravel(value)[0])
+        return np.array(sampled.stacked(value)[0])
 
     @cached_property
     def samples(self) -> SampledAlgebra:
@@ -245,6 +252,28 @@ class Claim:
             rows.append(Row(place(entry.row, entry.column), true, printed, unit))
         return tuple(rows)
 
+    def _imagined(self, latex: str) -> tuple[tuple[Row, ...], Mapping[str, float]] | None:
+        """Return the entries that are wrong at the first case that tells them, and that case."""
+        for case in self.cases:
+            true, obtained = (self.values_at(each, case) for each in (ASKED, latex))
+            if (
+                wrong := []
+                if true.shape != obtained.shape
+                else np.argwhere(~(np.abs(true - obtained) < _NEAR)).tolist()
+            ):
+                cells = [(r, c, place(r + 1, c + 1) if true.size > 1 else place(None, None)) for r, c in wrong]
+                return tuple(
+                    Row(at, float(true[r, c]), float(obtained[r, c]), self.unit(r, c)) for r, c, at in cells
+                ), case
+        return None
+
+    def _is_measured(self, latex: str) -> bool:
+        """Whether an answer is right for the lengths that the arm has, which stand in it as numbers."""
+        if self.arm is None or not _DECIMAL.search(latex):
+            return False
+        true, obtained = (self.values(each) for each in (ASKED, latex))
+        return true.shape == obtained.shape and np.allclose(true, obtained, rtol=_NEAR, atol=_NEAR)
+
     def _picture(self, record: Record) -> Figure | None:
         if record.discrepancy is None or record.discrepancy.drawn is None:
             return None
@@ -256,7 +285,7 @@ def judge_formula(claim: Claim, answer: Any) -> Feedback:
     """Return what becomes of a formula in any form; numbers are no formula where what is asked depends on letters."""
     feedback = claim.judge(as_latex(answer))
     if feedback.outcome is Outcome.WRONG and is_number(answer) and np.ptp(claim.values(ASKED), axis=0).max() > 0:
-        return replace(feedback, message=look_up("these are the values for one case: hand over the function itself, without brackets behind it, or a formula"))  # fmt: skip
+        return replace(feedback, message=look_up("these are the values for one case, and what is asked changes with its letters: hand over a formula, or a function itself, without brackets behind it"))  # fmt: skip
     return feedback
 
 

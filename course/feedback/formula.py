@@ -41,6 +41,7 @@ class Formula:
         quantities, symbols, transforms: as in a document's front matter.
         unit: of the entries.
         names: whether an answer may name quantities of the arm.
+        cases: values of the letters that a student can imagine, at which a wrong answer is shown.
     """
 
     latex: str
@@ -52,6 +53,7 @@ class Formula:
     transforms: str = "upper"
     unit: str = "–"
     names: bool = False
+    cases: tuple[Mapping[str, float], ...] = ()
 
     @cached_property
     def claim(self) -> Claim:
@@ -63,7 +65,7 @@ class Formula:
         given = tuple(f"{_as_latex(name)} = {value}" for name, value in self.given.items())
         aliases = [name for name, symbol in self.symbols.items() if symbol != FREE]
         own = tuple(dict.fromkeys([*self.arguments, *self.given, *aliases]))
-        return Claim(front, given, self.latex, lambda row, column: self.unit, self.names, own)
+        return Claim(front, given, self.latex, lambda row, column: self.unit, self.names, own, self.cases)
 
     def _free(self) -> dict[str, str]:
         """Bind each argument that is no symbol of the arm as a free letter."""
@@ -85,7 +87,7 @@ class Formula:
         if set(at) == set(self.arguments):
             return at
         try:
-            return {name: self.claim.value_at(_as_latex(name), at) for name in self.arguments}
+            return {name: float(self.claim.values_at(_as_latex(name), at)[0, 0]) for name in self.arguments}
         except ArmproofError:
             return at
 
@@ -214,9 +216,8 @@ class Formula:
 
     def _compare(self, function: Callable[..., Any], guard: Guard, reason: str) -> Feedback:
         """Compare a function that cannot be traced with the formula, value by value."""
-        for k in self._with_value:
-            true = self._true[k]
-            call = guard.call(lambda k=k: function(*self._arguments(k)))  # type: ignore[misc]
+        for values, true in self._trials():
+            call = guard.call(lambda values=values: function(*values))  # type: ignore[misc]
             if (stopped := _stopped(call.value, call.error)) is not None:
                 return stopped
             (obtained,) = read_returned(call.value, 1)
@@ -231,7 +232,7 @@ class Formula:
                 return Feedback(
                     Outcome.WRONG, look_up("the values differ from what is asked"),
                     self._rows(true, obtained.reshape(true.shape), wrong),
-                    dict(zip(self.arguments, self._arguments(k), strict=True)),
+                    dict(zip(self.arguments, values, strict=True)),
                 )  # fmt: skip
         why = reason if "Error" not in reason else look_up("it computes with numbers only")
         return Feedback(
@@ -240,6 +241,14 @@ class Formula:
                 "equal at {count} random values; not proved, since {reason}", count=len(self._with_value), reason=why
             ),
         )
+
+    def _trials(self) -> Iterator[tuple[list[float], np.ndarray]]:
+        """Yield values of the arguments with what is asked there: the cases that a student can imagine, then random ones."""
+        for case in self.cases:
+            values = [float(self.claim.values_at(_as_latex(name), case)[0, 0]) for name in self.arguments]
+            yield values, self.claim.values_at(ASKED, case)
+        for k in self._with_value:
+            yield self._arguments(k), self._true[k]
 
     def _rows(self, true: np.ndarray, obtained: np.ndarray, wrong: np.ndarray) -> tuple[Row, ...]:
         return tuple(

@@ -8,6 +8,8 @@ from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from markupsafe import Markup, escape
+
 from armproof.course.feedback.notebook import render
 from armproof.models.errors import written
 from armproof.models.language import look_up, number_text, separator, use
@@ -27,6 +29,7 @@ _SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-zΑ-ωϑ])_(?:(
 _LETTER = re.compile(rf"\\({one_of(GREEK)})(?![A-Za-z])")
 _POWER = re.compile(r"(?<=[\w)₀-₉])\^(\d)(?![\w.])")
 _ABOVE = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+_CODE = re.compile(r"`([^`]*)`")
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
@@ -36,6 +39,7 @@ class Outcome(StrEnum):
     PROVED = "correct (proved)"
     CONFIRMED = "correct (confirmed)"
     NOT_ATTEMPTED = "not attempted"
+    LETTERS = "in letters, please"
     WRONG = "wrong"
     ERROR = "error"
 
@@ -52,12 +56,14 @@ class Outcome(StrEnum):
     @property
     def mark(self) -> str:
         """The sign before it: colour alone tells nothing to many."""
-        return {"not attempted": "○", "wrong": "✗", "error": "!"}.get(self.value, "✓")
+        return {"not attempted": "○", "in letters, please": "≈", "wrong": "✗", "error": "!"}.get(self.value, "✓")
 
     @property
     def kind(self) -> str:
         """The kind of the block that shows it in HTML."""
-        return {"not attempted": "open", "wrong": "wrong", "error": "error"}.get(self.value, "right")
+        return {
+            "not attempted": "open", "in letters, please": "error", "wrong": "wrong", "error": "error"
+        }.get(self.value, "right")  # fmt: skip
 
 
 OF_FUNCTION = {
@@ -101,6 +107,8 @@ class Feedback:
         lang: the language it is written in; empty: that which is spoken.
         seconds: how long the check took.
         findings: what the message says of a wrong formula or function.
+        is_first: whether it is of the first wrong answer to the task: the values expected are held back.
+        advice: what helps on, Markdown.
     """
 
     outcome: Outcome
@@ -116,6 +124,8 @@ class Feedback:
     lang: str = ""
     seconds: float = 0.0
     findings: tuple[Finding, ...] = ()
+    is_first: bool = False
+    advice: str = ""
 
     @property
     def is_right(self) -> bool:
@@ -147,11 +157,12 @@ class Feedback:
         lines = [f"{self.outcome.mark} {task}{self.outcome.words}{words}"]
         if self.rows:
             at = written("at {configuration}", configuration=self._configuration) if self.at else ""
-            lines += ["", f"    {at}".rstrip(), *_aligned(self._shown)]
+            lines += ["", f"    {at}".rstrip(), *_aligned([self._columns, *self._shown])]
             lines += [f"    {self._rest}"] if self._rest else []
         lines += [f"    {written('note: {note}', note=pretty(note))}" for note in self.notes]
         if self.error is not None and self.error.source:
             lines.append(f"    {written('line {line}: {source}', line=self.error.line, source=self.error.source)}")
+        lines += ["", f"    {self.advice}"] if self.advice else []
         return "\n".join(lines)
 
     __repr__ = __str__
@@ -160,14 +171,21 @@ class Feedback:
         with use(self.lang):
             return render(
                 "feedback.html", self.outcome.kind, outcome=self.outcome, task=self.task,
-                message=_sentence(self.message), columns=_columns(), rows=self._shown, rest=self._rest,
+                message=_sentence(self.message), columns=self._columns, rows=self._shown, rest=self._rest,
                 at=self._configuration, picture=self.picture, notes=[_sentence(note) for note in self.notes],
-                error=self.error,
+                error=self.error, advice=_with_code(self.advice),
             )  # fmt: skip
 
     @property
-    def _shown(self) -> list[tuple[str, str, str, str]]:
-        return [row.cells for row in self.rows[:MOST_ROWS]]
+    def _shown(self) -> list[tuple[str, ...]]:
+        return [self._without_expected(row.cells) for row in self.rows[:MOST_ROWS]]
+
+    @property
+    def _columns(self) -> tuple[str, ...]:
+        return self._without_expected((look_up("entry"), look_up("expected"), look_up("obtained"), look_up("unit")))
+
+    def _without_expected(self, cells: tuple[str, ...]) -> tuple[str, ...]:
+        return (cells[0], *cells[2:]) if self.is_first else cells
 
     @property
     def _rest(self) -> str:
@@ -176,7 +194,7 @@ class Feedback:
 
     @property
     def _configuration(self) -> str:
-        values = [f"{name} = {number_text(value, '.4g')}" for name, value in self.at.items()]
+        values = [f"{GREEK.get(name, name)} = {number_text(value, '.4g')}" for name, value in self.at.items()]
         return pretty(separator(values).join(values))
 
 
@@ -193,7 +211,7 @@ def pretty(text: str) -> str:
 
 
 def _sentence(text: str) -> str:
-    begins_with_word = re.match(r"[a-z]+(?!\w)", text) is not None  # theta_1 and θ stay as they are
+    begins_with_word = re.match(r"(?:[a-z]{2,}|a(?= [a-z]{2}))(?!\w)", text) is not None  # theta_1, θ and z × p stay so
     return pretty(text[:1].upper() + text[1:] if begins_with_word else text)
 
 
@@ -202,13 +220,13 @@ def _number(value: float | str) -> str:
     return value if isinstance(value, str) else number_text(value if abs(value) > _NOTHING else 0, ".4g")
 
 
-def _columns() -> tuple[str, str, str, str]:
-    return look_up("entry"), look_up("expected"), look_up("obtained"), look_up("unit")
+def _with_code(text: str) -> Markup:
+    """Return a sentence as HTML, what stands between backticks as code."""
+    return Markup(_CODE.sub(r"<code>\1</code>", str(escape(text))))
 
 
-def _aligned(rows: list[tuple[str, str, str, str]]) -> list[str]:
+def _aligned(cells: list[tuple[str, ...]]) -> list[str]:
     """Return the lines of a table in columns of one width."""
-    cells = [_columns(), *rows]
     widths = [max(len(line[k]) for line in cells) for k in range(len(cells[0]))]
     lines = ["    " + "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)) for line in cells]
     return [line.rstrip() for line in lines]

@@ -70,13 +70,14 @@ def _velocity(quantity: Any, true: np.ndarray, obtained: np.ndarray) -> Drawn | 
     whole = true[np.ix_(rows, columns)]
     if obtained.shape != whole.shape:
         return None
-    wrong = np.argwhere(~(np.abs(obtained - whole) <= 1e-9))
-    row, column = wrong[0] if len(wrong) else (0, 0)
+    wrong = np.argwhere(~(np.abs(obtained - whole) <= 1e-9).T)
+    column, row = wrong[0] if len(wrong) else (0, 0)
     part = list(range(3)) if rows[row] < 3 else list(range(3, 6))
     claimed = true[:, columns[column]].copy()
     claimed[rows] = obtained[:, column]
     kind = "velocity" if rows[row] < 3 else "angular velocity"
-    return Drawn(kind, quantity.frame, _rows(true[part, columns[column]][:, None]), _rows(claimed[part][:, None]))
+    sides = _rows(true[part, columns[column]][:, None]), _rows(claimed[part][:, None])
+    return Drawn(kind, quantity.frame, *sides, joint=columns[column] + 1)
 
 
 def call_at(arm: Arm, function: Callable[..., Any], at: Mapping[str, float]) -> np.ndarray:

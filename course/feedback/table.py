@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -41,16 +41,19 @@ class Table:
         arm: the name of the arm.
         convention: "classic" (θ, d, a, α) or "modified" (α_{i-1}, a_{i-1}, d, θ), the order of a row that is a list.
         symbols: letters that an answer may use for the arm's.
+        measured: the arm whose lengths the letters have; by default `arm` itself.
     """
 
     arm: Any
     convention: str
     symbols: Mapping[str, str] = field(default_factory=dict)
+    measured: str = ""
 
     @cached_property
     def loaded(self) -> Arm:
         """The arm."""
-        return load_arm(self.arm)
+        arm = load_arm(self.arm)
+        return replace(arm, lengths=load_arm(self.measured).lengths) if self.measured else arm
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of a table: a list of rows, each {"a": …, "alpha": …, "d": …, "theta": …} or a list in order."""
@@ -63,10 +66,12 @@ class Table:
         if degrees := self._in_degrees(answer):
             return Feedback(Outcome.WRONG, degrees)
         record = self._record(rows)
+        if record.verdict is Verdict.PROVED and record.says(Kind.LENGTHS_IN_NUMBERS):
+            return Feedback(Outcome.LETTERS, look_up("the numbers are right, in metres: which length is which letter?"))
         if record.verdict is Verdict.PROVED:
             return Feedback(Outcome.PROVED, look_up("every row leads from one frame of the arm to the next"))
         if record.verdict is Verdict.REFUTED:
-            return Feedback(Outcome.WRONG, self._sentence(record))
+            return Feedback(Outcome.WRONG, self._in_other_order(rows) or self._sentence(record))
         return Feedback(Outcome.ERROR, record.message or look_up("the table cannot be read"))
 
     def signature(self, answer: Any) -> str:
@@ -77,10 +82,20 @@ class Table:
         header = ("i", *COLUMNS[self.convention])
         cells = tuple((str(k + 1), *row) for k, row in enumerate(rows))
         front = {"arm": self.arm, "symbols": dict(self.symbols)}
-        result = check_document(Document(Path("answer"), front, (), (Printed(1, header, cells),)), confirm=False)
+        document = Document(Path("answer"), front, (), (Printed(1, header, cells),))
+        result = check_document(document, confirm=False, arm=self.loaded)
         if not result.tables:
             return Record(1, "", Verdict.UNREADABLE, findings=(say(Kind.NO_TABLE),))
         return result.tables[0]
+
+    def _in_other_order(self, rows: Sequence[Sequence[str]]) -> str:
+        """Say if the rows are right with their columns in the order of the other convention."""
+        (other,) = (order for convention, order in ORDER.items() if convention != self.convention)
+        ordered = [[row[other.index(name)] for name in ORDER[self.convention]] for row in rows]
+        if self._record(ordered).verdict is not Verdict.PROVED:
+            return ""
+        return written("your columns are in the order {other}; a row here is {order}",
+            other=", ".join(other), order=", ".join(ORDER[self.convention]))  # fmt: skip
 
     def _in_degrees(self, answer: Any) -> str:
         """Say which number in a column of angles is one of degrees."""

@@ -75,16 +75,31 @@ class Task:
     lang: str = ""
     on_feedback: Callable[[Feedback], None] = field(default=lambda feedback: None, repr=False)
     _given: int = field(default=0, repr=False)
+    _tried: dict[str, None] = field(default_factory=dict, repr=False)
 
     def check(self, answer: Any = ...) -> Feedback:
         """Return what becomes of an answer: a function, a SymPy expression, LaTeX, numbers; `...` is no answer yet."""
         started = time.perf_counter()
         with use(self.lang):
-            feedback = self._judge(answer)
+            feedback = self._in_stages(self._judge(answer))
         seconds = time.perf_counter() - started
         feedback = replace(feedback, task=self.name, lesson=self.lesson, lang=self.lang, seconds=seconds)
         self.on_feedback(feedback)
         return feedback
+
+    def _in_stages(self, feedback: Feedback) -> Feedback:
+        """Hold the values expected back until a second answer is wrong, and say what helps on."""
+        if feedback.outcome is not Outcome.WRONG:
+            return feedback
+        self._tried[repr((feedback.message, feedback.rows))] = None  # the same answer again is no second try
+        is_first = len(self._tried) == 1
+        held = look_up("The values expected are shown at your next answer.") if is_first and feedback.rows else ""
+        return replace(feedback, is_first=is_first, advice=" ".join(filter(None, [held, self._way_on()])))
+
+    def _way_on(self) -> str:
+        if self._given < len(self.hints):
+            return written("`lesson.{task}.hint()` gives a hint.", task=self.name)
+        return written("`lesson.{task}.solution()` shows the solution.", task=self.name)
 
     def hint(self) -> Shown:
         """Return the next hint of the ladder; after the last one, the last again."""
@@ -133,7 +148,7 @@ class Task:
             feedback = self.asks.judge(answer)
         except AnswerError as problem:
             return Feedback(Outcome.ERROR, str(problem))
-        if feedback.outcome is Outcome.WRONG and (own := self._own_words(answer)):
+        if feedback.outcome in (Outcome.WRONG, Outcome.LETTERS) and (own := self._own_words(answer)):
             return replace(feedback, message=own)
         return feedback
 

@@ -27,6 +27,7 @@ PAGES = Shell("armproof.course.grading")
 OUTCOMES = {
     "correct (proved)": State("proved", "✓", "correct (proved)"),
     "correct (confirmed)": State("confirmed", "≈", "correct (confirmed)"),
+    "in letters, please": State("unchecked", "≈", "in letters, please"),
     "wrong": State("refuted", "✗", "wrong"),
     "not attempted": State("defined", "–", "not attempted"),
     "error": State("unchecked", "!", "error"),

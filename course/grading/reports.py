@@ -15,7 +15,7 @@ from armproof.models.language import look_up, noted
 SKIPPED = (noted("skipped"), noted("skipped, and set to None"))  # what a note begins with
 _MOST = 200  # errors and notes that are kept
 NOT_ATTEMPTED = "not attempted"
-OUTCOMES = ("correct (proved)", "correct (confirmed)", "wrong", NOT_ATTEMPTED, "error")
+OUTCOMES = ("correct (proved)", "correct (confirmed)", "in letters, please", "wrong", NOT_ATTEMPTED, "error")
 
 
 @dataclass

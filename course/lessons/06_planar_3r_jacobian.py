@@ -126,7 +126,7 @@ def jacobian(q, l_1, l_2, l_3):
 lesson.jacobian.check(jacobian)
 
 # %% [markdown]
-# Your first column as a velocity of the gripper, over that of the arm in Drake:
+# One column of yours as a velocity of the gripper, over that of the arm in Drake: the first that is wrong, else column 1.
 
 # %%
 lesson.jacobian.show(jacobian, theta_1=0.4, theta_2=0.9, theta_3=-0.7)

@@ -153,7 +153,7 @@ def jacobian(q, a_1, a_2, d_4):
 lesson.jacobian.check(jacobian)
 
 # %% [markdown]
-# Your column 1 as a velocity at the tool, over that of the arm in Drake:
+# One column of yours as a velocity at the tool, over that of the arm in Drake: the first that is wrong, else column 1.
 
 # %%
 lesson.jacobian.show(jacobian, theta_1=0.6, theta_2=0.9, d_3=0.1)

@@ -288,7 +288,7 @@ LESSON = Lesson(
             title="The modified DH table",
             text="Write the table: six rows $(\\alpha_{i-1}, a_{i-1}, d_i, \\theta_i)$. $z_i$ is the URDF's axis of joint $i$ (in the zero pose along $z, y, y, x, y, x$ of frame 0, each in the positive sense), $x_1$ points "
             'forward and all other $x_i$ up in the zero pose. Letters: $d_1, d_2, a_1, a_2, a_3, d_4, d_5$; a row may be `("-pi/2", "a_1", 0, "theta_2")`.',
-            asks=Table(DH, "modified"),
+            asks=Table(DH, "modified", measured="kr210"),
             hints=(
                 "Row by row: turn $z_{i-1}$ into $z_i$ about $x_{i-1}$ ($\\alpha$), walk along $x_{i-1}$ ($a$), then along $z_i$ ($d$), then turn $x_{i-1}$ into $x_i$ about $z_i$ ($\\theta$).",
                 "$x_1$ is horizontal and $x_2$ upright at zero: row 2 needs a constant in $\\theta$. Along $x_3$, which points up, the forearm's axis lies below.",

@@ -17,6 +17,7 @@ Q_0, Q_F = (0.0, 0.3, 0.05, 0.0), (1.2, 1.3, 0.2, 0.5)  # rad, m: the motion tha
 _PERIOD = 4e-3  # s, of the controller
 _SAMPLES = 121
 _ENDS = ("q_0", "q_f", "t_f")
+_CASES = ({"q_0": 0.2, "q_f": 1.4, "t_f": 2.0},)  # rad, s
 
 
 def show_motion(coefficients: Any, q_0: float = 0.0, q_f: float = 1.2, t_f: float = 0.8) -> Any:
@@ -330,7 +331,7 @@ LESSON = Lesson(
             name="cubic",
             title="Why not the cubic?",
             text="The cubic $u$ starts and ends at rest too. Give its acceleration at $t = 0$. A function takes `(q_0, q_f, t_f)`.",
-            asks=Formula(r"\frac{6(q_f - q_0)}{t_f^2}", _ENDS, unit="rad/s²"),
+            asks=Formula(r"\frac{6(q_f - q_0)}{t_f^2}", _ENDS, unit="rad/s²", cases=_CASES),
             hints=(
                 "Differentiate $u$ twice, then put $t = 0$.",
                 "Only the term in $t^2$ is left at $t = 0$.",
@@ -356,7 +357,7 @@ LESSON = Lesson(
             name="coefficients",
             title="From rest to rest",
             text="With velocity and acceleration zero at both ends, give $[a_0, a_1, a_2, a_3, a_4, a_5]$. A function takes `(q_0, q_f, t_f)`.",
-            asks=Formula(COEFFICIENTS, _ENDS),
+            asks=Formula(COEFFICIENTS, _ENDS, cases=_CASES),
             hints=(
                 "The first three equations are solved already.",
                 "Three unknowns are left: $a_3 t_f^3$, $a_4 t_f^4$, $a_5 t_f^5$; call them $x, y, z$ and $q_f - q_0 = d$.",
@@ -397,7 +398,7 @@ LESSON = Lesson(
             title="The velocity",
             text="Give the velocity of this motion in $t, q_0, q_f, t_f$; in factors it shows why the motion does not overshoot. A function takes "
             "`(t, q_0, q_f, t_f)`.",
-            asks=Formula(VELOCITY, ("t", *_ENDS), unit="rad/s"),
+            asks=Formula(VELOCITY, ("t", *_ENDS), unit="rad/s", cases=({"t": 0.5, **_CASES[0]},)),
             hints=(
                 "Differentiate $10 t^3/t_f^3 - 15 t^4/t_f^4 + 6 t^5/t_f^5$.",
                 "All three terms have $30 t^2$ in common.",
@@ -436,7 +437,7 @@ LESSON = Lesson(
             name="peak_speed",
             title="Peak speed",
             text="Give the highest velocity on the way, for $q_f > q_0$ (so that no absolute value is needed). A function takes `(q_0, q_f, t_f)`.",
-            asks=Formula(r"\frac{15}{8} \cdot \frac{q_f - q_0}{t_f}", _ENDS, unit="rad/s"),
+            asks=Formula(r"\frac{15}{8} \cdot \frac{q_f - q_0}{t_f}", _ENDS, unit="rad/s", cases=_CASES),
             hints=(
                 "Where is $t(t_f - t)$ largest?",
                 "Half-way, at $t = t_f/2$.",
@@ -473,7 +474,7 @@ LESSON = Lesson(
             name="peak_acceleration",
             title="Peak acceleration",
             text="Give the highest acceleration on the way, exactly, for $q_f > q_0$. A function takes `(q_0, q_f, t_f)`.",
-            asks=Formula(r"\frac{10}{\sqrt{3}} \cdot \frac{q_f - q_0}{t_f^2}", _ENDS, unit="rad/s²"),
+            asks=Formula(r"\frac{10}{\sqrt{3}} \cdot \frac{q_f - q_0}{t_f^2}", _ENDS, unit="rad/s²", cases=_CASES),
             hints=(
                 "The acceleration is largest where its own derivative, the jerk, is zero.",
                 "With $s = t/t_f$ the acceleration is $60 s (1 - s)(1 - 2s)$ times the distance over $t_f^2$, the jerk $60(1 - 6s + 6s^2)$ times the distance over $t_f^3$.",

@@ -21,6 +21,10 @@ _TURNED = {  # two vectors of one length in any directions; the factors take the
     "k_1": r"\rho\cos(3\gamma)",
     "k_2": r"\rho\sin(3\gamma)",
 }
+_TARGETS = (
+    {"X": 0.5, "Y": 0.2, "a_1": 0.4, "a_2": 0.3},
+    {"X": 0.2, "Y": 0.4, "a_1": 0.4, "a_2": 0.3},
+)  # m, within the ring
 _COSINE = r"\frac{X^2 + Y^2 - a_1^2 - a_2^2}{2 a_1 a_2}"
 _ROOM = r"\left( (a_1 + a_2)^2 - X^2 - Y^2 \right) \left( X^2 + Y^2 - (a_1 - a_2)^2 \right)"
 _ANGLE = r"\text{atan2}(Y, X) - \text{atan2}(k_2, k_1)"
@@ -270,7 +274,7 @@ LESSON = Lesson(
             name="slide",
             title="The slide",
             text="Solve the third equation for $d_3$ (m), in $Z$, $d_1$ and $d_4$; a function takes `(Z, d_1, d_4)`.",
-            asks=Formula("d_1 - d_4 - Z", ("Z", "d_1", "d_4"), arm=ARM, unit="m"),
+            asks=Formula("d_1 - d_4 - Z", ("Z", "d_1", "d_4"), arm=ARM, unit="m", cases=({"Z": 0.23},)),
             hints=(
                 "No other joint enters $Z$, so this is one linear equation.",
                 "Bring $d_3$ to the left of $Z = d_1 - d_3 - d_4$.",
@@ -297,7 +301,7 @@ LESSON = Lesson(
             name="elbow",
             title="The elbow",
             text="Give $\\cos\\theta_2$ in $X, Y, a_1, a_2$ alone; a function takes `(X, Y, a_1, a_2)`.",
-            asks=Formula(_COSINE, ("X", "Y", "a_1", "a_2")),
+            asks=Formula(_COSINE, ("X", "Y", "a_1", "a_2"), cases=_TARGETS),
             hints=(
                 "Look for a combination of $X$ and $Y$ that $\\theta_1$ does not change.",
                 "Square and add: $X^2 + Y^2$. With $C_1 C_{12} + S_1 S_{12} = C_2$ only one cosine is left.",
@@ -348,7 +352,7 @@ LESSON = Lesson(
             title="The sign that counts the postures",
             text="Give $4 a_1^2 a_2^2 \\sin^2\\theta_2$ in $X, Y, a_1, a_2$ alone; a function takes `(X, Y, a_1, a_2)`. It is positive, zero or "
             "negative where the target has two postures, one, or none.",
-            asks=Formula(_ROOM, ("X", "Y", "a_1", "a_2"), unit="m⁴"),
+            asks=Formula(_ROOM, ("X", "Y", "a_1", "a_2"), unit="m⁴", cases=_TARGETS),
             hints=(
                 "$\\sin^2\\theta_2 = 1 - \\cos^2\\theta_2$, and you have the cosine.",
                 "Multiplied out it is $4 a_1^2 a_2^2 - (X^2 + Y^2 - a_1^2 - a_2^2)^2$: a difference of two squares.",
@@ -395,6 +399,7 @@ LESSON = Lesson(
                 given=_TURNED,
                 symbols={"rho": "free", "beta": "free", "gamma": "free"},
                 unit="rad",
+                cases=({"rho": 0.5, "beta": 0.1, "gamma": 0.2}, {"rho": 0.5, "beta": 0.2, "gamma": 0.6}),
             ),
             hints=(
                 "$(k_1, k_2)$ is where the tool would be with $\\theta_1 = 0$. The shoulder turns this vector until it is $(X, Y)$.",
@@ -455,7 +460,13 @@ LESSON = Lesson(
             name="wrist",
             title="The wrist",
             text="Give $\\theta_4$ (rad) in $\\theta_1, \\theta_2$ and the angle $\\psi$ of the tool; a function takes `(theta_1, theta_2, psi)`.",
-            asks=Formula(r"\theta_1 + \theta_2 - \psi", ("theta_1", "theta_2", "psi"), arm=ARM, unit="rad"),
+            asks=Formula(
+                r"\theta_1 + \theta_2 - \psi",
+                ("theta_1", "theta_2", "psi"),
+                arm=ARM,
+                unit="rad",
+                cases=({"theta_1": 0.4, "theta_2": 0.9, "psi": 0.5},),
+            ),
             hints=(
                 "Read $\\psi$ off the rotation: it is the angle whose cosine stands in its first entry.",
                 "$\\psi = \\theta_1 + \\theta_2 - \\theta_4$. The minus sign comes from $z_3$, which points down.",
@@ -492,6 +503,10 @@ LESSON = Lesson(
                 ("X", "Y", "Z", "psi", "a_1", "a_2", "d_1", "d_4"),
                 arm=ARM,
                 given={**_REACHED, **_REST, "D": _COSINE, "k_1": "a_1 + a_2 D", "k_2": r"a_2 \sqrt{1 - D^2}"},
+                cases=(
+                    {"theta_1": 0.4, "theta_2": 0.9, "d_3": 0.15, "theta_4": 0.3},
+                    {"theta_1": 2.6, "theta_2": 0.9, "d_3": 0.15, "theta_4": 0.3},
+                ),
             ),
             hints=(
                 "You have every line already; only the order counts. Which joint has to be known before which?",

@@ -96,13 +96,13 @@ class _Drawing:
         return Drawn(quantity.kind, frame, _rows((R_0R @ whole)[:, None]), _rows((R_0R @ claimed)[:, None]))
 
     def _velocity(self, quantity: Quantity, outcome: Outcome, printed: np.ndarray) -> Drawn | None:
-        """The velocity that the joint of the first wrong column gives, linear or angular as the first wrong row is."""
+        """The velocity that the joint of the first wrong column gives, linear or angular as its first wrong row is."""
         assert self.arm is not None and self.kinematics is not None and outcome.pair is not None
         rows = [r - 1 for r in quantity.rows] if quantity.rows else list(outcome.pair.true_rows or range(6))
         columns = [c - 1 for c in quantity.columns] if quantity.columns else list(range(len(self.arm.joints)))
         if printed.shape != (len(rows), len(columns)):
             return None
-        first, column = outcome.wrong[0]
+        first, column = min(outcome.wrong, key=lambda place: (place[1], place[0]))
         part = range(3) if rows[first] < 3 else range(3, 6)
         base = self.arm.frames[0]
         whole = self.kinematics.jacobian(quantity.frame, quantity.reference, base)[self.sample][:, columns[column]]
@@ -111,7 +111,7 @@ class _Drawing:
         R_0R = self._at(quantity.reference)[:3, :3]
         kind = "velocity" if rows[first] < 3 else "angular velocity"
         sides = (_rows((R_0R @ side[list(part)])[:, None]) for side in (whole, claimed))
-        return Drawn(kind, quantity.frame, *sides)
+        return Drawn(kind, quantity.frame, *sides, joint=columns[column] + 1)
 
     def _rows(self, quantity: Quantity, printed: np.ndarray) -> list[int] | None:
         """Return the coordinates (from 0) that the printed column or scalar stands for."""

@@ -21,8 +21,8 @@ _TOLD = {
     "pose": noted("the pose of frame {frame}"),
     "axis": noted("the axis at frame {frame}"),
     "difference": noted("the vector from frame {frame}"),
-    "velocity": noted("the velocity of the origin of frame {frame}"),
-    "angular velocity": noted("the angular velocity of frame {frame}"),
+    "velocity": noted("the velocity of the origin of frame {frame} when joint {joint} alone moves at 1 {unit}"),
+    "angular velocity": noted("the angular velocity of frame {frame} when joint {joint} alone moves at 1 {unit}"),
 }
 
 
@@ -80,13 +80,20 @@ class ArmPainter:
             words = written("The arm {arm} at the counterexample", arm=self.arm.name)
             return Figure(Markup(sketch.write(words)), look_up("The arm at the counterexample."))
         self._draw_both(sketch, drawn, pose)
-        what, dashed = written(_TOLD[drawn.kind], frame=drawn.frame), self._dashed()
+        what, dashed = self._what(drawn), self._dashed()
         told = noted("The arm {arm} at the counterexample: {what}, as it is and {dashed}")
         words = written(told, arm=self.arm.name, what=what, dashed=dashed)
         return Figure(
             Markup(sketch.write(words)),
             written("{what}: solid as it is, dashed {dashed}.", what=heading(what), dashed=dashed),
         )
+
+    def _what(self, drawn: Drawn) -> str:
+        terms = {"frame": drawn.frame}
+        if drawn.joint:
+            joint = self.arm.joints[drawn.joint - 1]
+            terms |= {"joint": str(drawn.joint), "unit": "rad/s" if joint.kind == "revolute" else "m/s"}
+        return written(_TOLD[drawn.kind], **terms)
 
     def _dashed(self) -> str:
         return look_up("as printed") if self.claimed == "printed" else look_up("as you have it")
