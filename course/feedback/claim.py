@@ -170,10 +170,9 @@ class Claim:
 
     def _document(self, latex: str) -> Document:
         truth = [f"{ASKED} = {_as_formula(self.truth)}"] if self.truth else []
-        lines = [*self.given, *truth, f"{_as_formula(latex)} = {ASKED}"]  # an answer defines nothing
-        return Document(
-            _FILE, dict(self.front), tuple(Display(k + 1, line, section="") for k, line in enumerate(lines)), ()
-        )
+        known = [Display(k, line, section="") for k, line in enumerate([*self.given, *truth], 1)]
+        answer = Display(len(known) + 1, f"{_as_formula(latex)} = {ASKED}", section="", erratum=True)
+        return Document(_FILE, dict(self.front), (*known, answer), ())  # an answer defines nothing, and may be no slip
 
     def _refused(self, latex: str) -> str:
         """Return how the size of an answer differs from what is asked, if it does.
