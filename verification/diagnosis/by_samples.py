@@ -110,8 +110,8 @@ class _Drawing:
         claimed[rows] = printed[:, column]
         R_0R = self._at(quantity.reference)[:3, :3]
         kind = "velocity" if rows[first] < 3 else "angular velocity"
-        sides = (_rows((R_0R @ side[list(part)])[:, None]) for side in (whole, claimed))
-        return Drawn(kind, quantity.frame, *sides, joint=columns[column] + 1)
+        true, given = (_rows((R_0R @ side[list(part)])[:, None]) for side in (whole, claimed))
+        return Drawn(kind, quantity.frame, true, given, joint=columns[column] + 1)
 
     def _rows(self, quantity: Quantity, printed: np.ndarray) -> list[int] | None:
         """Return the coordinates (from 0) that the printed column or scalar stands for."""
