@@ -44,9 +44,14 @@ def judged_cases(jobs: int = 1) -> tuple[Judged, ...]:
 @lru_cache
 def faults_of_cases(jobs: int = 1) -> tuple[Fault, ...]:
     """Return the faults of the labelled displays and spellings."""
+    return faults_among(judged_cases(jobs))
+
+
+def faults_among(judged: Iterable[Judged]) -> tuple[Fault, ...]:
+    """Return the faults among our verdicts on cases."""
     return tuple(
         Fault(j.case.key, j.fault, f"{j.case.about} ({j.case.label})", j.case.one_line, f"{j.verdict}: {j.message}")
-        for j in judged_cases(jobs)
+        for j in judged
         if j.fault
     )
 
