@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from xdist.remote import Producer
 from xdist.scheduler import LoadFileScheduling
+from xdist.workermanage import WorkerController
 
 TESTS = Path(__file__).parent
 gc.set_threshold(
@@ -17,8 +18,29 @@ gc.set_threshold(
 DOCUMENTS = ("scara-000", "dh-modified-001", "planar-2r-002", "quintic-004", "spherical-wrist-inverse")
 ARMS = ("planar_2r", "scara", "rx90")
 OTHERS = ("odd table", "puma table", "slanted")  # arms of tests/course/figures that are not of the catalogue
-# Files that share what is long in starting: Chromium and the report of the course. One worker runs them all.
-TOGETHER = ("tests/verification/report/", "tests/course/site/test_in_browser.py")
+# Files that share what is long in starting or reading. One worker runs them all.
+TOGETHER = {
+    "Chromium, and the report of the course": ("tests/verification/report/", "tests/course/site/test_in_browser.py"),
+    "the trees of all sources": (
+        "tests/models/test_errors.py",
+        "tests/test_repository.py",
+        "tests/translations/",
+        "tests/verification/test_bad_input.py",
+    ),
+}
+# Files of few tests that take long: they are begun first, so that no worker is left with one of them at the end.
+LONG = (
+    "tests/course/authoring/test_checking.py",
+    "tests/course/figures/test_animation.py",
+    "tests/course/figures/test_legibility.py",
+    "tests/course/grading/",
+    "tests/course/site/test_build.py",
+    "tests/mutation/",
+    "tests/sweeps/",
+    "tests/test_installed.py",
+    "tests/verification/cli/test_lsp.py",
+    "tests/verification/functions/test_mistakes.py",
+)
 # Of these tests, the ones whose parameters name another document or arm wait for the sweep; () leaves none. The equations
 # of every document are tests of their own, and each has the verdict that it should have.
 SWEPT = {
@@ -68,11 +90,21 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items[:] = [item for item in items if item not in left]
 
 
+def pytest_collection_finish() -> None:
+    gc.freeze()  # nor is what has been loaded and collected
+
+
 class Together(LoadFileScheduling):
-    """Give the tests of a file, and those of the files that share a browser, to one worker."""
+    """Give the tests of a file, and those of the files that share something, to one worker."""
 
     def _split_scope(self, nodeid: str) -> str:
-        return "together" if nodeid.startswith(TOGETHER) else super()._split_scope(nodeid)
+        shared = (what for what, files in TOGETHER.items() if nodeid.startswith(files))
+        return next(shared, None) or super()._split_scope(nodeid)
+
+    def _assign_work_unit(self, node: WorkerController) -> None:
+        for scope in [scope for scope in self.workqueue if scope.startswith(LONG)][:1]:
+            self.workqueue.move_to_end(scope, last=False)
+        super()._assign_work_unit(node)
 
 
 @pytest.hookimpl(optionalhook=True)

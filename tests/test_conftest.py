@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.conftest import SWEPT, TESTS, TOGETHER, waits_for_the_sweep
+from tests.conftest import LONG, SWEPT, TESTS, TOGETHER, waits_for_the_sweep
 
 WRONG_ANSWERS = "tests/course/tasks/test_tasks.py::test_every_wrong_answer_gets_its_own_message"
 
@@ -44,5 +44,5 @@ def test_what_is_swept_exists(start: str) -> None:
     assert not test or f"def {test}" in (TESTS / file).read_text(encoding="utf-8")
 
 
-def test_files_that_share_a_browser_exist() -> None:
-    assert all((TESTS.parent / place).exists() for place in TOGETHER)
+def test_files_that_one_worker_runs_or_that_are_begun_first_exist() -> None:
+    assert all((TESTS.parent / place).exists() for files in (LONG, *TOGETHER.values()) for place in files)

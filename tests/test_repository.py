@@ -17,6 +17,8 @@ from pathlib import Path
 import pytest
 from pydrake.common.deprecation import DrakeDeprecationWarning
 
+from tests.sources import nodes_in
+
 ROOT = Path(__file__).resolve().parent.parent
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 PROJECT = PYPROJECT["project"]
@@ -26,7 +28,7 @@ LAYERS = ("course", "verification", "models")  # each may import those to its ri
 @cache
 def imports_of(source: str) -> tuple[ast.Import | ast.ImportFrom, ...]:
     """Return the import statements of a module, wherever in it."""
-    return tuple(node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Import | ast.ImportFrom))
+    return tuple(node for node in nodes_in(source) if isinstance(node, ast.Import | ast.ImportFrom))
 
 
 def imported_packages(source: str) -> frozenset[str]:

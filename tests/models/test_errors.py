@@ -14,6 +14,7 @@ import armproof.models
 import armproof.verification
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, Fault, ModelError
+from tests.sources import nodes_in
 
 ROOMS = [Path(room.__path__[0]) for room in (armproof.course, armproof.models, armproof.verification)]
 FILES = [file for room in ROOMS for file in room.rglob("*.py") if not {"lessons", "tasks"} & set(file.parts)]
@@ -28,7 +29,7 @@ def trees() -> list[ast.Module]:
 @cache
 def nodes() -> list[ast.AST]:
     """Return the calls and the classes of all rooms."""
-    found = (node for file in FILES for node in ast.walk(ast.parse(file.read_text())))
+    found = (node for file in FILES for node in nodes_in(file.read_text(encoding="utf-8")))
     return [node for node in found if isinstance(node, ast.Call | ast.ClassDef)]
 
 

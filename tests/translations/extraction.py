@@ -24,6 +24,7 @@ from armproof.verification.findings.finding import ORDINALS
 from armproof.verification.findings.kinds import WORDS
 from armproof.verification.verdict import Role, Verdict
 from tests.models.test_errors import errors_of
+from tests.sources import nodes_in
 from tests.translations.catalogues import Message
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -59,10 +60,10 @@ def said() -> Iterator[Message]:
 
 def of_modules() -> Iterator[Message]:
     """Yield what the modules say: the templates of kinds, of errors, and of what commands write."""
-    trees = {path: ast.parse(path.read_text(encoding="utf-8")) for path in sources(".py")}
-    errors = errors_of([node for tree in trees.values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef)])
-    for path, tree in trees.items():
-        for texts in (found for node in ast.walk(tree) for found in _said_by(node, SAYS | errors)):
+    modules = {path: nodes_in(path.read_text(encoding="utf-8")) for path in sources(".py")}
+    names = SAYS | errors_of([node for nodes in modules.values() for node in nodes if isinstance(node, ast.ClassDef)])
+    for path, nodes in modules.items():
+        for texts in (found for node in nodes for found in _said_by(node, names)):
             yield Message(texts[0], place(path), *texts[1:])
 
 

@@ -2,9 +2,8 @@
 
 import ast
 import json
+import os
 import re
-import subprocess
-import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -18,10 +17,11 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.cli import app
 from armproof.verification.errors import ReadError
 from armproof.verification.latex.reader import Reader
+from tests.forked import armproof
 from tests.laws import examples
+from tests.sources import nodes_in
 
 ROOT = Path(__file__).resolve().parents[2]
-ARMPROOF = Path(sys.executable).with_name("armproof")
 ARMS = ", ".join(arm_names())
 SECONDS = 4.0  # of the processor: the bound of 2 s a display, and some air for what stands around it
 FINE = "$$ 1 = 1 $$\n\n"
@@ -266,7 +266,7 @@ BOMB = "\n".join(
 @pytest.mark.parametrize("front", [f"arm:\n{BOMB}", f"symbols:\n{BOMB}\narm: {{dh: classic, rows: *a8}}"])
 def test_front_matter_that_repeats_itself_without_end_is_refused(tmp_path: Path, front: str):
     path = write(tmp_path, front)
-    run = subprocess.run([ARMPROOF, "verify", path], capture_output=True, text=True, timeout=30)
+    run = armproof("verify", path, folder=tmp_path, environment=os.environ)
     assert run.returncode == 2
     assert re.fullmatch(rf"armproof: {re.escape(str(path))}:\d+: .+\n", run.stderr)
 
@@ -491,7 +491,7 @@ ANYWHERE = (
 
 def executing_calls(source: str) -> Iterator[str]:
     """Yield the calls of a module that turn text into code."""
-    for node in ast.walk(ast.parse(source)):
+    for node in nodes_in(source):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name | ast.Attribute):
             last = node.func.id if isinstance(node.func, ast.Name) else node.func.attr
             if last in (*ALONE, *ANYWHERE, "system"):

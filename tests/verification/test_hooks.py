@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shlex
-import subprocess
 import sys
 from pathlib import Path
 
@@ -23,13 +22,12 @@ FRONT = "---\narm: planar_2r\n---\n\n"
 @pytest.mark.parametrize("hook", HOOKS, ids=[hook["id"] for hook in HOOKS])
 def test_a_hook_fails_on_a_wrong_document_and_passes_on_a_right_one(hook: dict[str, str], tmp_path: Path) -> None:
     name, *arguments = shlex.split(hook["entry"])
-    command = str(Path(sys.executable).with_name(name))  # which pre-commit installs: it runs the same `app`
+    assert Path(sys.executable).with_name(name).exists()  # which pre-commit installs; test_cli.py runs it
     right, wrong = tmp_path / "right.md", tmp_path / "wrong.md"
     right.write_text(f"{FRONT}$$ C_{{12}} = C_1 C_2 - S_1 S_2 $$\n", encoding="utf-8")
     wrong.write_text(f"{FRONT}$$ C_{{12}} = C_1 $$\n", encoding="utf-8")
     assert CliRunner().invoke(app, [*arguments, str(right)]).exit_code == 0
     assert CliRunner().invoke(app, [*arguments, str(wrong)]).exit_code == 1
-    assert subprocess.run([command, *arguments, wrong], capture_output=True, timeout=60).returncode == 1
 
 
 @pytest.mark.parametrize("hook", HOOKS, ids=[hook["id"] for hook in HOOKS])

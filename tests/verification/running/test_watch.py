@@ -15,6 +15,7 @@ import pytest
 from armproof.verification.cli import app
 from armproof.verification.running.watch import Event, Gone, Settled, Told, Watch
 from armproof.verification.verdict import DocumentResult, Failure, Verdict
+from tests.forked import armproof
 
 ARMPROOF = Path(sys.executable).with_name("armproof")
 FRONT = "---\narm: planar_2r\n---\n"
@@ -165,8 +166,6 @@ def test_a_watch_that_is_ended_before_its_first_report_was_interrupted(
 
 @pytest.mark.parametrize("options", [["--format", "json"], ["--report", "out"], ["--errata", "errata.md"]])
 def test_a_watch_writes_text_alone(folder: Path, options: list[str]) -> None:
-    run = subprocess.run(
-        [ARMPROOF, "verify", "--watch", *options, folder], capture_output=True, text=True, timeout=60, cwd=folder
-    )
+    run = armproof("verify", "--watch", *options, folder, folder=folder, environment=os.environ)
     assert (run.returncode, run.stdout) == (2, "")
     assert run.stderr == "armproof: --watch writes text for people: give it none of --format, --report and --errata\n"
