@@ -10,10 +10,10 @@ from armproof.course.feedback import lessons
 LESSONS = {path.stem[3:]: path for path in sorted(Path("course/lessons").glob("[0-9][0-9]_*.py"))}
 
 
-def test_the_lessons_are_numbered_from_one_and_have_120_tasks_at_least() -> None:
+def test_the_lessons_are_numbered_from_one_and_have_150_tasks_at_least() -> None:
     assert [lesson.number for lesson in lessons()] == list(range(1, len(LESSONS) + 1))
     assert [f"{lesson.number:02}_{lesson.name}" for lesson in lessons()] == [path.stem for path in LESSONS.values()]
-    assert sum(len(lesson.tasks) for lesson in lessons()) >= 120
+    assert sum(len(lesson.tasks) for lesson in lessons()) >= 150
 
 
 @pytest.mark.parametrize("name", LESSONS)
