@@ -25,7 +25,7 @@
 # # 1 · Frames and homogeneous transforms
 #
 # Every formula of this course is a product of a few 4×4 matrices. Here you write them, chain them, invert them, and read one in Drake.
-# The matrices are those of MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Matrice de passage homogène Denavit-Hartenberg".
+# The matrices are those of MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Matrice de passage homogène Denavit-Hartenberg" (the homogeneous link matrix).
 #
 # An answer may be numbers, a Python function, a SymPy expression or LaTeX. `lesson.predict.hint()` gives a hint on the task `predict`, one
 # more at each call;

@@ -136,7 +136,7 @@ lesson.tool.show(tool, theta_1=0.4, theta_2=0.9, d_3=0.3)
 # %% [markdown]
 # ## The general matrices
 #
-# Modified: about and along $x_{i-1}$ first, then about and along $z_i$ (slides "Matrice de passage homogène Denavit-Hartenberg"):
+# Modified: about and along $x_{i-1}$ first, then about and along $z_i$ (slides "Matrice de passage homogène Denavit-Hartenberg", the homogeneous link matrix):
 #
 # $${}^{i-1}T_i = \mathbf{Rot}_x(\alpha_{i-1})\,\mathbf{Trans}_x(a_{i-1})\,\mathbf{Rot}_z(\theta_i)\,\mathbf{Trans}_z(d_i) = \begin{bmatrix} C\theta_i & -S\theta_i & 0 & a_{i-1} \\ S\theta_i C\alpha_{i-1} & C\theta_i C\alpha_{i-1} & -S\alpha_{i-1} & -d_i S\alpha_{i-1} \\ S\theta_i S\alpha_{i-1} & C\theta_i S\alpha_{i-1} & C\alpha_{i-1} & d_i C\alpha_{i-1} \\ 0 & 0 & 0 & 1 \end{bmatrix}$$
 #
@@ -168,7 +168,7 @@ lesson.classic_matrix.check(classic_matrix)
 # %% [markdown]
 # ### Task: the inverse, modified
 #
-# The slide "Transformation inverse" prints blocks that do not fit together. Write the inverse of the modified matrix in full, 4×4; `a` and
+# The slide "Transformation inverse" (the inverse transform) prints blocks that do not fit together. Write the inverse of the modified matrix in full, 4×4; `a` and
 # `alpha` stand for $a_{i-1}$ and $\alpha_{i-1}$. LaTeX, or a function of `a`, `alpha`, `d`, `theta`.
 
 # %%

@@ -45,7 +45,7 @@
 # Two arms in a horizontal plane, a quill that goes down and turns: four joints, four degrees of freedom (*degrés de liberté*, DDL). You
 # write its forward kinematics (*modèle géométrique direct*, MGD), first by hand, then as a program.
 # Source: MECA 953, *Robotique*, MMT5, 2022
-# (document 001), slides "Exemple Robot SCARA".
+# (document 001), slides "Exemple Robot SCARA" (an example).
 
 # %%
 import numpy as np
@@ -203,7 +203,7 @@ lesson.listing.check(third)
 # %% [markdown]
 # ## Seen from above
 #
-# A geometric check, for which the slides write $q_i$ for the joint variables and $l_{12}$, $l_{23}$ for the arms. $A$, $B$ are the feet of elbow
+# A geometric check, for which the slides write $q_i$ for the joint variables and $l_{12}$, $l_{23}$ for the arms. $A$, $B$ are the projections of elbow
 # and tool on $x_0$, $C$, $D$ those on $y_0$:
 #
 # $$\mathrm{OA} = l_{12} \cos(q_1) \qquad \mathrm{OB} = x = l_{12} \cos(q_1) + l_{23} \cos(q_1 + q_2)$$

@@ -26,7 +26,7 @@
 #
 # Six joints: three carry the wrist to a point, three turn the tool about that point. You follow the products of the slides from the tool to the
 # base, and correct them on the way.
-# Source: MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Stäubli RX-90" and "Poignet sphérique".
+# Source: MECA 953, *Robotique*, MMT5, 2022 (document 001), slides "Stäubli RX-90" and "Poignet sphérique" (the spherical wrist).
 
 # %%
 import numpy as np

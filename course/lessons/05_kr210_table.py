@@ -156,7 +156,7 @@ lesson.table.check(table)
 # 0 & 0 & 0 & 1 \end{bmatrix} $$
 #
 # Put row 2 into it and write ${}^1T_2$ between the DH frames, in $\theta_2$ and the letter $a_1$. It is not the matrix of
-# the URDF: the frames are others.
+# the URDF: the frames are different.
 
 
 # %%

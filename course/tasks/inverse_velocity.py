@@ -217,7 +217,7 @@ LESSON = Lesson(
             hints=(
                 "Differentiate $X = r\\cos\\theta$ and $Y = r\\sin\\theta$: the factors of $\\dot r$ are the first column, those of $\\dot\\theta$ the second.",
                 "$J_L = \\begin{bmatrix} \\cos\\theta & -r\\sin\\theta \\\\ \\sin\\theta & r\\cos\\theta \\end{bmatrix}$, with the determinant $r$.",
-                "Swap the diagonal, turn the signs of the other two, divide all four by $r$.",
+                "Swap the diagonal, change the signs of the other two, divide all four by $r$.",
             ),
             right=(polar_inverse, POLAR, WithSympy(_polar_with_sympy)),
             wrong=(
@@ -249,7 +249,7 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     r"\frac{1}{r} \begin{bmatrix} r\cos\theta & r\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}",
-                    "the off-diagonal entries turn their signs: one of the two has not",
+                    "the off-diagonal entries change their signs: one of the two has not",
                     own=True,
                 ),
             ),
@@ -336,7 +336,7 @@ LESSON = Lesson(
                     r"\begin{bmatrix} l_2 C_{12} & -l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} & -l_1 S_1 - l_2 S_{12} \end{bmatrix}",
                     "wrong sign",
                 ),
-                Wrong(_jacobian, "this is J itself: swap its diagonal and turn the signs of the other two", own=True),
+                Wrong(_jacobian, "this is J itself: swap its diagonal and change the signs of the other two", own=True),
                 Wrong(
                     lambda *of: adjugate(*of) / determinant(*of),
                     "already divided by the determinant: this is the inverse",
@@ -420,7 +420,7 @@ LESSON = Lesson(
                 },
             ),
             hints=(
-                "What size has the product that is to be inverted, and what rank can it have at most?",
+                "What is the size of the product that is to be inverted, and what rank can it have at most?",
                 "The rank of a product is at most that of its factors, here 2.",
                 "The product that is $2 \\times 2$ can be inverted, the one that is $3 \\times 3$ cannot.",
             ),

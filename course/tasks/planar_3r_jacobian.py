@@ -267,7 +267,7 @@ LESSON = Lesson(
             ),
             hints=(
                 "In how many of the three terms does $\\theta_1$ stand?",
-                "In all three, since $S_{12}$ is $\\sin(\\theta_1 + \\theta_2)$. The inner derivative is 1.",
+                "In all three, since $S_{12}$ is $\\sin(\\theta_1 + \\theta_2)$. The derivative of that sum is 1.",
                 "Each sine becomes the cosine of the same sum; each length stays in front.",
             ),
             right=(

@@ -154,7 +154,7 @@ LESSON = Lesson(
             ),
             right=((1, 2), "1, 2", np.array([1.0, 2.0])),
             wrong=(
-                Wrong((2, 1), "rows go down, columns go across: the place is given with the row first", own=True),
+                Wrong((2, 1), "rows are counted downwards, columns from left to right: the row comes first", own=True),
                 Wrong((2, 2), "the second row holds cosines, all of them positive: that is right", own=True),
                 Wrong(
                     (1, 1),
@@ -324,7 +324,7 @@ LESSON = Lesson(
             text="Give $X^2 + Y^2$ in $\\theta_2, l_1, l_2$. A function takes `(theta_2, l_1, l_2)`.",
             asks=Formula(r"l_1^2 + l_2^2 + 2 l_1 l_2 C_2", ("theta_2", "l_1", "l_2"), arm=ARM, unit="m²"),
             hints=(
-                "Put $\\theta_2 = 0$: what has it to be?",
+                "Put $\\theta_2 = 0$: what must it be?",
                 "Square $X$ and $Y$ of (1) and add them.",
                 "$(l_1 + l_2)^2$ at $\\theta_2 = 0$ has the cross term $2 l_1 l_2$.",
             ),
@@ -367,7 +367,7 @@ LESSON = Lesson(
             asks=Formula("J^{-1}", _ANGLES, arm=ARM, quantities={"J": _JACOBIAN}),
             hints=(
                 "Invert your own Jacobian, not the printed one.",
-                "Diagonal swapped, the other two with turned signs, divided by (5).",
+                "Diagonal swapped, the other two with changed signs, divided by (5).",
                 "The first row of the adjugate is $l_2 C_{12}$, $l_2 S_{12}$.",
             ),
             right=(inverse, INVERSE, _inverse_by_numpy, WithSympy(lambda sp: _jacobian_with_sympy(sp).inv())),
@@ -390,7 +390,7 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     INVERSE.replace("-l_1 C_1 - l_2 C_{12}", "l_1 C_1 + l_2 C_{12}"),
-                    "the adjugate turns the sign of both entries off the diagonal: one has kept its own",
+                    "the adjugate changes the sign of both entries off the diagonal: one has kept its own",
                     own=True,
                 ),
             ),

@@ -292,7 +292,7 @@ LESSON = Lesson(
                 Wrong(lambda Z, d_1, d_4: -d_4 - Z, "missing"),
                 Wrong(
                     "d_1 + d_4 + Z",
-                    "bringing a term to the other side turns its sign: both Z and d_4 have kept theirs",
+                    "bringing a term to the other side changes its sign: both Z and d_4 have kept theirs",
                     own=True,
                 ),
             ),

@@ -120,7 +120,7 @@ LESSON = Lesson(
             name="prediction",
             title="Predict a velocity",
             text="The arm is stretched along $x_0$: $\\theta_1 = \\theta_2 = 0$. Joint 1 turns at 1 rad/s, the other joints rest. With "
-            "$a_1 = 0.325$ m and $a_2 = 0.275$ m, which velocity has the tool point? Give $[v_x, v_y, v_z]$ in m/s, in frame 0.",
+            "$a_1 = 0.325$ m and $a_2 = 0.275$ m, what is the velocity of the tool point? Give $[v_x, v_y, v_z]$ in m/s, in frame 0.",
             asks=Number((0, 0.6, 0), "m/s", ("v_x", "v_y", "v_z")),
             hints=(
                 "The tool point runs on a circle about $z_0$. Which way does a circle run where it crosses the $x_0$ axis?",
@@ -300,7 +300,7 @@ LESSON = Lesson(
             asks=Number(3),
             hints=(
                 "The determinant says that it is not 4. Which columns are still independent?",
-                "Columns 3 and 4 have a row of their own. At $\\theta_2 = \\pi$, which direction have the linear parts of columns 1 and 2?",
+                "Columns 3 and 4 have a row of their own. At $\\theta_2 = \\pi$, which direction do the linear parts of columns 1 and 2 have?",
                 "Column 2 has a linear part, and no other column can replace column 3 or 4. So three columns are left.",
             ),
             right=(3, "3", 3.0),
