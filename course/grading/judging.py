@@ -70,7 +70,7 @@ def _status(ended: Ended, report: Report, limits: Limits) -> tuple[Status, str]:
             "its process ended{where} by {how}; the cells after it were not run", where=where, how=_how(ended.code)
         )
     if report.memory:
-        return Status.OUT_OF_MEMORY, written("a cell wanted {memory}; the others were run", memory=memory)
+        return Status.OUT_OF_MEMORY, written("a cell needed {memory}; the others were run", memory=memory)
     if ended.printed > limits.output:
         return Status.TOO_MUCH_OUTPUT, written(
             "it printed {printed:,} kB; {read} kB are read", printed=ended.printed // 1000, read=limits.output // 1000
