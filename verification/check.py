@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property, lru_cache, partial
 from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from armproof.models.arm import Arm
-from armproof.models.catalogue import arm_of
+from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.diagnosis.accepted import with_accepted
@@ -28,7 +28,16 @@ from armproof.verification.latex.tokens import normalise_unicode, original_offse
 from armproof.verification.naming.names import read_names, spelling_of
 from armproof.verification.naming.state import settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
-from armproof.verification.tables.arms import Inference, infer_arm, links_of, links_that_explain, scopes, settle_data
+from armproof.verification.tables.arms import (
+    Inference,
+    difference,
+    infer_arm,
+    links_of,
+    links_that_explain,
+    scopes,
+    settle_data,
+    table_of_named,
+)
 from armproof.verification.verdict import DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
 
 if TYPE_CHECKING:
@@ -96,6 +105,7 @@ def joined(document: Document, results: Sequence[DocumentResult]) -> DocumentRes
         seconds=sum(result.seconds for result in results),
         arms=tuple(arm for result in results for arm in result.arms),
         front=document.front,
+        remarks=tuple(dict.fromkeys(remark for result in results for remark in result.remarks)),
     )
 
 
@@ -109,6 +119,12 @@ def load_arm_of(document: Document) -> Arm | None:
         return arm_of(document.front, document.path.parent)
     except ArmproofError as error:
         raise document.fault("arm", error) from None
+
+
+@lru_cache(maxsize=16)
+def _difference(name: str, table: Table) -> Finding | None:
+    about = DocumentChecker(Document(Path(), {}, (), (table,)), load_arm(name), confirm=False)
+    return difference(about.checker, name, table)
 
 
 class DocumentChecker:
@@ -208,7 +224,7 @@ class DocumentChecker:
             inverse=self._inverse(),
             arms=self._arms(),
             front=self.document.front,
-            remarks=self.document.remarks,
+            remarks=(*self.document.remarks, *self._named()),
         )
 
     def _arms(self) -> tuple[TakenArm, ...]:
@@ -218,6 +234,13 @@ class DocumentChecker:
         convention = self.arm.dh.convention if self.arm.dh is not None else ""
         line = self.document.lines.get("arm", 1)
         return (TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, spec),)
+
+    def _named(self) -> Iterator[Finding]:
+        """Yield how the document's table differs from an arm of the catalogue that its text names, but its front matter does not."""
+        by_author = self.inferred.arm is None and self.arm is not None
+        table = table_of_named(self.document) if self.samples and not by_author else None
+        if table is not None:
+            yield from filter(None, (_difference(name, table) for name in self.document.named))
 
     def _inverse(self) -> Record | None:
         if "inverse" not in self.document.front:

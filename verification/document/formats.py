@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.front_matter import read_any_text
@@ -63,7 +64,15 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if (images := len(_IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
+    document = replace(document, named=named_arms(text))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix)
+
+
+def named_arms(text: str) -> tuple[str, ...]:
+    """Return the arms of the catalogue that a text names by their type: RX-90, KR 210."""
+    types = {name: re.fullmatch(r"([a-z]+)(\d+)", name) for name in arm_names()}
+    patterns = {name: rf"(?<![a-z]){found[1]}[ ~_-]?{found[2]}(?!\d)" for name, found in types.items() if found}
+    return tuple(name for name, pattern in patterns.items() if re.search(pattern, text, re.IGNORECASE))
 
 
 def _with_what_is_said(document: Document) -> Document:

@@ -278,7 +278,7 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
             raise DocumentError(say(Kind.NO_MAPPING, key=key, value=repr(value)), key)
     if transforms not in ("", "upper", "lower"):
         raise DocumentError(say(Kind.UNKNOWN_TRANSFORMS, value=repr(transforms)), "transforms")
-    found = (re.findall(r"^[A-Za-z]{2}$|[A-Za-z]{3,}", str(key)) for key in [*symbols_spec, *quantities_spec])
+    found = (re.findall(r"^[A-Za-z]{2}(?=_\d|$)|[A-Za-z]{3,}", str(key)) for key in [*symbols_spec, *quantities_spec])
     words = frozenset(word for words in found for word in words) - READ_ALREADY
     plain = Reader(words=words)
     symbols: dict[str, str] = {}

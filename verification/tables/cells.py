@@ -28,6 +28,7 @@ _GLUED = re.compile(  # q1, but not in a script
     r"[_^]\s*\{[^{}]*\}|(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"})
 )
 _WORD = re.compile(r"([-+]?[adlhrADLHR])([A-Za-z]{1,3})")  # dg, -LT: a length with its index
+_LETTERS = re.compile(r"(?<![\\A-Za-z{])([A-Z]{2,3})_?\{?(\d+)\}?")  # RL4: one length
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
 
@@ -76,6 +77,7 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
     spelt = SPELT.sub(r"\\\1", spelt)
     if word := _WORD.fullmatch(spelt):
         spelt = f"{word[1]}_{{{word[2]}}}"
+    spelt = _LETTERS.sub(r"\\mathrm{\1}_{\2}", spelt)
     spelt = _GLUED.sub(lambda found: f"{found[1]}_{{{found[2]}}}" if found[1] else found[0], spelt)
     spelt = re.sub(r"(?<=\d)\s*deg(?:rees)?\b", r"^\\circ", spelt)
     try:

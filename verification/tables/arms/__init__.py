@@ -1,7 +1,17 @@
 """The arm that a document shows where its front matter names none: read from its DH table or from its link matrices."""
 
+from armproof.verification.tables.arms.catalogue import difference, table_of_named
 from armproof.verification.tables.arms.inference import infer_arm
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.support import Inference, links_of, links_that_explain, settle_data
 
-__all__ = ["Inference", "infer_arm", "links_of", "links_that_explain", "scopes", "settle_data"]
+__all__ = [
+    "Inference",
+    "difference",
+    "infer_arm",
+    "links_of",
+    "links_that_explain",
+    "scopes",
+    "settle_data",
+    "table_of_named",
+]

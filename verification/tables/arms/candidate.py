@@ -95,11 +95,16 @@ def entry_text(value: Scalar) -> str:
     """Return a sum of symbols, a multiple of π and a number as an entry of a DH table; raises EvaluationError."""
     value = value.normal()
     if not value.denominator.is_one():
-        raise EvaluationError(say(Kind.NO_DH_ENTRY, value=str(value)))
+        raise EvaluationError(say(Kind.NO_DH_ENTRY, value=_plain(value)))
     terms = [_term(powers, factor) for powers, factor in value.ring.terms(value.numerator)]
     if None in terms:
-        raise EvaluationError(say(Kind.NO_DH_ENTRY, value=str(value)))
+        raise EvaluationError(say(Kind.NO_DH_ENTRY, value=_plain(value)))
     return " + ".join(sorted((str(term) for term in terms), key=_rank)).replace("+ -", "- ") or "0"
+
+
+def _plain(value: Scalar) -> str:
+    """Return a value that is no entry by its letters."""
+    return ", ".join(sorted({name or kind for kind, name in value.generators}))
 
 
 def _term(powers: Mapping[tuple[str, str], int], factor: Fraction) -> str | None:
@@ -124,5 +129,7 @@ def _rank(term: str) -> int:
 
 
 def renamed(names: Iterable[n.Name]) -> dict[str, str]:
-    """Return the letters whose symbol is spelt otherwise, each with that symbol."""
-    return {name.text: symbol_of(name.key) for name in names if symbol_of(name.key) != name.key}
+    """Return the letters whose symbol is spelt otherwise, and names of several letters, each with that symbol."""
+    names = tuple(names)
+    words = {name.key: name.key for name in names if re.fullmatch(r"[A-Z]{2,3}_\d+", name.key)}
+    return {**words, **{name.text: symbol_of(name.key) for name in names if symbol_of(name.key) != name.key}}
