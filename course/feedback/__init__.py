@@ -3,6 +3,7 @@
 from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import WithSympy
 from armproof.course.feedback.choice import Choice, Number
+from armproof.course.feedback.derivation import Derivation, Line
 from armproof.course.feedback.formula import Formula
 from armproof.course.feedback.lesson import Lesson, lessons, open_lesson, results
 from armproof.course.feedback.outcome import Feedback, Outcome, Row
@@ -13,10 +14,12 @@ from armproof.course.feedback.task import Task, Wrong
 __all__ = [
     "AnswerError",
     "Choice",
+    "Derivation",
     "Feedback",
     "Formula",
     "Lesson",
     "LessonError",
+    "Line",
     "Number",
     "Outcome",
     "Quantity",

@@ -72,6 +72,7 @@ class Lesson:
                 raise LessonError("lesson '{lesson}': the task name '{name}' is taken", lesson=self.name, name=name)
         for task in self.tasks:
             task.lesson, task.lang, task.on_feedback = self.name, self.lang, self._keep
+            task.was_tried = partial(self._was_tried, task.name)
 
     def __getattr__(self, name: str) -> Task:
         for task in self.__dict__.get("tasks", ()):
@@ -92,6 +93,9 @@ class Lesson:
         kept = read_progress(self.name)
         known = {**kept, **self._reached}
         return {task.name: known.get(task.name, Outcome.NOT_ATTEMPTED) for task in self.tasks}
+
+    def _was_tried(self, task: str) -> bool:
+        return self.progress()[task] is not Outcome.NOT_ATTEMPTED
 
     def _keep(self, feedback: Feedback) -> None:
         before = self.progress()[feedback.task]

@@ -14,6 +14,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
+from armproof.course.feedback.derivation import Derivation
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.course.feedback.quantity import NOTHING_YET, Quantity
@@ -61,6 +62,7 @@ class Task:
         hints: a ladder, from a nudge to nearly the answer.
         right: right answers in several forms; the first is the solution that is shown.
         wrong: wrong answers, from real mistakes.
+        derivation: the way to the solution, line by line.
         lesson, lang: the name of its lesson and its language, given when the lesson takes it.
     """
 
@@ -71,10 +73,14 @@ class Task:
     hints: tuple[str, ...]
     right: tuple[Any, ...]
     wrong: tuple[Wrong, ...] = ()
+    derivation: Derivation = field(default_factory=Derivation)
     lesson: str = ""
     lang: str = ""
     on_feedback: Callable[[Feedback], None] = field(default=lambda feedback: None, repr=False)
+    was_tried: Callable[[], bool] = field(default=lambda: False, repr=False)
+    _opened: int = field(default=0, repr=False)
     _given: int = field(default=0, repr=False)
+    _is_tried: bool = field(default=False, repr=False)
     _tried: dict[str, None] = field(default_factory=dict, repr=False)
 
     def check(self, answer: Any = ...) -> Feedback:
@@ -83,6 +89,7 @@ class Task:
         with use(self.lang):
             feedback = self._in_stages(self._judge(answer))
         seconds = time.perf_counter() - started
+        self._is_tried |= feedback.outcome is not Outcome.NOT_ATTEMPTED
         feedback = replace(feedback, task=self.name, lesson=self.lesson, lang=self.lang, seconds=seconds)
         self.on_feedback(feedback)
         return feedback
@@ -114,18 +121,28 @@ class Task:
         return Shown(f"{head} {self.hints[index]}{more}")
 
     def solution(self) -> Shown:
-        """Return the solution: the first of the right answers, and the first formula among them."""
+        """Return the derivation, one line more at each call, then the solution; nothing before an answer was tried."""
         with use(self.lang):
-            parts = [written("**{title}: solution.**", title=self.title)]
+            if not (self._is_tried or self.was_tried()):
+                return Shown(written("Try an answer first: `lesson.{task}.check(…)`. Then the solution opens.", task=self.name))  # fmt: skip
+            self._opened += 1
+            count, lines = self._opened, len(self.derivation.lines)
+            shown = self.derivation.opened(count)
+            if count < lines:
+                more = written("Line {number} of {count}. Can you go on? If not: `lesson.{task}.solution()`.", number=count, count=lines, task=self.name)  # fmt: skip
+                return Shown(f"{shown}\n\n{more}")
+            return Shown("\n\n".join([shown, *self._answer()] if shown else self._answer()))
+
+    def _answer(self) -> list[str]:
+        """Return the first of the right answers, and the first formula among them."""
+        parts = [written("**{title}: solution.**", title=self.title)]
         functions = [answer for answer in self.right if is_function(answer)]
         formulas = [answer for answer in self.right if isinstance(answer, str)]
         if formulas and not hasattr(self.asks, "options"):
             parts.append(f"$$ {as_latex(formulas[0])} $$")
         if functions:
             parts.append(f"```python\n{textwrap.dedent(inspect.getsource(functions[0])).strip()}\n```")
-        if len(parts) == 1:
-            parts.append(f"`{self.right[0]!r}`")
-        return Shown("\n\n".join(parts))
+        return parts if len(parts) > 1 else [*parts, f"`{self.right[0]!r}`"]
 
     def show(self, answer: Any = ..., **at: float) -> Shown | Portrait:
         """Return the answer drawn over the arm as Drake has it, at a configuration given by joint symbols; or why it is not.

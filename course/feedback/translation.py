@@ -16,7 +16,10 @@ def changed_task(task: Task, change: Change) -> Task:
     """Return a task with its words changed, its answers as they are and no hint given."""
     wrong = tuple(replace(each, words=change(each.words)) if each.own else each for each in task.wrong)
     hints = tuple(map(change, task.hints))
-    return Task(task.name, change(task.title), change(task.text), _asked(task.asks, change), hints, task.right, wrong)
+    lines = tuple(replace(line, words=change(line.words)) for line in task.derivation.lines)
+    derivation = replace(task.derivation, lines=lines)
+    asks = _asked(task.asks, change)
+    return Task(task.name, change(task.title), change(task.text), asks, hints, task.right, wrong, derivation)
 
 
 def _asked(asks: Any, change: Change) -> Any:

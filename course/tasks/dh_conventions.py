@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import (
+    Choice,
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Table,
+    Task,
+    WithSympy,
+    Wrong,
+)
 from armproof.course.links import classic_link, modified_link, product, shift, turn
 
 # The arm of the lesson, a crane: a column, a horizontal axis e beside it at the height h, a slide. In both conventions.
@@ -261,6 +273,23 @@ LESSON = Lesson(
                 "Put $\\theta = \\alpha = d = 0$: where should the origin be, and where does the slide put it?",
                 "Multiply $\\mathbf{Rot}_z(\\theta)\\,\\mathbf{Trans}_z(d)\\,\\mathbf{Trans}_x(a)\\,\\mathbf{Rot}_x(\\alpha)$.",
                 "The rotation is printed rightly; the last column is $[a\\,C\\theta, a\\,S\\theta, d, 1]^T$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The two steps along and about $z$.",
+                        r"\mathrm{Rot}_z(\theta)\,\mathrm{Trans}_z(d) = \begin{bmatrix} \cos\theta & -\sin\theta & 0 & 0 \\ \sin\theta & \cos\theta & 0 & 0 \\ 0 & 0 & 1 & d \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The two steps along and about $x$.",
+                        r"\mathrm{Trans}_x(a)\,\mathrm{Rot}_x(\alpha) = \begin{bmatrix} 1 & 0 & 0 & a \\ 0 & \cos\alpha & -\sin\alpha & 0 \\ 0 & \sin\alpha & \cos\alpha & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply the two.",
+                        r"\mathrm{Rot}_z(\theta)\,\mathrm{Trans}_z(d)\,\mathrm{Trans}_x(a)\,\mathrm{Rot}_x(\alpha) = \begin{bmatrix} \cos\theta & -\sin\theta\cos\alpha & \sin\theta\sin\alpha & a\cos\theta \\ \sin\theta & \cos\theta\cos\alpha & -\cos\theta\sin\alpha & a\sin\theta \\ 0 & \sin\alpha & \cos\alpha & d \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"theta": "free", "d": "free", "a": "free", "alpha": "free"}},
             ),
             right=(classic_matrix, CLASSIC_MATRIX, WithSympy(_classic_sympy)),
             wrong=(

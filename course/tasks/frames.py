@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.links import shift, turn
 
 # -- a rotation about y ------------------------------------------------------------------------------------------------
@@ -232,6 +232,19 @@ LESSON = Lesson(
                 "A step in the current frame is multiplied on the right: $\\mathbf{Rot}_z(\\theta)\\,\\mathbf{Trans}_z(d)\\,\\mathbf{Trans}_x(a)$.",
                 "Last column: $[a\\cos\\theta, a\\sin\\theta, d, 1]^T$; it is where the origin of $B$ ends up.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Turn about $z$ and move along it: both steps keep to one axis.",
+                        r"\mathrm{Rot}_z(\theta)\,\mathrm{Trans}_z(d) = \begin{bmatrix} \cos\theta & -\sin\theta & 0 & 0 \\ \sin\theta & \cos\theta & 0 & 0 \\ 0 & 0 & 1 & d \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Then move by $a$ along the new $x$: the first column, times $a$, is added to the last.",
+                        r"\mathrm{Rot}_z(\theta)\,\mathrm{Trans}_z(d)\,\mathrm{Trans}_x(a) = \begin{bmatrix} \cos\theta & -\sin\theta & 0 & a\cos\theta \\ \sin\theta & \cos\theta & 0 & a\sin\theta \\ 0 & 0 & 1 & d \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"theta": "free", "d": "free", "a": "free"}},
+            ),
             right=(composed, COMPOSED, WithSympy(_composed_sympy)),
             wrong=(
                 Wrong(
@@ -339,6 +352,25 @@ LESSON = Lesson(
                 "Each bar is a turn about $z$ and a move along the new $x$: you have written that matrix already.",
                 "${}^0T_2 = {}^0T_1\\,{}^1T_2$, with ${}^0T_1 = \\mathbf{Rot}_z(\\theta_1)\\,\\mathbf{Trans}_x(l_1)$.",
                 "$\\theta_2$ counts from bar 1, so the rotation of frame 2 is by $\\theta_1 + \\theta_2$; so is the direction of bar 2.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The first bar.",
+                        r"T^0_1 = \begin{bmatrix} C_1 & -S_1 & 0 & l_1 C_1 \\ S_1 & C_1 & 0 & l_1 S_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The second bar is the same with index 2.",
+                        r"T^1_2 = \begin{bmatrix} C_2 & -S_2 & 0 & l_2 C_2 \\ S_2 & C_2 & 0 & l_2 S_2 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line("Two sums are needed: the cosine of a sum,", r"C_1 C_2 - S_1 S_2 = C_{12}"),
+                    Line("and the sine of a sum.", r"S_1 C_2 + C_1 S_2 = S_{12}"),
+                    Line(
+                        "Multiply.",
+                        r"T^0_2 = T^0_1 T^1_2 = \begin{bmatrix} C_{12} & -S_{12} & 0 & l_1 C_1 + l_2 C_{12} \\ S_{12} & C_{12} & 0 & l_1 S_1 + l_2 S_{12} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "planar_2r"},
             ),
             right=(pose, POSE, WithSympy(_pose_sympy)),
             wrong=(

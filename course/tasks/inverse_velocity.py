@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Shown
 from armproof.models.errors import written
@@ -219,6 +219,21 @@ LESSON = Lesson(
                 "$J_L = \\begin{bmatrix} \\cos\\theta & -r\\sin\\theta \\\\ \\sin\\theta & r\\cos\\theta \\end{bmatrix}$, with the determinant $r$.",
                 "Swap the diagonal, change the signs of the other two, divide all four by $r$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Differentiate $r\\cos\\theta$ and $r\\sin\\theta$, first by $r$, then by $\\theta$.",
+                        r"J_L = \begin{bmatrix} \cos\theta & -r\sin\theta \\ \sin\theta & r\cos\theta \end{bmatrix}",
+                    ),
+                    Line("The determinant.", r"\det J_L = r\cos^2\theta + r\sin^2\theta = r"),
+                    Line(
+                        "Exchange the diagonal, turn the signs beside it, divide.",
+                        r"J_L^{-1} = \frac{1}{r} \begin{bmatrix} r\cos\theta & r\sin\theta \\ -\sin\theta & \cos\theta \end{bmatrix}",
+                    ),
+                    Line("Check.", r"J_L J_L^{-1} = I_2"),
+                ),
+                {"arm": "polar_rp", "quantities": {"J_L": {"jacobian": 2, "rows": [1, 2], "columns": [2, 1]}}},
+            ),
             right=(polar_inverse, POLAR, WithSympy(_polar_with_sympy)),
             wrong=(
                 Wrong(
@@ -289,6 +304,21 @@ LESSON = Lesson(
                 "It is $\\det \\begin{bmatrix} -l_1 S_1 & -l_2 S_{12} \\\\ l_1 C_1 & l_2 C_{12} \\end{bmatrix}$.",
                 "$l_1 l_2 (C_1 S_{12} - S_1 C_{12})$, and the bracket is the sine of a difference.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The Jacobian.",
+                        r"J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} & -l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} & l_2 C_{12} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 1 less column 2: the determinant stays.",
+                        r"\det J = \begin{vmatrix} -l_1 S_1 & -l_2 S_{12} \\ l_1 C_1 & l_2 C_{12} \end{vmatrix}",
+                    ),
+                    Line("Multiply crosswise.", r"\det J = l_1 l_2 (S_{12} C_1 - C_{12} S_1)"),
+                    Line("The bracket is the sine of a difference.", r"\det J = l_1 l_2 \sin\theta_2"),
+                ),
+                {"arm": "planar_2r", "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}},
+            ),
             right=(
                 determinant,
                 r"l_1 l_2 \sin\theta_2",
@@ -325,6 +355,23 @@ LESSON = Lesson(
                 "For a $2 \\times 2$ matrix no cofactor has to be computed.",
                 "The adjugate of $\\begin{bmatrix} a & b \\\\ c & d \\end{bmatrix}$ has $d$ and $a$ on its diagonal, and $-b$, $-c$ where $b$, $c$ were.",
                 "First row: $l_2 C_{12}$, $l_2 S_{12}$. The second is the first column of $J$: its second entry with a minus, then its first.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The Jacobian.",
+                        r"J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} & -l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} & l_2 C_{12} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Exchange the diagonal, turn the signs beside it.",
+                        r"\det(J) J^{-1} = \begin{bmatrix} l_2 C_{12} & l_2 S_{12} \\ -l_1 C_1 - l_2 C_{12} & -l_1 S_1 - l_2 S_{12} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Check: the product is the determinant times $I_2$.",
+                        r"\begin{bmatrix} l_2 C_{12} & l_2 S_{12} \\ -l_1 C_1 - l_2 C_{12} & -l_1 S_1 - l_2 S_{12} \end{bmatrix} J = l_1 l_2 S_2 I_2",
+                    ),
+                ),
+                {"arm": "planar_2r", "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}},
             ),
             right=(adjugate, ADJUGATE, WithSympy(_adjugate_with_sympy)),
             wrong=(
@@ -366,6 +413,27 @@ LESSON = Lesson(
                 "You have the adjugate and the determinant.",
                 "Adjugate times $[u, v]^T$, divided by $l_1 l_2 S_2$.",
                 "$\\dot\\theta_1 = (u C_{12} + v S_{12}) / (l_1 S_2)$; the second row has $l_1 l_2 S_2$ below it and a minus before it.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The inverse: the adjugate by the determinant.",
+                        r"J^{-1} = \frac{1}{l_1 l_2 S_2} \begin{bmatrix} l_2 C_{12} & l_2 S_{12} \\ -l_1 C_1 - l_2 C_{12} & -l_1 S_1 - l_2 S_{12} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Times the velocity, row by row.",
+                        r"J^{-1} \begin{bmatrix} u \\ v \end{bmatrix} = \frac{1}{l_1 l_2 S_2} \begin{bmatrix} l_2 (u C_{12} + v S_{12}) \\ -l_1 (u C_1 + v S_1) - l_2 (u C_{12} + v S_{12}) \end{bmatrix}",
+                    ),
+                    Line(
+                        "Divide: in the first row $l_2$ cancels.",
+                        r"J^{-1} \begin{bmatrix} u \\ v \end{bmatrix} = \begin{bmatrix} \frac{u C_{12} + v S_{12}}{l_1 S_2} \\ -\frac{l_1 (u C_1 + v S_1) + l_2 (u C_{12} + v S_{12})}{l_1 l_2 S_2} \end{bmatrix}",
+                    ),
+                ),
+                {
+                    "arm": "planar_2r",
+                    "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}},
+                    "symbols": {"u": "free", "v": "free"},
+                },
             ),
             right=(rates, RATES, _rates_by_solve, lambda *of: np.linalg.inv(_jacobian(*of[:4])) @ np.array(of[4:])),
             wrong=(
@@ -447,6 +515,24 @@ LESSON = Lesson(
                 "$J$ is tall. Which of the two forms is that?",
                 "$J^T J$ is diagonal: the two columns of $J$ are at right angles.",
                 "$J^T J = \\mathrm{diag}(1, 1 + r^2)$: divide the first row of $J^T$ by 1, the second by $1 + r^2$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Three rows, two columns: $J$ is tall.",
+                        r"J = \begin{bmatrix} \cos\theta & -r\sin\theta \\ \sin\theta & r\cos\theta \\ 0 & 1 \end{bmatrix}",
+                    ),
+                    Line("$J^T J$ is diagonal.", r"J^T J = \begin{bmatrix} 1 & 0 \\ 0 & r^2 + 1 \end{bmatrix}"),
+                    Line(
+                        "So each entry is inverted alone.",
+                        r"(J^T J)^{-1} = \begin{bmatrix} 1 & 0 \\ 0 & \frac{1}{r^2 + 1} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Times $J^T$.",
+                        r"(J^T J)^{-1} J^T = \begin{bmatrix} \cos\theta & \sin\theta & 0 \\ -\frac{r\sin\theta}{r^2 + 1} & \frac{r\cos\theta}{r^2 + 1} & \frac{1}{r^2 + 1} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "polar_rp", "quantities": {"J": {"jacobian": 2, "rows": [1, 2, 6], "columns": [2, 1]}}},
             ),
             right=(left_inverse, LEFT, WithSympy(_left_with_sympy)),
             wrong=(

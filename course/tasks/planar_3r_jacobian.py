@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
 
 
 def lever_2(q, l_2, l_3):
@@ -198,6 +198,27 @@ LESSON = Lesson(
                 "$[0, 0, 1]^T \\times [x, y, 0]^T = [-y, x, 0]^T$.",
                 "So row 1 is minus the whole second row of $P_{1,G}$: the minus goes to both terms.",
             ),
+            derivation=Derivation(
+                (
+                    Line("The axis of joint 2.", r"z_1 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}"),
+                    Line(
+                        "From that axis to the gripper.",
+                        r"p_3 - p_1 = \begin{bmatrix} l_2 C_{12} + l_3 C_{123} \\ l_2 S_{12} + l_3 S_{123} \\ 0 \end{bmatrix}",
+                    ),
+                    Line("The rule for a revolute joint.", r"J_{L2} = z_1 \times (p_3 - p_1)"),
+                    Line(
+                        "Crossing $[0, 0, 1]^T$ with $[x, y, 0]^T$ gives $[-y, x, 0]^T$.",
+                        r"J_{L2} = \begin{bmatrix} -l_2 S_{12} - l_3 S_{123} \\ l_2 C_{12} + l_3 C_{123} \\ 0 \end{bmatrix}",
+                    ),
+                ),
+                {
+                    "arm": "planar_3r",
+                    "quantities": {
+                        "J_{L2}": {"jacobian": 3, "rows": [1, 2, 3], "columns": [2]},
+                        "J_P": {"jacobian": 3, "rows": [1, 2], "columns": [1, 2]},
+                    },
+                },
+            ),
             right=(
                 column_2,
                 WithSympy(_column_sympy),
@@ -296,6 +317,39 @@ LESSON = Lesson(
                 "$\\theta_3$ stands in the last term of $P_x$ and $P_y$ only, $\\theta_2$ in the last two.",
                 "In SymPy: `P.jacobian([t1, t2, t3])`, with `P` a column `Matrix` and `t1 = symbols('theta_1')` and so on.",
             ),
+            derivation=Derivation(
+                (
+                    Line("The first row of the position.", r"P_x = l_1 C_1 + l_2 C_{12} + l_3 C_{123}"),
+                    Line(
+                        "All three angles contain $\\theta_1$.",
+                        r"\frac{\partial P_x}{\partial\theta_1} = -l_1 S_1 - l_2 S_{12} - l_3 S_{123}",
+                    ),
+                    Line(
+                        "Two of them contain $\\theta_2$.",
+                        r"\frac{\partial P_x}{\partial\theta_2} = -l_2 S_{12} - l_3 S_{123}",
+                    ),
+                    Line(
+                        "Only the last one contains $\\theta_3$.",
+                        r"\frac{\partial P_x}{\partial\theta_3} = -l_3 S_{123}",
+                    ),
+                    Line(
+                        "The same for $P_y$: a sine becomes a cosine.",
+                        r"\frac{\partial P_y}{\partial\theta_1} = l_1 C_1 + l_2 C_{12} + l_3 C_{123}",
+                    ),
+                    Line(
+                        "Put the derivatives into their places.",
+                        r"J_L = \begin{bmatrix} \frac{\partial P_x}{\partial\theta_1} & \frac{\partial P_x}{\partial\theta_2} & \frac{\partial P_x}{\partial\theta_3} \\ \frac{\partial P_y}{\partial\theta_1} & \frac{\partial P_y}{\partial\theta_2} & \frac{\partial P_y}{\partial\theta_3} \\ 0 & 0 & 0 \end{bmatrix}",
+                    ),
+                ),
+                {
+                    "arm": "planar_3r",
+                    "quantities": {
+                        "P_x": {"origin": 3, "component": "x"},
+                        "P_y": {"origin": 3, "component": "y"},
+                        "J_L": {"jacobian": 3, "rows": [1, 2, 3]},
+                    },
+                },
+            ),
             right=(linear, WithSympy(_linear_sympy), LINEAR),
             wrong=(
                 Wrong(LINEAR.replace("& -l_2 S_{12}", "& l_2 S_{12}"), "entry (1, 2)"),
@@ -325,6 +379,24 @@ LESSON = Lesson(
                 "Subtract columns from one another first: that leaves the determinant as it is.",
                 "Column 1 − column 2 is $[-l_1 S_1, l_1 C_1, 0]^T$, and column 2 − column 3 is $[-l_2 S_{12}, l_2 C_{12}, 0]^T$.",
                 "Expand along the last row, $0, 0, 1$: what is left is $l_1 l_2 (S_{12} C_1 - C_{12} S_1)$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The rows $v_x$, $v_y$ and $\\omega_z$.",
+                        r"J_r = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} - l_3 S_{123} & -l_2 S_{12} - l_3 S_{123} & -l_3 S_{123} \\ l_1 C_1 + l_2 C_{12} + l_3 C_{123} & l_2 C_{12} + l_3 C_{123} & l_3 C_{123} \\ 1 & 1 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 1 less column 2, and column 2 less column 3: the determinant stays.",
+                        r"\det J_r = \begin{vmatrix} -l_1 S_1 & -l_2 S_{12} & -l_3 S_{123} \\ l_1 C_1 & l_2 C_{12} & l_3 C_{123} \\ 0 & 0 & 1 \end{vmatrix}",
+                    ),
+                    Line("Expand along the last row.", r"\det J_r = -l_1 S_1 l_2 C_{12} + l_2 S_{12} l_1 C_1"),
+                    Line(
+                        "The bracket is the sine of a difference.",
+                        r"\det J_r = l_1 l_2 (S_{12} C_1 - C_{12} S_1) = l_1 l_2 \sin\theta_2",
+                    ),
+                ),
+                {"arm": "planar_3r", "quantities": {"J_r": {"jacobian": 3, "rows": [1, 2, 6]}}},
             ),
             right=(determinant, r"l_1 l_2 \sin\theta_2", WithSympy(_determinant_sympy), _expanded),
             wrong=(

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_missing
 from armproof.course.feedback.notebook import Shown, render
 from armproof.course.links import shift, turn
@@ -327,6 +327,23 @@ LESSON = Lesson(
                 "Put $\\theta_2 = 0$: what must it be?",
                 "Square $X$ and $Y$ of (1) and add them.",
                 "$(l_1 + l_2)^2$ at $\\theta_2 = 0$ has the cross term $2 l_1 l_2$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line("The tool, $X$.", r"X = l_1 C_1 + l_2 C_{12}"),
+                    Line("And $Y$.", r"Y = l_1 S_1 + l_2 S_{12}"),
+                    Line("Square the first.", r"X^2 = l_1^2 C_1^2 + 2 l_1 l_2 C_1 C_{12} + l_2^2 C_{12}^2"),
+                    Line("Square the second.", r"Y^2 = l_1^2 S_1^2 + 2 l_1 l_2 S_1 S_{12} + l_2^2 S_{12}^2"),
+                    Line(
+                        "Add: $C^2 + S^2 = 1$, twice.",
+                        r"X^2 + Y^2 = l_1^2 + l_2^2 + 2 l_1 l_2 (C_1 C_{12} + S_1 S_{12})",
+                    ),
+                    Line("The bracket is a cosine of a difference.", r"X^2 + Y^2 = l_1^2 + l_2^2 + 2 l_1 l_2 C_2"),
+                ),
+                {
+                    "arm": "planar_2r",
+                    "quantities": {"X": {"origin": 2, "component": "x"}, "Y": {"origin": 2, "component": "y"}},
+                },
             ),
             right=(
                 distance,

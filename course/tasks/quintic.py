@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Shown
 from armproof.models.errors import written
@@ -363,6 +363,24 @@ LESSON = Lesson(
                 "Three unknowns are left: $a_3 t_f^3$, $a_4 t_f^4$, $a_5 t_f^5$; call them $x, y, z$ and $q_f - q_0 = d$.",
                 "$x + y + z = d$, $3x + 4y + 5z = 0$, $6x + 12y + 20z = 0$ give $x = 10d$, $y = -15d$, $z = 6d$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "In multiples of $q_f - q_0$ the unknowns are 10, −15 and 6. They add up to 1,",
+                        r"10 - 15 + 6 = 1",
+                    ),
+                    Line("leave no velocity at the end,", r"3 \cdot 10 - 4 \cdot 15 + 5 \cdot 6 = 0"),
+                    Line("and no acceleration.", r"6 \cdot 10 - 12 \cdot 15 + 20 \cdot 6 = 0"),
+                    Line(
+                        "All six conditions at once.",
+                        r"""\begin{bmatrix} 1 & 0 & 0 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 & 0 & 0 \\ 0 & 0 & 2 & 0 & 0 & 0 \\
+1 & t_f & t_f^2 & t_f^3 & t_f^4 & t_f^5 \\ 0 & 1 & 2t_f & 3t_f^2 & 4t_f^3 & 5t_f^4 \\
+0 & 0 & 2 & 6t_f & 12t_f^2 & 20t_f^3 \end{bmatrix} \begin{bmatrix} q_0 \\ 0 \\ 0 \\ \frac{10(q_f - q_0)}{t_f^3} \\ -\frac{15(q_f - q_0)}{t_f^4} \\
+\frac{6(q_f - q_0)}{t_f^5} \end{bmatrix} = \begin{bmatrix} q_0 \\ 0 \\ 0 \\ q_f \\ 0 \\ 0 \end{bmatrix}""",
+                    ),
+                ),
+                {"symbols": {"q_0": "free", "q_f": "free", "t_f": "free"}},
+            ),
             right=(coefficients, COEFFICIENTS, _coefficients_by_solve, WithSympy(_coefficients_with_sympy)),
             wrong=(
                 Wrong(
@@ -403,6 +421,20 @@ LESSON = Lesson(
                 "Differentiate $10 t^3/t_f^3 - 15 t^4/t_f^4 + 6 t^5/t_f^5$.",
                 "All three terms have $30 t^2$ in common.",
                 "What is left, $t_f^2 - 2 t t_f + t^2$, is a square.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Differentiate each term.",
+                        r"\frac{\partial}{\partial t}\left( 10\frac{t^3}{t_f^3} - 15\frac{t^4}{t_f^4} + 6\frac{t^5}{t_f^5} \right) = \frac{30 t^2}{t_f^3} - \frac{60 t^3}{t_f^4} + \frac{30 t^4}{t_f^5}",
+                    ),
+                    Line(
+                        "Take out what all three have in common.",
+                        r"\frac{30 t^2}{t_f^3} - \frac{60 t^3}{t_f^4} + \frac{30 t^4}{t_f^5} = \frac{30 t^2}{t_f^5} (t_f^2 - 2 t t_f + t^2)",
+                    ),
+                    Line("A square is left.", r"t_f^2 - 2 t t_f + t^2 = (t_f - t)^2"),
+                ),
+                {"symbols": {"t": "free", "q_0": "free", "q_f": "free", "t_f": "free"}},
             ),
             right=(
                 velocity,

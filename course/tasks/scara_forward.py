@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import (
+    Choice,
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Table,
+    Task,
+    WithSympy,
+    Wrong,
+)
 from armproof.course.links import classic_link, product, shift, turn
 
 ARM = "scara_modified"
@@ -334,6 +346,24 @@ LESSON = Lesson(
                 "Seen from above, axis 1, the elbow and the tool form a triangle. Which angle is at the elbow?",
                 "The angle inside the triangle is $\\pi - \\theta_2$; use the law of cosines.",
                 "$\\cos(\\pi - \\theta_2) = -\\cos\\theta_2$: the last term is $+2 a_2 a_3 \\cos\\theta_2$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line("Seen from above, $x$ of the tool.", r"x = a_2 C_1 + a_3 C_{12}"),
+                    Line("And $y$.", r"y = a_2 S_1 + a_3 S_{12}"),
+                    Line(
+                        "Square and add: $C_1^2 + S_1^2 = 1$, twice.",
+                        r"x^2 + y^2 = a_2^2 + a_3^2 + 2 a_2 a_3 (C_1 C_{12} + S_1 S_{12})",
+                    ),
+                    Line(
+                        "The bracket is the cosine of the difference of the two angles.",
+                        r"x^2 + y^2 = a_2^2 + a_3^2 + 2 a_2 a_3 \cos\theta_2",
+                    ),
+                ),
+                {
+                    "arm": "scara_modified",
+                    "quantities": {"x": {"origin": 4, "component": "x"}, "y": {"origin": 4, "component": "y"}},
+                },
             ),
             right=(
                 distance_squared,

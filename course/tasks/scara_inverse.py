@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Shown
 from armproof.models.errors import written
@@ -307,6 +307,23 @@ LESSON = Lesson(
                 "Square and add: $X^2 + Y^2$. With $C_1 C_{12} + S_1 S_{12} = C_2$ only one cosine is left.",
                 "$X^2 + Y^2 = a_1^2 + a_2^2 + 2 a_1 a_2 \\cos\\theta_2$.",
             ),
+            derivation=Derivation(
+                (
+                    Line("The first equation.", r"X = a_1 C_1 + a_2 C_{12}"),
+                    Line("The second.", r"Y = a_1 S_1 + a_2 S_{12}"),
+                    Line(
+                        "Square both and add: $\\theta_1$ is left in one bracket only.",
+                        r"X^2 + Y^2 = a_1^2 + a_2^2 + 2 a_1 a_2 (C_1 C_{12} + S_1 S_{12})",
+                    ),
+                    Line("That bracket is a cosine of a difference.", r"C_1 C_{12} + S_1 S_{12} = C_2"),
+                    Line("So $\\theta_1$ is gone.", r"X^2 + Y^2 = a_1^2 + a_2^2 + 2 a_1 a_2 C_2"),
+                    Line("Solve for the cosine.", r"\cos\theta_2 = \frac{X^2 + Y^2 - a_1^2 - a_2^2}{2 a_1 a_2}"),
+                ),
+                {
+                    "arm": "scara_column",
+                    "quantities": {"X": {"origin": 4, "component": "x"}, "Y": {"origin": 4, "component": "y"}},
+                },
+            ),
             right=(
                 cosine,
                 _COSINE,
@@ -358,6 +375,35 @@ LESSON = Lesson(
                 "Multiplied out it is $4 a_1^2 a_2^2 - (X^2 + Y^2 - a_1^2 - a_2^2)^2$: a difference of two squares.",
                 "One factor is $(a_1 + a_2)^2 - X^2 - Y^2$, the room up to the outer circle. The other is the room down to the inner one.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Begin with the squared sine.",
+                        r"4 a_1^2 a_2^2 \sin^2\theta_2 = 4 a_1^2 a_2^2 - (2 a_1 a_2 \cos\theta_2)^2",
+                    ),
+                    Line("The cosine is known.", r"2 a_1 a_2 \cos\theta_2 = X^2 + Y^2 - a_1^2 - a_2^2"),
+                    Line(
+                        "A difference of two squares is a product.",
+                        r"4 a_1^2 a_2^2 \sin^2\theta_2 = \left( 2 a_1 a_2 + X^2 + Y^2 - a_1^2 - a_2^2 \right) \left( 2 a_1 a_2 - X^2 - Y^2 + a_1^2 + a_2^2 \right)",
+                    ),
+                    Line(
+                        "The second factor: the room up to the outer circle.",
+                        r"2 a_1 a_2 - X^2 - Y^2 + a_1^2 + a_2^2 = (a_1 + a_2)^2 - X^2 - Y^2",
+                    ),
+                    Line(
+                        "The first factor: the room down to the inner circle.",
+                        r"2 a_1 a_2 + X^2 + Y^2 - a_1^2 - a_2^2 = X^2 + Y^2 - (a_1 - a_2)^2",
+                    ),
+                    Line(
+                        "Together.",
+                        r"4 a_1^2 a_2^2 \sin^2\theta_2 = \left( (a_1 + a_2)^2 - X^2 - Y^2 \right) \left( X^2 + Y^2 - (a_1 - a_2)^2 \right)",
+                    ),
+                ),
+                {
+                    "arm": "scara_column",
+                    "quantities": {"X": {"origin": 4, "component": "x"}, "Y": {"origin": 4, "component": "y"}},
+                },
+            ),
             right=(room, _ROOM, WithSympy(_room_with_sympy), _room_as_product),
             wrong=(
                 Wrong(
@@ -405,6 +451,26 @@ LESSON = Lesson(
                 "$(k_1, k_2)$ is where the tool would be with $\\theta_1 = 0$. The shoulder turns this vector until it is $(X, Y)$.",
                 "Turning adds angles: the angle of $(X, Y)$ is $\\theta_1$ plus the angle $\\alpha$ of $(k_1, k_2)$.",
                 "The angle of $(x, y)$ in all quadrants is $\\mathrm{atan2}(y, x)$, y first. Take one from the other.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Expand the sums in $X$: what stands before $C_1$ and $S_1$?",
+                        r"X = (a_1 + a_2 C_2) C_1 - a_2 S_2 S_1",
+                    ),
+                    Line("The same in $Y$.", r"Y = (a_1 + a_2 C_2) S_1 + a_2 S_2 C_1"),
+                    Line("With $k_1 = a_1 + a_2 C_2$ and $k_2 = a_2 S_2$ this is short.", r"X = k_1 C_1 - k_2 S_1"),
+                    Line(
+                        "$(X, Y)$ is $(k_1, k_2)$, turned by $\\theta_1$: the angle of one is that of the other plus $\\theta_1$.",
+                        r"Y = k_1 S_1 + k_2 C_1",
+                    ),
+                    Line("Both vectors have the same length, as they should.", r"X^2 + Y^2 = k_1^2 + k_2^2"),
+                ),
+                {
+                    "arm": "scara_column",
+                    "quantities": {"X": {"origin": 4, "component": "x"}, "Y": {"origin": 4, "component": "y"}},
+                },
+                ("k_1 = a_1 + a_2 C_2", "k_2 = a_2 S_2"),
             ),
             right=(
                 shoulder,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.links import turn
 
 
@@ -155,6 +155,34 @@ LESSON = Lesson(
                 "$R_z(\\theta_1) R_z(\\theta_2) = R_z(\\theta_1 + \\theta_2)$; then multiply by $R_x(\\pi) = \\mathrm{diag}(1, -1, -1)$ on the right.",
                 "Multiplying by $\\mathrm{diag}(1, -1, -1)$ on the right changes the sign of columns 2 and 3 of $R_z(\\theta_1 + \\theta_2)$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "A turn about $z_0$.",
+                        r"R^0_1 = \begin{bmatrix} C_1 & -S_1 & 0 \\ S_1 & C_1 & 0 \\ 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "A turn about $z_1$, then $R_x(\\pi)$: columns 2 and 3 change sign.",
+                        r"R^1_2 = \begin{bmatrix} C_2 & S_2 & 0 \\ S_2 & -C_2 & 0 \\ 0 & 0 & -1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply.",
+                        r"R^0_2 = R^0_1 R^1_2 = \begin{bmatrix} C_1 C_2 - S_1 S_2 & C_1 S_2 + S_1 C_2 & 0 \\ S_1 C_2 + C_1 S_2 & S_1 S_2 - C_1 C_2 & 0 \\ 0 & 0 & -1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Each entry is the sine or the cosine of a sum.",
+                        r"R^0_2 = \begin{bmatrix} C_{12} & S_{12} & 0 \\ S_{12} & -C_{12} & 0 \\ 0 & 0 & -1 \end{bmatrix}",
+                    ),
+                ),
+                {
+                    "arm": "scara",
+                    "transforms": "upper",
+                    "quantities": {
+                        "J": {"jacobian": 4},
+                        "J'_P": {"jacobian": 4, "rows": [1, 2, 3], "columns": [1, 2, 3]},
+                    },
+                },
+            ),
             right=(rotation, WithSympy(_rotation_sympy), ROTATION),
             wrong=(
                 Wrong(
@@ -186,6 +214,27 @@ LESSON = Lesson(
                 "The first link lies before $p_1$: it is in both points.",
                 "In the plane it is the second link, whose direction from $x_0$ is $\\theta_1 + \\theta_2$.",
                 "Vertically the tool is $d_3 + d_4$ below the arm; $z_0$ points up.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The tool.",
+                        r"p_4 = \begin{bmatrix} a_1 C_1 + a_2 C_{12} \\ a_1 S_1 + a_2 S_{12} \\ -(d_3 + d_4) \end{bmatrix}",
+                    ),
+                    Line("The axis of joint 2.", r"p_1 = \begin{bmatrix} a_1 C_1 \\ a_1 S_1 \\ 0 \end{bmatrix}"),
+                    Line(
+                        "Subtract: the first link falls out.",
+                        r"p_4 - p_1 = \begin{bmatrix} a_2 C_{12} \\ a_2 S_{12} \\ -(d_3 + d_4) \end{bmatrix}",
+                    ),
+                ),
+                {
+                    "arm": "scara",
+                    "transforms": "upper",
+                    "quantities": {
+                        "J": {"jacobian": 4},
+                        "J'_P": {"jacobian": 4, "rows": [1, 2, 3], "columns": [1, 2, 3]},
+                    },
+                },
             ),
             right=(
                 lever,
@@ -219,6 +268,36 @@ LESSON = Lesson(
                 "A revolute joint $i$ gives $v = z_{i-1} \\times (p_4 - p_{i-1})$ and $\\omega = z_{i-1}$; a slide gives $v = z_{i-1}$ and $\\omega = 0$.",
                 "$z_0 = z_1 = [0, 0, 1]^T$ and $z_2 = z_3 = [0, 0, -1]^T$. Crossing $[0, 0, 1]^T$ with $[x, y, z]^T$ gives $[-y, x, 0]^T$.",
                 "Column 1 is $[-y, x, 0, 0, 0, 1]^T$ with $x, y$ of $p_4$, column 2 the same with $x, y$ of $p_4 - p_1$; columns 3 and 4 hold a single $-1$ each.",
+            ),
+            derivation=Derivation(
+                (
+                    Line("The first two axes point up.", r"z_0 = z_1 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}"),
+                    Line("The last two point down.", r"z_2 = z_3 = \begin{bmatrix} 0 \\ 0 \\ -1 \end{bmatrix}"),
+                    Line(
+                        "Column 1: the vector starts at the base.",
+                        r"z_0 \times (p_4 - p_0) = \begin{bmatrix} -a_1 S_1 - a_2 S_{12} \\ a_1 C_1 + a_2 C_{12} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 2: it starts at $p_1$.",
+                        r"z_1 \times (p_4 - p_1) = \begin{bmatrix} -a_2 S_{12} \\ a_2 C_{12} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 4: the tool lies on its axis.",
+                        r"z_3 \times (p_4 - p_3) = \begin{bmatrix} 0 \\ 0 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Put them together; the slide gives its axis.",
+                        r"J = \begin{bmatrix} z_0 \times (p_4 - p_0) & z_1 \times (p_4 - p_1) & z_2 & z_3 \times (p_4 - p_3) \\ z_0 & z_1 & 0_{3\times 1} & z_3 \end{bmatrix}",
+                    ),
+                ),
+                {
+                    "arm": "scara",
+                    "transforms": "upper",
+                    "quantities": {
+                        "J": {"jacobian": 4},
+                        "J'_P": {"jacobian": 4, "rows": [1, 2, 3], "columns": [1, 2, 3]},
+                    },
+                },
             ),
             right=(jacobian, WithSympy(_jacobian_sympy), JACOBIAN, _crossed),
             wrong=(
@@ -265,6 +344,32 @@ LESSON = Lesson(
                 "The block is block diagonal: a 2×2 block and the number in its corner.",
                 "The determinant of the 2×2 block is $x_1 y_2 - x_2 y_1$ of its columns; the products with $a_2^2$ cancel.",
                 "The block has $a_1 a_2 (S_{12} C_1 - C_{12} S_1)$. Which sine is that, and what does the corner do?",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Rows and columns 1 to 3.",
+                        r"J'_P = \begin{bmatrix} -a_1 S_1 - a_2 S_{12} & -a_2 S_{12} & 0 \\ a_1 C_1 + a_2 C_{12} & a_2 C_{12} & 0 \\ 0 & 0 & -1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Block diagonal: the corner, $-1$, times the 2×2 block.",
+                        r"\det J'_P = -\begin{vmatrix} -a_1 S_1 - a_2 S_{12} & -a_2 S_{12} \\ a_1 C_1 + a_2 C_{12} & a_2 C_{12} \end{vmatrix}",
+                    ),
+                    Line(
+                        "$x_1 y_2 - x_2 y_1$ of its columns.",
+                        r"\det J'_P = -\left( (-a_1 S_1 - a_2 S_{12}) a_2 C_{12} + a_2 S_{12} (a_1 C_1 + a_2 C_{12}) \right)",
+                    ),
+                    Line("The products with $a_2^2$ cancel.", r"\det J'_P = -a_1 a_2 (S_{12} C_1 - C_{12} S_1)"),
+                    Line("The bracket is the sine of a difference.", r"\det J'_P = -a_1 a_2 \sin\theta_2"),
+                ),
+                {
+                    "arm": "scara",
+                    "transforms": "upper",
+                    "quantities": {
+                        "J": {"jacobian": 4},
+                        "J'_P": {"jacobian": 4, "rows": [1, 2, 3], "columns": [1, 2, 3]},
+                    },
+                },
             ),
             right=(
                 determinant,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
 from armproof.course.links import shift, turn
 
 
@@ -335,6 +335,25 @@ LESSON = Lesson(
                 "It cannot depend on $\\theta_1$, so put $\\theta_1 = 0$.",
                 "Then column 1 is $[0, \\rho, 0]^T$ with $\\rho = l_2 C_2 + l_3 S_{23}$: expand along it. Mind the sign of that place.",
                 "What is left is $\\rho\\,(l_2 C_2\\, l_3 C_{23} + l_2 S_2\\, l_3 S_{23})$, and $C_2 C_{23} + S_2 S_{23}$ is one cosine.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The linear half at the point $P$.",
+                        r"J_L = \begin{bmatrix} -S_1 (l_2 C_2 + l_3 S_{23}) & -C_1 (l_2 S_2 - l_3 C_{23}) & l_3 C_1 C_{23} \\ C_1 (l_2 C_2 + l_3 S_{23}) & -S_1 (l_2 S_2 - l_3 C_{23}) & l_3 S_1 C_{23} \\ 0 & l_2 C_2 + l_3 S_{23} & l_3 S_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Turn the base: at $\\theta_1 = 0$ column 1 has one entry only. Expand along it.",
+                        r"\det J_L = -(l_2 C_2 + l_3 S_{23}) \begin{vmatrix} -l_2 S_2 + l_3 C_{23} & l_3 C_{23} \\ l_2 C_2 + l_3 S_{23} & l_3 S_{23} \end{vmatrix}",
+                    ),
+                    Line(
+                        "The products with $l_3^2$ cancel.",
+                        r"\begin{vmatrix} -l_2 S_2 + l_3 C_{23} & l_3 C_{23} \\ l_2 C_2 + l_3 S_{23} & l_3 S_{23} \end{vmatrix} = -l_2 l_3 (S_2 S_{23} + C_2 C_{23})",
+                    ),
+                    Line("A cosine of a difference is left.", r"S_2 S_{23} + C_2 C_{23} = C_3"),
+                    Line("Two minus signs make a plus.", r"\det J_L = l_2 l_3 C_3 (l_2 C_2 + l_3 S_{23})"),
+                ),
+                {"arm": "spatial_rrr", "quantities": {"J_L": {"jacobian": "P", "rows": [1, 2, 3]}}},
             ),
             right=(
                 determinant,

@@ -8,7 +8,18 @@ from typing import Any
 
 import pytest
 
-from armproof.course.feedback import Lesson, LessonError, Number, Outcome, Quantity, Task, Wrong, open_lesson
+from armproof.course.feedback import (
+    Derivation,
+    Lesson,
+    LessonError,
+    Line,
+    Number,
+    Outcome,
+    Quantity,
+    Task,
+    Wrong,
+    open_lesson,
+)
 from armproof.course.feedback.lesson import VARIABLE, read_progress
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
@@ -66,8 +77,27 @@ def test_hints_are_a_ladder(lesson: Lesson) -> None:
 
 
 def test_the_solution_shows_formula_and_number(lesson: Lesson) -> None:
+    lesson.tool.check([0, 0, 0])
+    lesson.two.check(3)
     assert "$$ \\begin{bmatrix}" in lesson.tool.solution()._repr_markdown_()
     assert "2" in str(lesson.two.solution())
+
+
+def test_the_solution_opens_line_by_line_after_an_attempt(lesson: Lesson) -> None:
+    assert "Try an answer first" in str(lesson.tool.solution())
+    lesson.tool.check()
+    assert "Try an answer first" in str(lesson.tool.solution())  # no answer is no attempt
+    lesson.tool.check([0, 0, 0])
+    assert make().tool.was_tried()  # in the next kernel too
+    assert not make().two.was_tried()
+    lesson.tool.derivation = Derivation((Line("The first bar.", "a = b"), Line("The second.", "b = c")))
+    one, two = str(lesson.tool.solution()), str(lesson.tool.solution())
+    assert "$$ a = b $$" in one
+    assert "b = c" not in one
+    assert "solution.**" not in one
+    assert "1. The first bar." in two
+    assert "$$ b = c $$" in two
+    assert "$$ \\begin{bmatrix}" in two
 
 
 def test_feedback_is_escaped_and_drawn_in_a_notebook(lesson: Lesson) -> None:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from armproof.course.feedback import Choice, Formula, Number, Outcome, Quantity, Task, lessons
+from armproof.course.feedback import Choice, Formula, Number, Outcome, Quantity, Task, lessons, open_lesson
 from armproof.course.feedback.answer import is_function
+from armproof.verification.verdict import Verdict
 
 TASKS = [pytest.param(task, id=f"{lesson.name}-{task.name}") for lesson in lessons() for task in lesson.tasks]
+DERIVED = [each for each in TASKS if each.values[0].derivation.lines]
 EVERY_TASK = pytest.mark.parametrize("task", TASKS)
 
 
@@ -40,3 +44,18 @@ def test_every_task_has_forms_mistakes_and_a_ladder(task: Task) -> None:
         assert {"function", str} <= forms
     assert str(task.hint())
     assert str(task.solution())
+
+
+@pytest.mark.parametrize("task", DERIVED)
+def test_every_line_of_a_derivation_is_proved(task: Task) -> None:
+    records = task.derivation.records()
+    assert len(records) == len(task.derivation.lines) > 1
+    assert [(each.latex, each.message) for each in records if each.verdict is not Verdict.PROVED] == []
+
+
+def test_a_line_that_does_not_hold_is_not_proved() -> None:
+    assert len(DERIVED) >= 20
+    derivation = open_lesson("scara_jacobian").determinant.derivation
+    *others, last = derivation.lines
+    wrong = replace(derivation, lines=(*others, replace(last, latex=last.latex.replace("-a_1", "a_1"))))
+    assert [each.verdict for each in wrong.records()][-2:] == [Verdict.PROVED, Verdict.REFUTED]
