@@ -204,7 +204,7 @@ class Conventions:
 
     def _closest(self, tried: Member, other: Member) -> Pair | None:
         """Return the readings of both in one shape that differ in the fewest entries, or None."""
-        if not other.known:
+        if not (tried.known and other.known):
             return None
         try:
             pairs = list(align(tried.value, other.value, self.members.exact))

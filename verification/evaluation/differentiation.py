@@ -7,10 +7,11 @@ from fractions import Fraction
 
 from armproof.verification.algebra.matrix import Matrix, column, sized
 from armproof.verification.algebra.protocol import Value
-from armproof.verification.errors import EvaluationError
+from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 
 
 def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
@@ -18,10 +19,18 @@ def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
     if (exact := evaluator.algebra.exact) is not None:
         return evaluator.algebra.from_exact(evaluator.within(exact).evaluate(node))
     value = sized(evaluator.evaluate(node.operand))
-    variable = node.variable
+    variable, operand = node.variable, bare(node.operand)
+    if evaluator.names.arm is None and isinstance(operand, n.Name) and _is_unknown(evaluator, operand, bare(variable)):
+        raise UnboundName(operand.key)
     for _ in range(node.order):
         value = _differentiate(evaluator, value, variable)
     return value
+
+
+def _is_unknown(evaluator: Evaluating, operand: n.Name, variable: n.Node) -> bool:
+    """Whether a letter that nothing binds may depend on any other."""
+    names = evaluator.names
+    return operand != variable and names.is_free(operand) and operand.key not in names.state.definitions
 
 
 def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Value:

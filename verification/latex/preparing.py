@@ -15,6 +15,7 @@ _OVERLAY = r"<[\d\s+,.|:a-z-]*>"
 _ESCAPES = r"_*^()[]+="  # of Markdown: in a formula their backslash means nothing
 _SILENT = re.compile(
     rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))|(?P<unequal>\\not\s*=)"
+    r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z]))|(?P<differential>\\dd(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
     rf"|\\(?:setlength|addtolength|settowidth|settoheight|settodepth){_COMMAND}{_ARGUMENT}|\\setcounter{_ARGUMENT}{_ARGUMENT}"
     rf"|\\(?:re|provide)?newcommand\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"
     rf"|\\(?:arraycolsep|tabcolsep|jot|lineskip|baselineskip|kern|mkern|hskip|mskip|vskip){_LENGTH}|\\arraystretch\s*=?\s*[\d.]*"
@@ -47,6 +48,10 @@ def _plain(found: re.Match[str]) -> str:
         return found.group()
     if found["unequal"]:
         return "\\ne".ljust(len(found.group()))
+    if found["degree"]:
+        return "^\\circ".ljust(len(found.group()))
+    if found["differential"]:
+        return " d "
     if found["escape"] or found["set"]:
         return " " + found.group()[1]
     command = found["command"] or ""

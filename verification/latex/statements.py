@@ -95,13 +95,30 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
 
 def _word_kind(text: str) -> str:
     words = text.strip(" .,;:").lower()
-    if words in ("or", "ou", "oder", "o"):
+    if words in ("or", "ou", "oder", "o", "或", "或者", "または", "또는", "или", "หรือ"):
         return "or"
-    if words in ("and", "et", "und", "y", "e"):
+    if words in ("and", "et", "und", "y", "e", "和", "且", "与", "と", "그리고", "и", "และ"):
         return "and"
     if words in ("if and only if", "iff", "si et seulement si", "ssi"):
         return "⇔"
-    if words in ("if", "si", "when", "whenever", "for", "pour", "lorsque", "provided", "wenn", "for all"):
+    if words in (
+        "if",
+        "si",
+        "when",
+        "whenever",
+        "for",
+        "pour",
+        "lorsque",
+        "provided",
+        "wenn",
+        "falls",
+        "cuando",
+        "若",
+        "当",
+        "如果",
+        "если",
+        "for all",
+    ):
         return "if"
     return "words"
 

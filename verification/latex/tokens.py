@@ -92,7 +92,7 @@ _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
 _TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
-_STYLED_WORD = re.compile(r"\s*\{\s*([A-Za-zÀ-ÿ][^{}\\$]*?)\s*\}")
+_STYLED_WORD = re.compile(r"\s*\{\s*([^\W\d_][^{}\\$]*?)\s*\}")
 _FENCES = {
     ".": ".", r"\{": "{", r"\lbrace": "{", r"\}": "{", r"\rbrace": "{",
     **dict.fromkeys(("|", r"\|", r"\lvert", r"\rvert", r"\vert", r"\lVert", r"\rVert"), "|"),
@@ -105,6 +105,11 @@ _ENDS_OPERAND = frozenset(
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
 _SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
 _OPENS = re.compile(r"\s*\{")
+_BLANK_LINE = re.compile(r"\n[ \t]*\n")
+_NEW_EQUATION = re.compile(r"[A-Za-z{\\^](?:[^=\n&\\+]|\\[A-Za-z]){0,40}=")
+_OVER_OR_BRACE = re.compile(r"\\over(?![A-Za-z])|\\.|[{}]", re.DOTALL)
+_FRACTION = (("LBRACE", "{"), ("FRAC", "frac"), ("LBRACE", "{"))  # {\frac{ for the brace of {a \over b}
+_CELL_ENDS = re.compile(r"\s*(?:&|\\\\|\\cr(?![A-Za-z])|\\end(?![A-Za-z])|\})")
 _OPENS_SPACED = re.compile(r"\s*\{(?:(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2})")
 _FORMULA = re.compile(r"\$([^$]*)\$")
 _RELATES = re.compile(r"[=<>]|\\(?:approx|[lg]eq?|neq?|in)(?![A-Za-z])")
@@ -151,7 +156,8 @@ class _Scanner:
         self.transparent_braces: set[int] = set()
         self.depth = 0
         self.previous = ""
-        self.bar_open = False
+        self.bar_open = self.double_bar = False  # |x|, ||x||
+        self.plain_ends: dict[int, str] = {}  # where \matrix{…} and {… \over …} end, and what they are
         self.sentences: list[int] = []  # the ends of the \\text{…} in whose formulas we are
 
     def token(self, kind: str, value: str, start: int, end: int) -> Token:
@@ -175,7 +181,7 @@ class _Scanner:
             elif found.group("END"):
                 kind = "END"
             if kind in ("SPACE", "TAG"):
-                if _WIDE_SPACE.match(found.group()):
+                if _WIDE_SPACE.match(found.group()) or self._begins_anew(found):
                     yield self.token("SEP", "\\quad", position, found.end())
                 position = found.end()
                 continue
@@ -185,6 +191,11 @@ class _Scanner:
             if count > MAX_TOKENS:
                 raise ReadError(say(Kind.TOO_MANY_TOKENS, most=MAX_TOKENS), position)
             yield from tokens
+
+    def _begins_anew(self, blank: re.Match[str]) -> bool:
+        """Whether a blank line stands between two equations."""
+        outside = self.depth == 0 and not self.fences and self.previous in _ENDS_OPERAND
+        return outside and bool(_BLANK_LINE.search(blank.group()) and _NEW_EQUATION.match(self.text, blank.end()))
 
     # Each handler returns the tokens and where to go on.
 
@@ -267,6 +278,25 @@ class _Scanner:
                     return index
         raise ReadError(say(Kind.BRACE_OPEN), position)
 
+    def _over(self, start: int) -> bool:
+        r"""Whether a brace holds a fraction of plain TeX, {a \over b}; its bar and its end are kept."""
+        if "\\over" not in self.text:
+            return False
+        close, depth = self._matching_brace(start), 0
+        for found in _OVER_OR_BRACE.finditer(self.text, start + 1, close):
+            depth += {"{": 1, "}": -1}.get(found.group(), 0)
+            if depth == 0 and found.group() == "\\over":
+                self.plain_ends |= {found.start(): "over", close: "over"}
+                return True
+        return False
+
+    def _plain_end(self, start: int, end: int) -> list[Token]:
+        """Return the tokens that end a matrix or a fraction of plain TeX."""
+        self.depth -= 1
+        if (name := self.plain_ends[start]) != "over":
+            return [self.token("END", name, start, end)]
+        return [self.token("RBRACE", "}", start, end), self.token("RBRACE", "}", start, end)]
+
     def _holds_equations(self, start: int) -> bool:
         """Whether a brace is but put round equations, and holds no part of one."""
         try:
@@ -341,8 +371,16 @@ class _Scanner:
             return [self.token("LETTER", f"angle{of[1] if of else ''}", start, after)], after
         if name == "sqrt":
             return self._function(name, start, end)
+        if name in ("matrix", "pmatrix") and (brace := _OPENS.match(self.text, end)):
+            self.plain_ends[self._matching_brace(brace.end() - 1)] = name
+            self._deeper(start)
+            return [self.token("BEGIN", name, start, brace.end())], brace.end()
+        if name == "over" and start in self.plain_ends:
+            return [self.token("RBRACE", "}", start, end), self.token("LBRACE", "{", start, end)], end
         if name in COMMANDS:
             kind = COMMANDS[name]
+            if name == "cdot" and self.previous in _BEGINS and _CELL_ENDS.match(self.text, end):
+                kind = "DOTS"  # one of the dots of a matrix
             if kind == "BAR":
                 return self._bar(start, end)
             if kind == "LETTER":
@@ -387,7 +425,7 @@ class _Scanner:
         if content in LETTERS:
             return self._letter(self._variant(content), start, after)
         if name in WORD_STYLES and content not in self.words:
-            if len(content) == 1 and content.isalpha() and content not in "àa":
+            if len(content) == 1 and content.isascii() and content != "a":
                 return self._letter(content, start, after)
             if re.fullmatch(r"[a-zA-Z]_?\d+", content):
                 return [], end
@@ -537,6 +575,8 @@ class _Scanner:
         if self.text.startswith("\\mid", start):
             return False
         member = _NEXT_BAR.split(self.text[end:], maxsplit=1)[0]
+        if self.text.startswith("||", start):
+            return member.count("||") % 2 == 1
         if self.text.startswith("\\|", start):
             return member.count("\\|") % 2 == 1
         member = re.sub(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_", "", member)
@@ -544,7 +584,12 @@ class _Scanner:
 
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if value == "|":
-            return self._bar(start, end)
+            doubled = self.text.startswith("||", start) and self.double_bar == self.bar_open
+            tokens, end = self._bar(start, end + doubled)
+            self.double_bar = self.bar_open and doubled
+            return tokens, end
+        if value == "}" and start in self.plain_ends:
+            return self._plain_end(start, end), end
         if value == "$" and self.sentences:
             return self._sentence_from(end, start)
         if value == "\u200b" or start in self.transparent_braces:
@@ -559,6 +604,9 @@ class _Scanner:
             word = _BRACED_FUNCTION.match(self.text, start)
             if word and word.group(1) in FUNCTIONS and len(word.group(1)) > 2:
                 return self._function(word.group(1), start, word.end())
+            if self._over(start):
+                self._deeper(start)
+                return [self.token(kind, value, start, end) for kind, value in _FRACTION], end
             if self.previous not in _TAKES_ARGUMENT and self._holds_equations(start):
                 self.transparent_braces.add(self._matching_brace(start))
                 return [], end

@@ -11,7 +11,7 @@ UNICODE = {
     "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
     "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
     "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ",
-    "\u00a0": " ", **{character: f"\\{name} " for character, name in greek.NAMES.items()},
+    "\u00a0": " ", "⁼": "=", "＝": "=", "（": "(", "）": ")", "，": ",", "；": ";", "：": ":", **{character: f"\\{name} " for character, name in greek.NAMES.items()},
 }  # fmt: skip
 
 # how the functions of kinematics are spelt: the spelling → the function
@@ -70,7 +70,7 @@ STYLES = (
 SPACES = (
     r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hfill|noindent|"
     r"normalsize|small|footnotesize|scriptsize|tiny|large|Large|centering|allowbreak|"
-    r"thinspace|medspace|thickspace|negthinspace|middle|[bB]igg?[lrm]?|toprule|midrule|bottomrule|strut|relax|null"
+    r"thinspace|medspace|thickspace|negthinspace|space|middle|[bB]igg?[lrm]?|toprule|midrule|bottomrule|strut|relax|null"
 )
 
 # single characters and commands → the kind of token

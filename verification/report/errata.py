@@ -163,7 +163,13 @@ def _markdown_words(text: str) -> str:
     return re.sub(r"([\\`*_<>\[\]$|#])", r"\\\1", text)
 
 
-_TEX = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+_TEX = {
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "\u00a0": "~",
+    "\u202f": r"\,",
+}
 
 
 def _tex_words(text: str) -> str:
@@ -194,6 +200,6 @@ TEX = Notation(
     item="\\par\\hangindent=1em $\\bullet$ {}\n",
     whole=(
         "\\documentclass[11pt,a4paper]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[T1]{{fontenc}}\n"
-        "\\usepackage{{amsmath,amssymb}}\n\\setlength{{\\parindent}}{{0pt}}\n\\begin{{document}}\n\n{}\\end{{document}}\n"
+        "\\usepackage{{amsmath,amssymb,bm}}\n\\setlength{{\\parindent}}{{0pt}}\n\\begin{{document}}\n\n{}\\end{{document}}\n"
     ),
 )

@@ -10,6 +10,7 @@ from pypdf import PdfReader
 from typer.testing import CliRunner
 
 from armproof.verification.cli import app
+from armproof.verification.report.errata import TEX
 
 FRONT = "---\narm: planar_2r\nquantities:\n  J_v: {jacobian: 2, rows: [1, 2]}\n---\n\n"
 RIGHT = r"$$ p_2 = \begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix} $$" + "\n\n"
@@ -64,6 +65,11 @@ def test_the_three_formats_say_the_same(folder: Path) -> None:
     tex, pdf = sheet(folder, "errata.tex", 1), sheet(folder, "errata.pdf", 1)
     assert r"a\_b.md, line 11" in tex and "$-l_2 S_{12}$" in tex and tex.endswith("\\end{document}\n")
     assert "a_b.md, line 11" in pdf and "wrong sign" in pdf and "slide 4" in pdf
+
+
+def test_french_spaces_are_spaces_of_tex_and_no_formula() -> None:
+    assert TEX.words("imprimé\u202f: 2\u00a0%") == r"imprimé\,: 2~\%"
+    assert TEX.words("θ") == r"$\theta$"
 
 
 @pytest.mark.parametrize("name", ["errata.md", "errata.tex", "errata.pdf"])

@@ -31,7 +31,8 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
         found: Found = {}
         for display in document.displays:
             for axis, value in _coordinates(display, names, algebra, letters) if "=" in display.latex else ():
-                found.setdefault(axis, (value, display))
+                if axis == "z" or _letters_of(value)[1]:  # x = f(θ) and x = 1.5 tell nothing
+                    found.setdefault(axis, (value, display))
         rows = _planar(found, algebra) or _turned(found, algebra) if {"x", "y"} <= found.keys() else None
     if rows is None:
         return None

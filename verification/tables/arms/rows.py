@@ -116,6 +116,8 @@ def _joint_of(reading: Reading, row: _Row, values: Mapping[str, Scalar]) -> tupl
     cells = {place: row.cells[reading.columns[place]] for place in ("theta", "d")}
     named = [place for place in cells if row.variable and row.variable in symbols_of(values[place])]
     marked = [place for place, cell in cells.items() if _is_marked(cell)]
+    if place == "" and not (marked or cells["theta"].text or any(map(_is_slide, symbols_of(values["d"])))):
+        marked = ["theta"]  # an empty cell is no zero: the variable itself
     place = place or next((told[0] for told in (named, marked) if len(told) == 1), "")
     if not place:
         is_tool_length = is_tool(row.label) and not symbols_of(values["theta"])
