@@ -21,6 +21,7 @@ from armproof.course.grading.running.keeper import Ended
 from armproof.course.grading.running.own_folder import remove
 from armproof.course.grading.sandbox.bubblewrap import find_bubblewrap
 from armproof.course.grading.sandbox.limits import LIBRARIES, Limits
+from armproof.models.language import spoken
 
 _GRACE = 30.0  # s beyond a submission's own time, after which a keeper that does not answer is given up
 _STARTING = 300.0
@@ -168,4 +169,4 @@ def _environment() -> dict[str, str]:
     if "PYTHONPATH" in kept:
         parts = (Path(part).resolve() for part in kept["PYTHONPATH"].split(os.pathsep) if part)
         kept["PYTHONPATH"] = os.pathsep.join(map(str, parts))
-    return kept | LIBRARIES | {"PYTHONUTF8": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+    return kept | LIBRARIES | {"PYTHONUTF8": "1", "PYTHONDONTWRITEBYTECODE": "1", "LANGUAGE": spoken()}

@@ -122,8 +122,9 @@ def _be_the_run(
         prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # a change of user clears it
         reports = _arrange(pipes)
         os.chdir(own)
+        given = _environment(own)
         os.environ.clear()
-        os.environ.update(_environment(own))
+        os.environ.update(given)
         me = _process()
 
         def send(report: dict[str, Any]) -> None:
@@ -140,9 +141,9 @@ def _be_the_run(
 
 
 def _environment(own: Path) -> dict[str, str]:
-    """Return the environment of a run: nothing of the teacher's."""
+    """Return the environment of a run: nothing of the teacher's but the language in which lessons answer."""
     home = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR", "XDG_CACHE_HOME", "JUPYTER_DATA_DIR"), str(own))
-    return home | LIBRARIES | {"PATH": SEARCHED, "LANG": "C.UTF-8"}
+    return home | LIBRARIES | {"PATH": SEARCHED, "LANG": "C.UTF-8", "LANGUAGE": os.environ.get("LANGUAGE", "")}
 
 
 def _arrange(pipes: tuple[int, int]) -> int:

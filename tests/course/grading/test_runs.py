@@ -13,9 +13,12 @@ from armproof.course.grading.judging import judge
 from armproof.course.grading.notebook import Notebook
 from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.running.client import Client
+from armproof.course.grading.running.client import _environment as client_environment
+from armproof.course.grading.running.keeper import _environment as run_environment
 from armproof.course.grading.running.protections import ATTEMPTS
 from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
 from armproof.course.grading.submissions import Submission
+from armproof.models.language import use
 from armproof.verification.cli import app
 from tests.course.grading.hostile import KINDS
 
@@ -99,6 +102,12 @@ def test_nothing_of_the_teachers_environment_is_seen(run, monkeypatch):
     assert "HOME" in os.environ
     seen = run("import os\nprint(sorted(os.environ), os.environ['HOME'] == os.getcwd(), os.read(0, 1))").output
     assert "True b''" in seen and not {"USER", "PYTEST_CURRENT_TEST", "PYTEST_VERSION"} & set(seen.split("'"))
+
+
+def test_a_run_answers_in_the_language_of_the_grading(tmp_path, monkeypatch):
+    with use("fr"):
+        monkeypatch.setenv("LANGUAGE", client_environment()["LANGUAGE"])
+    assert run_environment(tmp_path)["LANGUAGE"] == "fr" and client_environment()["LANGUAGE"] == "en"
 
 
 def test_what_was_checked_before_the_time_was_up_counts(run):
