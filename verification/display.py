@@ -248,6 +248,10 @@ class Statements:
             if outcome.verdict is Verdict.REFUTED:
                 other = say(Kind.OTHER_EXERCISE, name=foreign[0][0], line=foreign[0][1])
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
+        if (
+            text := self.names.state.from_text()
+        ):  # it may speak of one case: only a slip in what follows from it is refuted
+            outcomes = [each.unless_near(say(Kind.AS_TEXT_SAYS, name=text[0])) for each in outcomes]
         defined = {(key, line) for outcome in outcomes for key in outcome.defines}
         for outcome in outcomes:  # c_3 = … := D names what is decided beside it
             met = {key for key in self._consulted() if key[0] not in outcome.defines and key != outcome.repeats}

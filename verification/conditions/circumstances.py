@@ -16,6 +16,8 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.state import Told
 from armproof.verification.verdict import Verdict
 
@@ -28,18 +30,18 @@ class Circumstances:
         self.given = given
         self.names = checker.names
 
-    def heed(self, said: Sequence[str], above: int = 0) -> None:
+    def heed(self, said: Sequence[str], above: int = 0, line: int = 0) -> None:
         """The text before a display gives values or a condition: the configuration stated before it is over, perhaps.
 
         What stands `above` the last heading ends a configuration as well, but tells nothing of what stands below.
         """
         if above:
-            self._heed(said[:above])
+            self._heed(said[:above], line)
             self.names.state.told = Told()
         if said[above:]:
-            self._heed(said[above:])
+            self._heed(said[above:], line)
 
-    def _heed(self, said: Iterable[str]) -> None:
+    def _heed(self, said: Iterable[str], line: int) -> None:
         names: set[str] = set()
         conditions: list[n.Chain] = []
         in_words = False
@@ -50,9 +52,25 @@ class Circumstances:
                 names |= {*self.given.joints, *self.given.lengths}
                 chains = []
             names |= {name for chain in chains for name in _equated(chain)}
+            for chain in chains:
+                self._define(chain, line)
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
         self._begin(names, conditions, in_words)
+
+    def _define(self, chain: n.Chain, line: int) -> None:
+        """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
+        name = chain.members[0]
+        if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots or not self.names.is_open(name):
+            return
+        members, value = self.checker.members, chain.members[1]
+        usual = is_usual(name) and conventional(name, self.names.arm, self.names.transforms)  # type: ignore[arg-type]
+        if usual or isinstance(bare(value), n.Name):
+            return
+        (found,) = self.checker.conventions.bind([members.evaluate(value)])
+        scalar = as_scalar(found.value) if found.known else None
+        if isinstance(scalar, Scalar) and symbols_in([scalar]):
+            self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
 
     def of_display(self, chain: n.Chain) -> None:
         """A display that is a condition itself, c_1 = 1 or l_1 = l_2, may limit those behind it."""

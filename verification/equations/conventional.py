@@ -61,7 +61,8 @@ class Conventions:
             return chain
         self.doubts = Doubts(self.names)
         keys = set(map(_plain_key, chain.members))
-        if known := keys & self.names.state.conventional:  # a name that stands alone is asked anew
+        self.names.state.forget_text(keys)  # a name that stands alone is asked anew
+        if known := keys & self.names.state.conventional:
             self.doubts.forget(known)
         for key in filter(self._usual, keys):
             self.names.state.definitions.pop(key, None)

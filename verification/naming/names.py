@@ -261,11 +261,13 @@ class Names:
         *,
         by_place: bool = False,
         node: n.Node | None = None,
+        in_text: bool = False,
     ) -> None:
         """Give a name its meaning, unless it has one."""
-        self.state.definitions.setdefault(
-            key, Definition(evaluate, line, self.state.section, by_place, node, self.state.exercise)
+        definition = Definition(
+            evaluate, line, self.state.section, by_place, node, self.state.exercise, in_text=in_text
         )
+        self.state.definitions.setdefault(key, definition)
 
 
 def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:

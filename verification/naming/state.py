@@ -31,6 +31,7 @@ class Definition:
     node: n.Node | None = None  # what an equation of its own says that it is
     exercise: str = ""  # empty in the document's head, which holds for all of them
     has_two_meanings: bool = False  # a second equation of its section says that it is something else
+    in_text: bool = False  # what the text between displays says: a display that gives the name a meaning goes before
 
 
 @dataclass(frozen=True)
@@ -178,6 +179,15 @@ class DocumentState:
         """Return the names consulted whose definitions stand in another exercise, each with its line."""
         met = {key: self.definitions[key] for key, _ in self.consulted if key in self.definitions}
         return sorted((key, each.line) for key, each in met.items() if each.exercise not in ("", self.exercise))
+
+    def from_text(self) -> list[str]:
+        """Return the names consulted whose meaning the text between displays gave."""
+        return sorted(key for key, _ in self.consulted if key in self.definitions and self.definitions[key].in_text)
+
+    def forget_text(self, keys: Iterable[str]) -> None:
+        """Take back what the text said of names."""
+        for key in [key for key in keys if key in self.definitions and self.definitions[key].in_text]:
+            del self.definitions[key]
 
     def copy(self) -> DocumentState:
         """Return the state as it is now."""
