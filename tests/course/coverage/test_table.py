@@ -23,6 +23,10 @@ def test_what_the_table_cites_exists_and_what_is_asked_has_a_task() -> None:
     assert list(faults(EXERCISES, SHEETS, TASKS)) == []
 
 
+def test_no_exercise_of_the_sources_is_open() -> None:
+    assert [row.citation for row in EXERCISES if row.status is Status.OPEN] == []
+
+
 @pytest.mark.parametrize(
     ("row", "said"),
     [
