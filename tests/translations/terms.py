@@ -6,7 +6,7 @@ import csv
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from unicodedata import combining, normalize
 
@@ -39,9 +39,19 @@ class Term:
         """What finds the term in English prose, in the singular or plural."""
         return re.compile(rf"(?<![\w-]){_english(self.source)}(?![\w-])", re.IGNORECASE)
 
+    @cached_property
+    def begins(self) -> str:
+        """What the term begins with in all its forms, in small letters."""
+        return self.source.split(" ")[0][:-1].lower()
+
+    @cached_property
+    def inflected(self) -> tuple[re.Pattern[str], ...]:
+        """What finds its translations in prose."""
+        return tuple(re.compile(_inflected(each)) for each in self.translations)
+
     def stands_in(self, translation: str) -> bool:
         """Whether a translation holds the term in its language."""
-        return any(re.search(_inflected(each), _plain(translation)) for each in self.translations)
+        return any(pattern.search(_plain(translation)) for pattern in self.inflected)
 
     def misnamed(self, translation: str) -> str:
         """Return the word of a translation that is never used for the term; empty where there is none."""
@@ -74,7 +84,8 @@ def read_terms(file: Path) -> tuple[Term, ...]:
 def misused(terms: Sequence[Term], text: str, translation: str) -> Iterator[str]:
     """Yield where a translation does not use the listed term for one of the text, or uses a word that is never used."""
     left, translation = _ASIDE.sub(" ", _CODE.sub(" ", text)), _CODE.sub(" ", translation)
-    for term in terms:
+    small = left.lower()
+    for term in (each for each in terms if each.begins in small):
         left, count = term.pattern.subn(" ", left)
         if count and not term.stands_in(translation):
             yield f"'{term.source}' is '{' or '.join(term.translations)}': {translation}"
@@ -98,5 +109,6 @@ def _inflected(words: str) -> str:
     return r"\W+(?:\w+\W+)?".join(rf"\b{re.escape(stem[:-1] if len(stem) > 4 else stem)}\w{{0,4}}" for stem in stems)
 
 
+@lru_cache
 def _plain(text: str) -> str:
     return "".join(c for c in normalize("NFKD", text.lower().replace("’", "'")) if not combining(c))

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from armproof.models.language import languages
+from armproof.models.language import languages, use
+from armproof.verification.check import verify_text
 from tests.forked import armproof
 from tests.translations.catalogues import problems
 from tests.translations.extraction import catalogue_of_messages, said
@@ -67,6 +68,13 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("french")
     (folder / "bras.md").write_text(DOCUMENT, encoding="utf-8")
     return folder
+
+
+@pytest.fixture(scope="module", autouse=True)
+def loaded() -> None:
+    """Load once what each copy of this process would load anew: the catalogue, and what checks a document."""
+    with use("fr"):
+        assert not verify_text(DOCUMENT).passed
 
 
 def test_pages_of_a_french_document_are_french(folder: Path) -> None:

@@ -1,6 +1,7 @@
 """The course in French: the same displays with the same verdicts, the listed terms, and no English words on its pages."""
 
 import re
+from functools import cache
 from html import unescape
 from pathlib import Path
 
@@ -30,6 +31,11 @@ def french(path: Path) -> str:
     return translated(path, path.read_text(encoding="utf-8"), translation_of(path, "fr"), "fr")
 
 
+@cache
+def checked(path: Path) -> DocumentResult:
+    return check_document(read_document(path), confirm=False)
+
+
 def verdicts(result: DocumentResult) -> list[tuple[int, Verdict, bool]]:
     return [(record.line, record.verdict, record.erratum) for record in (*result.equations, *result.tables)]
 
@@ -38,7 +44,7 @@ def verdicts(result: DocumentResult) -> list[tuple[int, Verdict, bool]]:
 def test_a_french_document_has_the_displays_and_the_verdicts_of_its_source(path: Path) -> None:
     source, made = read_document(path), parse_document(path, french(path))
     assert [display.latex for display in made.displays] == [display.latex for display in source.displays]
-    assert verdicts(check_document(made, confirm=False)) == verdicts(check_document(source, confirm=False))
+    assert verdicts(check_document(made, confirm=False)) == verdicts(checked(path))
 
 
 def test_a_wrong_number_under_french_heads_is_refuted() -> None:
@@ -51,8 +57,7 @@ def test_a_wrong_number_under_french_heads_is_refuted() -> None:
 @pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.stem)
 def test_a_french_sheet_holds_hardly_an_english_word(path: Path, tmp_path: Path) -> None:
     if path.suffix == ".md":
-        document = read_document(path)
-        sheet = make_sheet(document, check_document(document, confirm=False), Edition(True, True, "fr"), tmp_path)
+        sheet = make_sheet(read_document(path), checked(path), Edition(True, True, "fr"), tmp_path)
         page = re.sub(r"<(style|math|svg|code)\b.*?</\1>", " ", write_html(sheet), flags=re.DOTALL)
         text = unescape(re.sub(r"<[^>]+>", " ", page))
     else:
