@@ -102,7 +102,7 @@ from pathlib import Path
 from armproof import inverse_of, open_lesson, verify
 from armproof.verification.cli import main
 course = Path(next(iter(armproof.course.__path__)))
-print(verify(course / "handouts/scara-001.md").passed, len(inverse_of("planar_2r").branches))
+print(verify(course / "handouts/planar-2r-002.md").passed, len(inverse_of("planar_2r").branches))
 print(open_lesson("scara_jacobian").determinant.check(r"a_1 a_2 \\sin\\theta_2")._repr_html_().count("<style>"))
 print(all(Path(m.__file__).is_relative_to(sys.argv[1]) for n, m in sys.modules.items() if n.startswith("armproof")))
 sys.argv[1:] = ["verify", str(course / "handouts/planar-2r-002.md"), "--report", "pages"]

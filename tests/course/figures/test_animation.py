@@ -12,6 +12,7 @@ from armproof.course.errors import FigureError
 from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.facts.motions import make_motion, motion_of
 from armproof.course.figures.facts.task import tool_points
+from armproof.course.figures.output import films
 from armproof.course.figures.output.films import FILMS, RATE, film_reason, frame_figure, frames, write_film
 from armproof.course.figures.output.production import Order, produce
 from armproof.models.catalogue import load_arm
@@ -80,7 +81,10 @@ def test_bad_input_is_named(tmp_path: Path) -> None:
         write_film(arm, blocked / "film.html")
 
 
-def test_the_command_writes_films_beside_figures_and_leaves_out_what_an_arm_has_not(tmp_path: Path) -> None:
+def test_the_command_writes_films_beside_figures_and_leaves_out_what_an_arm_has_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(films, "RATE", 4)  # which files there are is asked here, not what they show
     (delivery,) = produce([Order("planar_2r", "planar_2r", ("quintic",))], ("png", "gif", "html"), "fr", tmp_path, 1)
     assert not delivery.problems
     names = {file.name for file in delivery.files}

@@ -25,7 +25,7 @@ class Editor:
     """A client with one document open: what it was told of it, and what it asks."""
 
     def __init__(self, client: LanguageClient, path: Path) -> None:
-        self.client, self.uri, self.number = client, path.as_uri(), 0
+        self.client, self.uri, self.after, self.number = client, path.as_uri(), path.with_name("after.md").as_uri(), 0
         self.told: asyncio.Queue[types.PublishDiagnosticsParams] = asyncio.Queue()
 
         @client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
@@ -35,22 +35,29 @@ class Editor:
     async def write(self, text: str) -> list[types.Diagnostic]:
         """Open the document or change it as a whole; return its diagnostics once they are settled."""
         self.number += 1
+        self.put(self.uri, text)
+        found = await self.next_told()
+        self.put(
+            self.after, "$$ 1 = 1 $$\n"
+        )  # documents are checked one after the other: told of this one, the first is done
+        while (told := await self.next_told()).uri != self.after:
+            found = told
+        return list(found.diagnostics)
+
+    def put(self, uri: str, text: str) -> None:
         if self.number == 1:
-            item = types.TextDocumentItem(self.uri, "markdown", self.number, text)
+            item = types.TextDocumentItem(uri, "markdown", self.number, text)
             self.client.text_document_did_open(types.DidOpenTextDocumentParams(item))
         else:
-            document = types.VersionedTextDocumentIdentifier(self.number, self.uri)
+            document = types.VersionedTextDocumentIdentifier(self.number, uri)
             whole = types.TextDocumentContentChangeWholeDocument(text)
             self.client.text_document_did_change(types.DidChangeTextDocumentParams(document, [whole]))
-        found: list[types.Diagnostic] = []
-        wait = 60.0
-        while True:
-            try:
-                told = await asyncio.wait_for(self.told.get(), wait)
-            except TimeoutError:
-                return found
-            if told.version == self.number:
-                found, wait = list(told.diagnostics), 1.5
+
+    async def next_told(self) -> types.PublishDiagnosticsParams:
+        """Return what is told next of a document as it is now."""
+        while (told := await asyncio.wait_for(self.told.get(), 60)).version != self.number:
+            pass
+        return told
 
     async def ask(self, request: Callable[[Any], Awaitable[Any]], params: Any) -> Any:
         return await asyncio.wait_for(request(params), 30)
