@@ -87,7 +87,7 @@ def check_document(
         samples: whether samples may be taken. Without them neither NumPy nor Drake is needed, and what they alone
             decide is unchecked.
     """
-    seeks = arm is None and samples and "arm" not in document.front
+    seeks = arm is None and (samples or "arms" in document.front)
     parts = [infer_arm(part) for part in scopes(document)] if seeks else [Inference(document)]
     options = confirm and samples, correct and samples, samples
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
@@ -118,7 +118,7 @@ def load_arm_of(document: Document) -> Arm | None:
     try:
         return arm_of(document.front, document.path.parent)
     except ArmproofError as error:
-        raise document.fault("arm", error) from None
+        raise document.fault("arm" if "arm" in document.lines else "arms", error) from None
 
 
 @lru_cache(maxsize=16)
@@ -232,7 +232,7 @@ class DocumentChecker:
             return (self.inferred.arm,) if self.inferred.arm is not None else ()
         spec: dict[str, Any] = {k: v for k, v in self.document.front.items() if k in ("arm", "transforms")}
         convention = self.arm.dh.convention if self.arm.dh is not None else ""
-        line = self.document.lines.get("arm", 1)
+        line = self.document.lines.get("arm") or self.document.lines.get("arms", 1)
         return (TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, spec),)
 
     def _named(self) -> Iterator[Finding]:

@@ -31,7 +31,7 @@ def start(path: Source, write: Write = False, lang: Language = "") -> None:
     try:
         text = read_bytes(path).decode("utf-8")
         document = parse_document(path, text.removeprefix("\ufeff"))
-        if "arm" in document.front:
+        if not {"arm", "arms"}.isdisjoint(document.front):
             tell("{path}: its front matter names the arm already", path=path)
             return
         block = _inferred(path).front_matter

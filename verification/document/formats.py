@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -39,6 +39,7 @@ _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](
     rf"|\\includegraphics\s*(?:\[[^\]]{{0,200}}\])?\{{{_EQUATION}\}}",
     re.IGNORECASE,
 )
+_HEADING = re.compile(r"[ ]{0,3}#{1,6}[ \t]+(.*?)[ \t#]*$|[ \t]*\\(?:chapter|(?:sub)*section|paragraph)\*?\s*\{(.*)\}")
 SUFFIXES = tuple(_READERS)
 
 
@@ -64,8 +65,22 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if (images := len(_IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
-    document = replace(document, named=named_arms(text))
+    headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
+    document = replace(document, named=named_arms(text), headings=headings)
     return with_accepts(document, text.replace("\r\n", "\n"), suffix)
+
+
+def _headings(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the headings of a text with their lines: # of Markdown, sections of LaTeX, underlined lines."""
+    plain = text.removeprefix("\ufeff").replace("\r\n", "\n")
+    lines = re.sub(r"\A---.*?\n(?:---|\.\.\.)", lambda head: "\n" * head[0].count("\n"), plain, flags=re.DOTALL).split(
+        "\n"
+    )
+    for number, (line, below) in enumerate(zip(lines, [*lines[1:], ""], strict=True), start=1):
+        if found := _HEADING.match(line):
+            yield number, found[1] or found[2]
+        elif line.strip() and re.fullmatch(r"([=~^*-])\1{2,}[ ]*", below):
+            yield number, line.strip()
 
 
 def named_arms(text: str) -> tuple[str, ...]:

@@ -31,6 +31,7 @@ FRONT_MATTER_KEYS = (
     "inverse",
     "tip",
     "lock",
+    "arms",
 )
 _SHARED = ("title", "source")  # with other tools: any text will do
 QUIET_KEYS = frozenset(["lang", "figures", "jupyter", "jupytext", "kernelspec"])  # read elsewhere, or a notebook's own
@@ -187,7 +188,7 @@ def _read_key_by_key(path: Path, block: str, first_line: int) -> Iterator[tuple[
         key = (_KEY.match(lines[start]) or [""] * 2)[1]
         block = "\n".join(lines[start:end])
         try:  # braces of LaTeX are none of YAML's
-            yield key, _load(path, as_typed(block) if key == "arm" else block, first_line + start)[key]
+            yield key, _load(path, as_typed(block) if key in ("arm", "arms") else block, first_line + start)[key]
         except (DocumentError, KeyError, TypeError):
             if key in FRONT_MATTER_KEYS[2:]:
                 raise

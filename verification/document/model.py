@@ -88,6 +88,7 @@ class Document:
     lines: dict[str, int] = field(default_factory=dict)
     accepts: tuple[Accept, ...] = ()
     remarks: tuple[Finding, ...] = ()  # on how it was read
+    headings: tuple[tuple[int, str], ...] = ()  # with their lines, where its front matter has `arms` by section
     named: tuple[str, ...] = ()  # the arms of the catalogue that its text names
 
     def at(self, key: str) -> str:

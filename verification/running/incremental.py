@@ -44,12 +44,11 @@ class IncrementalChecker:
 
         Raises DocumentError where the document as a whole cannot be checked; the next update then begins anew.
         """
-        if (
-            "arm" not in document.front and len(scopes(document)) > 1
-        ):  # each part has names of its own: all are checked again
+        parts = scopes(document)
+        if len(parts) > 1:  # each part has names of its own: all are checked again
             yield from self._begin_whole(document)
             return
-        found = infer_arm(document)
+        found = infer_arm(parts[0])
         document, checker = found.document, self._checker
         # a fraction of an angle changes in which generators values are written: what follows may be written otherwise
         fresh = checker is None or bool(checker.ring.parts) or (document.front, document.lines) != self._front

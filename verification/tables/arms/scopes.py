@@ -10,6 +10,7 @@ from armproof.verification.document import Display, Document, Table
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, plain_names
 from armproof.verification.tables.arms.matrices import first_links
+from armproof.verification.tables.arms.sections import named_sections, without_arms
 
 Place = tuple[int, int]  # cell (0 where there is none) and line
 
@@ -28,12 +29,27 @@ def scopes(document: Document) -> tuple[Document, ...]:
     """Return the parts of a document in their order, each with its own displays and tables; mostly the document alone.
 
     A part begins with the section in which its table or its first link matrix stands, or there, where the arm before has
-    the same section.
+    the same section; else with one to which the front matter gives an arm. Raises DocumentError.
     """
+    if "arms" in document.front:
+        return tuple(_named(document))
+    if "arm" in document.front:
+        return (document,)
     starts = list(_starts(document))
     if not starts:
         return (document,)
     return tuple(_between(document, *edges) for edges in pairwise([(-1, 0), *starts, (10**9, 0)]))
+
+
+def _named(document: Document) -> Iterator[Document]:
+    """Yield the parts that the front matter tells apart, and what stands before them, if there is anything."""
+    sections = named_sections(document)
+    ends = [*(place for place, _ in sections[1:]), (10**9, 0)]
+    before = _between(without_arms(document), (-1, 0), sections[0][0])
+    if before.displays or before.tables:
+        yield from scopes(before)
+    for (place, front), end in zip(sections, ends, strict=True):
+        yield replace(_between(document, place, end), front=front)
 
 
 def _starts(document: Document) -> Iterator[Place]:
