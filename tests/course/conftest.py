@@ -2,7 +2,7 @@
 
 import pytest
 
-from armproof.course.feedback.lesson import VARIABLE
+from armproof.course.feedback.progress import VARIABLE
 
 
 @pytest.fixture(autouse=True)

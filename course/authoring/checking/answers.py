@@ -34,7 +34,7 @@ def count_answers(lesson: Lesson) -> tuple[int, int]:
 @contextmanager
 def progress_left_alone() -> Iterator[None]:
     """Keep no progress for a while: whoever tries answers is no student."""
-    from armproof.course.feedback.lesson import VARIABLE
+    from armproof.course.feedback.progress import VARIABLE
 
     before = os.environ.get(VARIABLE)
     os.environ[VARIABLE] = ""

@@ -20,7 +20,7 @@ from armproof.course.feedback import (
     Wrong,
     open_lesson,
 )
-from armproof.course.feedback.lesson import VARIABLE, read_progress
+from armproof.course.feedback.progress import VARIABLE, read_progress
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
 

@@ -19,7 +19,7 @@ from armproof.course.feedback import (
     lessons,
     open_lesson,
 )
-from armproof.course.feedback.lesson import VARIABLE
+from armproof.course.feedback.progress import VARIABLE
 from armproof.course.tasks.kr210_table import DH
 from armproof.course.tasks.scara_inverse import ARM
 from armproof.course.tasks.scara_jacobian import JACOBIAN, jacobian
