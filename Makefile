@@ -21,9 +21,10 @@ report: $(READY)
 	@$(VENV)/bin/armproof verify course/handouts course/lessons --report $(REPORT); code=$$?; \
 	if [ $$code -le 1 ]; then echo "The pages: $(REPORT)/index.html"; fi; exit $$code
 
-# Opens what students open; it builds nothing, so that nobody's answers are overwritten.
+# Students work in copies of their own, which are written once: nobody's answers are overwritten.
 lab: $(READY_TO_LAB)
-	$(VENV)/bin/jupyter lab course/notebooks/01_frames.ipynb
+	$(VENV)/bin/armproof lesson begin --into my-lessons
+	$(VENV)/bin/jupyter lab my-lessons/01_frames.ipynb
 
 lessons: $(READY)
 	$(VENV)/bin/armproof lesson build

@@ -1,4 +1,4 @@
-"""`armproof lesson`: list, build, check and begin lessons; the site of the course."""
+"""`armproof lesson`: begin lessons, as a student or an author; list, build and check them; the site of the course."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import typer
 from armproof.course.authoring import options as o
 from armproof.course.site.command import site
 from armproof.models.errors import written
-from armproof.models.language import ENGLISH
+from armproof.models.language import ENGLISH, spoken
 from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, tell
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
@@ -39,6 +39,30 @@ def list_lessons(folder: o.Folder = None, lang: Language = "") -> None:
         place = _place(folder)
         found = [described(place, source) for source in place.named(())]
     write_lines(rows([("", "name", "title", "tasks", "arms"), *found]))
+
+
+@lesson.command("begin")
+def begin_lessons(names: o.Names = None, into: o.Into = Path("my-lessons"), lang: Language = "") -> None:
+    """Begin lessons: copy their notebooks into a folder of your own, to work in.
+
+    A notebook that is there already stays as it is. Exit code 0: all are there; 2: one cannot be written.
+    """
+    from armproof.course.authoring.beginning.copies import begin
+
+    with ending():
+        new, kept = begin(names or [], into, lang or spoken())
+    for path in new:
+        typer.echo(str(path))
+    for path in kept:
+        tell("{path}: is here already and stays as it is", path=str(path))
+
+
+@lesson.command("progress")
+def show_progress(lang: Language = "") -> None:
+    """Show what you have solved: a bar a lesson, and the points of the course."""
+    from armproof.course.feedback import course
+
+    typer.echo(repr(course()))
 
 
 @lesson.command()

@@ -25,6 +25,9 @@ Folder = Annotated[
     typer.Option("--folder", metavar="DIR", help="Lessons of your own: DIR/lessons, DIR/tasks, DIR/notebooks."),
 ]
 Out = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="Where the other editions are written.")]
+Into = Annotated[
+    Path, typer.Option("--into", metavar="DIR", help="Your folder: what is there already is never written over.")
+]
 Only = Annotated[
     bool, typer.Option("--check", help="Write nothing: name the notebooks that are out of date, exit 1 if any is.")
 ]

@@ -7,6 +7,7 @@ from armproof.course.feedback.derivation import Derivation, Line
 from armproof.course.feedback.formula import Formula
 from armproof.course.feedback.lesson import Lesson, lessons, open_lesson, results
 from armproof.course.feedback.outcome import Feedback, Outcome, Row
+from armproof.course.feedback.overview import course
 from armproof.course.feedback.quantity import Quantity
 from armproof.course.feedback.table import Table
 from armproof.course.feedback.task import Task, Wrong
@@ -28,6 +29,7 @@ __all__ = [
     "Task",
     "WithSympy",
     "Wrong",
+    "course",
     "lessons",
     "open_lesson",
     "results",

@@ -12,7 +12,7 @@ from functools import lru_cache, partial
 from pathlib import Path
 
 from armproof.course.errors import LessonError
-from armproof.course.feedback.notebook import render, show_figures
+from armproof.course.feedback.notebook import bar, render, show_figures
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.progress import keep_progress, reached, read_progress
 from armproof.course.feedback.task import Task
@@ -89,6 +89,11 @@ class Lesson:
         known = {**kept, **self._reached}
         return {task.name: known.get(task.name, Outcome.NOT_ATTEMPTED) for task in self.tasks}
 
+    @property
+    def points(self) -> int:
+        """The points that are reached: one a task that is solved."""
+        return sum(state.is_right for state in self.progress().values())
+
     def _was_tried(self, task: str) -> bool:
         return self.progress()[task] is not Outcome.NOT_ATTEMPTED
 
@@ -118,9 +123,10 @@ class Lesson:
     def _solved(self, states: dict[str, Outcome]) -> str:
         solved = sum(state.is_right for state in states.values())
         with use(self.lang):
-            return counted(
+            words = counted(
                 "{number} of {count} tasks solved", "{number} of {count} tasks solved", solved, count=len(states)
             )
+        return f"{words}  {bar(solved, len(states))}"
 
 
 _opened: dict[tuple[str, str, str], Lesson] = {}

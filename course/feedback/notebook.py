@@ -35,6 +35,12 @@ def render(template: str, kind: str, **values: Any) -> str:
     return _environment().get_template(template).render(kind=kind, **values)
 
 
+def bar(reached: int, count: int) -> str:
+    """Return a bar of ten parts, full only where all is reached."""
+    full = reached * 10 // count if count else 0
+    return "▰" * full + "▱" * (10 - full)
+
+
 @cache
 def _environment() -> Environment:
     environment = Environment(

@@ -119,7 +119,7 @@ def _client(notebook: Any, home: Path, folder: Path) -> Any:
 
 def _environment(folder: Path) -> dict[str, str]:
     """Return the environment of a kernel: nothing of the user's is read, nothing is left behind."""
-    from armproof.course.feedback.lesson import VARIABLE
+    from armproof.course.feedback.progress import VARIABLE
 
     environment = {name: value for name, value in os.environ.items() if name not in ("MPLBACKEND", "PYTHONSTARTUP")}
     paths = [str(COURSE.root.parent), environment.get("PYTHONPATH", "")]
