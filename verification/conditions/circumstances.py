@@ -102,7 +102,8 @@ class Circumstances:
         of_arm = {*self.given.joints, *self.given.lengths}
         if len(scalars) < len(members) or of_arm.isdisjoint(symbols_in(scalars)):
             return
-        if any(not (a - b).is_zero() for a, b in pairwise(scalars)):
+        apart = [difference for a, b in pairwise(scalars) if not (difference := a - b).is_zero()]
+        if apart and all(symbols_in([difference.normal()]) for difference in apart):  # θ_3 = θ_3 - π/2 holds nowhere
             yield replace(chain, relations=("=",) * len(chain.relations))
 
     def judge(self, outcome: Outcome) -> Outcome:

@@ -102,7 +102,9 @@ def _value(names: Names, algebra: ExactAlgebra, columns: Columns, column: int, p
     if not cell.trees:
         return algebra.ring.zero
     unit = columns.headers[column].unit
-    value = cell.values(names, algebra)[0]
+    value, *others = cell.values(names, algebra)
+    if others and set(symbols_of(value)) & set(symbols_of(others[-1])):
+        value = others[-1]  # θ_2 = θ_2 - π/2
     if parameter in ANGLES:
         return to_radians(value, unit)[0]
     return value * SCALES.get(unit, 1) if value.as_fraction() is not None else value
