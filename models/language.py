@@ -113,7 +113,7 @@ def number_text(value: object, form: str = "") -> str:
 
 def separator(texts: Sequence[str]) -> str:
     """Return what stands between items: semicolons, where one holds the comma of a French number."""
-    return " ; " if spoken() != ENGLISH and any("," in text for text in texts) else ", "
+    return "\u00a0; " if spoken() != ENGLISH and any("," in text for text in texts) else ", "
 
 
 @cache

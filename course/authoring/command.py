@@ -10,7 +10,7 @@ import typer
 from armproof.course.authoring import options as o
 from armproof.course.site.command import site
 from armproof.models.errors import written
-from armproof.models.language import ENGLISH, spoken
+from armproof.models.language import ENGLISH, look_up, spoken
 from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, tell
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
@@ -38,7 +38,7 @@ def list_lessons(folder: o.Folder = None, lang: Language = "") -> None:
     with ending():
         place = _place(folder)
         found = [described(place, source) for source in place.named(())]
-    write_lines(rows([("", "name", "title", "tasks", "arms"), *found]))
+    write_lines(rows([("", look_up("name"), look_up("title"), look_up("tasks"), look_up("arms")), *found]))
 
 
 @lesson.command("begin")
@@ -157,7 +157,14 @@ def coverage(lang: Language = "") -> None:
         exercises = read_exercises()
         tasks = {f"{each.name}.{task.name}" for each in lessons() for task in each.tasks}
         wrong = list(faults(exercises, {path.stem for path in HANDOUTS.glob("*.md")}, tasks))
-    write_lines(rows([("", "", "exercise", "sheets", "tasks"), *(exercise.row() for exercise in exercises)]))
+    write_lines(
+        rows(
+            [
+                ("", "", look_up("exercise"), look_up("sheets"), look_up("tasks")),
+                *(exercise.row() for exercise in exercises),
+            ]
+        )
+    )
     complain(wrong)
     counted = count(exercises)
     tell("{asked} lines asked, {open} open; {none} are no exercise",

@@ -10,7 +10,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from armproof.models.errors import written
-from armproof.models.language import spoken
+from armproof.models.language import look_up, noted, spoken
 
 EXERCISES = Path(__file__).resolve().parent / "exercises.csv"
 
@@ -21,6 +21,9 @@ class Status(StrEnum):
     ASKED = "asked"
     OPEN = "open"  # an exercise that no task asks yet
     NONE = "none"  # titles, history, headings: nothing to ask
+
+
+_SAID = {Status.ASKED: noted("asked"), Status.OPEN: noted("open"), Status.NONE: noted("nothing to ask")}
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,7 @@ class Exercise:
     def row(self) -> tuple[str, ...]:
         """Return its cells in the language that is spoken."""
         words = self.words.get(spoken()) or self.words["en"]
-        return self.citation, self.status, words, ", ".join(self.sheets), ", ".join(self.tasks)
+        return self.citation, look_up(_SAID[self.status]), words, ", ".join(self.sheets), ", ".join(self.tasks)
 
 
 def read_exercises(path: Path = EXERCISES) -> tuple[Exercise, ...]:

@@ -57,7 +57,7 @@ def test_a_sentence_is_said_in_the_language_that_is_spoken(catalogue: Path, monk
     with language.use("fr"):
         assert written("no frame {frame}", frame=0.5) == "pas de repère 0,5"
         assert written("no frame {frame}", frame=[1, 2]) == "pas de repère 1, 2"
-        assert written("no frame {frame}", frame=[0.05, 0.55]) == "pas de repère 0,05 ; 0,55"
+        assert written("no frame {frame}", frame=[0.05, 0.55]) == "pas de repère 0,05\u00a0; 0,55"
         assert str(ModelError("no frame {frame}", frame="9")) == "pas de repère 9"
         assert [counted("{number} frame", "{number} frames", n) for n in (0, 1, 2)] == [
             "0 repère",

@@ -11,11 +11,15 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+from armproof.models.errors import counted
+from armproof.models.language import look_up, noted
 from armproof.verification.cli.documents import Progress
 from armproof.verification.report.text import Line, write_lines
 
 SECONDS_ALLOWED = 5.0  # for a solved lesson, from the start of its kernel
-HEAD = ("lesson", "tasks", "answers", "equations", "solved", "student", "check", "")
+HEAD = (
+    noted("lesson"), noted("tasks"), noted("answers"), noted("equations"), noted("solved"), noted("student"), noted("check"), "",
+)  # fmt: skip
 _ORDER = ("proved", "confirmed", "defined", "refuted", "unchecked", "unreadable")
 
 
@@ -92,8 +96,11 @@ def write_text(reports: Iterable[Report], sources: Sequence[Path]) -> list[Repor
         write_lines([(("", ""),), *(((relative(problem), ""),) for problem in problems)])
     passing = sum(report.passes for report in found)
     seconds = time.perf_counter() - started
-    count = f"{len(found)} lesson{'' if len(found) == 1 else 's'}"
-    write_lines([(("", ""),), ((f"{count}, {passing} pass{'es' if passing == 1 else ''}; {seconds:.0f} s", ""),)])
+    told = (
+        counted("{number} lesson", "{number} lessons", len(found)),
+        counted("{number} passes", "{number} pass", passing),
+    )
+    write_lines([(("", ""),), ((look_up("; ").join((", ".join(told), f"{seconds:.0f} s")), ""),)])
     return found
 
 
@@ -114,19 +121,20 @@ def rows(cells: Sequence[Sequence[str]]) -> Iterator[Line]:
 
 def head(sources: Sequence[Path]) -> Line:
     """Return the head of the table of reports, which is written row by row."""
-    return ((_line(HEAD, sources), "bold"),)
+    return ((_line(tuple(map(look_up, HEAD)), sources), "bold"),)
 
 
 def row(report: Report, sources: Sequence[Path]) -> Line:
     """Return the row of a report."""
-    verdict = "cannot be checked" if report.cannot_run else "passes" if report.passes else "does not pass"
-    if report.is_slow:
-        verdict += ", slow"
+    verdict = look_up("passes") if report.passes else look_up("does not pass")
+    verdict = look_up("cannot be checked") if report.cannot_run else verdict
+    verdict += look_up(", slow") if report.is_slow else ""
+    counts = [counted(f"{{number}} {name}", f"{{number}} {name}", report.verdicts[name]) for name in _ORDER if name in report.verdicts]  # fmt: skip
     cells = (
         report.source.stem,
         str(report.tasks),
         f"{report.right} + {report.wrong}",
-        ", ".join(f"{report.verdicts[name]} {name}" for name in _ORDER if name in report.verdicts) or "none",
+        ", ".join(counts) or look_up("none"),
         _seconds(report.seconds),
         _seconds(report.student_seconds),
         "" if report.median_check is None else f"{1000 * report.median_check:.0f} ms",
@@ -136,7 +144,8 @@ def row(report: Report, sources: Sequence[Path]) -> Line:
 
 
 def _line(cells: Sequence[str], sources: Sequence[Path]) -> str:
-    widths = (max((len(source.stem) for source in sources), default=6), 5, 9, 34, 6, 7, 6, 0)
+    least = (max((len(source.stem) for source in sources), default=6), 5, 9, 34, 6, 7, 6, 0)
+    widths = (max(width, len(look_up(name))) for width, name in zip(least, HEAD, strict=True))
     return "  ".join(cell.ljust(width) for cell, width in zip(cells, widths, strict=True)).rstrip()
 
 

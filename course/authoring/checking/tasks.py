@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from armproof.course.errors import SourceError
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import Place
+from armproof.models.language import look_up
 
 if TYPE_CHECKING:
     from armproof.course.feedback import Lesson
@@ -71,7 +72,7 @@ if TYPE_CHECKING:
 def described(place: Place, source: Path) -> tuple[str, str, str, str, str]:
     """Return what the list says of a lesson; raises SourceError where its source or its tasks are malformed."""
     lesson = load_tasks(place, read_lesson_source(source))
-    arms = ", ".join(dict.fromkeys(_arms(lesson))) or "none"
+    arms = ", ".join(dict.fromkeys(_arms(lesson))) or look_up("none")
     return str(lesson.number), lesson.name, lesson.title, str(len(lesson.tasks)), arms
 
 
@@ -80,4 +81,4 @@ def _arms(lesson: Lesson) -> Iterator[str]:
     for task in lesson.tasks:
         arm: Any = getattr(task.asks, "arm", None)
         if arm is not None:
-            yield arm if isinstance(arm, str) else "a DH table"
+            yield arm if isinstance(arm, str) else look_up("a DH table")
