@@ -8,12 +8,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from markdown_it import MarkdownIt
 from markdown_it.rules_block import StateBlock
 from markdown_it.token import Token
 from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
+from mdit_py_plugins.dollarmath.index import math_block_dollar
 
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.html_tables import read_html_tables
@@ -41,6 +43,7 @@ _LABEL = re.compile(
 _BRACKETS = re.compile(
     r"^([ \t>]*)(\\{1,2})\[((?:(?!\$\$|^[ \t>]*$)[^\n]*\n){0,60}?(?!\$\$)[^\n$]*?)\2\](?=[ \t.,;]*$)", re.MULTILINE
 )
+_UNSEEN = re.compile("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
 _HTML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
@@ -162,7 +165,7 @@ def _read_blocks(
     displays: list[Display] = []
     tables: list[Table] = []
     quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
-    tokens = display_reader().parse(body)
+    tokens = display_reader().parse(_UNSEEN.sub(lambda found: " " * len(found.group()), body))
     for index, token in enumerate(tokens):
         if token.type == "heading_open":
             section = tokens[index + 1].content
@@ -233,11 +236,11 @@ def _new_reader() -> MarkdownIt:
 
 @lru_cache(maxsize=1)
 def display_reader() -> MarkdownIt:
-    """Return the reader that finds displays: an environment for equations ends the paragraph before it."""
+    """Return the reader that finds displays: one on lines of its own, or an environment, ends the paragraph before it."""
     reader = _new_reader()
-    reader.block.ruler.before(
-        "html_block", "amsmath", _quiet(_environment), {"alt": ["paragraph", "reference", "blockquote", "list"]}
-    )
+    ends: Any = {"alt": ["paragraph", "reference", "blockquote", "list"]}
+    reader.block.ruler.before("html_block", "amsmath", _quiet(_environment), ends)
+    reader.block.ruler.at("math_block", _quiet(math_block_dollar(allow_labels=True, allow_blank_lines=True)), ends)
     return reader
 
 

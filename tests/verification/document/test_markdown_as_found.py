@@ -21,6 +21,7 @@ FORMS = {
     "double brackets": "Words\n\n\\\\[ p_x = <> \\\\]\n",
     "an environment": "Words\n\\begin{equation}\np_x = <>\n\\end{equation}\nwords\n",
     "several lines": "> \\begin{align*}\n> p_x &= <> \\\\\n> p_y &= l_1 s_1 + l_2 s_{12}\n> \\end{align*}\n",
+    "under words, with a blank line": "Words:\n$$\np_x = <> \\\\\n\np_y = l_1 s_1 + l_2 s_{12}\n$$\u200b\nand words\n",
     "macros": "$\\def\\C#1{\\cos\\theta_{#1}}\\newcommand{\\x}{p_x}$\n\n$$ \\x = <> + \\C1 - c_1 $$\n",
 }
 
@@ -51,6 +52,21 @@ NONE = ["```\n\\[ 1 = 1 \\]\n```\n", "    \\[ 1 = 1 \\]\n", "\\[link\\](x) and \
 @pytest.mark.parametrize("text", NONE)
 def test_what_is_no_display_is_none(text: str):
     assert parse_document(Path("page.md"), text).displays == ()
+
+
+def test_displays_in_a_paragraph_pair_as_they_are_written():
+    text = "Here $$ a\n= 1\n$$ and\n$$\nb = 2\n\n= 2\n$$\u200b\nwords\n\n$$ c = 3\n$$\nwords, $$ d = 4 $$ and\n\n$$ e = 5 $$\n"
+    displays, _ = read_markdown(text, 1)
+    assert [" ".join(display.latex.split()) for display in displays] == [
+        "a = 1",
+        "b = 2 = 2",
+        "c = 3",
+        "d = 4",
+        "e = 5",
+    ]
+    assert all(display.closed for display in displays)
+    open_one, other = read_markdown("Words\n$$\na = 1\n\nwords\n\nwords\n", 1)[0][0], "a = 1"
+    assert not open_one.closed and other in open_one.latex
 
 
 def test_the_end_of_a_row_begins_no_display():
