@@ -1,5 +1,6 @@
 """The table of the sources' exercises cites sheets and tasks that exist, and every line that is called asked is asked."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -47,6 +48,13 @@ def test_every_document_is_there_line_by_line_in_both_languages() -> None:
     assert len({row.citation for row in EXERCISES}) >= 100
     assert all(row.words["en"] and row.words["fr"] and row.words["en"] != row.words["fr"] for row in EXERCISES)
     assert all(row.sheets for row in EXERCISES if row.status is not Status.NONE)
+
+
+@pytest.mark.parametrize("sheet", sorted(name for name in SHEETS if re.search(r"-00\d", name)))
+def test_a_sheet_of_a_source_asks_something_and_has_the_solution(sheet: str) -> None:
+    text = (Path("course/handouts") / f"{sheet}.md").read_text(encoding="utf-8")
+    questions = re.findall(r"\n\n([^\n#][^#]*)\n\n##+ Solution\n\n\S", text)
+    assert questions and all(question.strip() for question in questions)
 
 
 def test_the_command_prints_every_line_and_the_counts() -> None:
