@@ -194,4 +194,4 @@ lesson.count.check(postures)
 # - A bent forearm is a straight one of another length: $a_3$ costs one square root and one angle.
 # - Each sign that you choose doubles the postures.
 #
-# Sheets: `kr210-001.md` has the arm's Jacobian and its singular configurations, `rx90-inverse.md` the same way on an arm without offsets.
+# Sheets: `kr210-inverse.md` has the whole way, `kr210-table-001.md` the table, `kr210-001.md` the Jacobian and its singular configurations.
