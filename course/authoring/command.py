@@ -42,7 +42,9 @@ def list_lessons(folder: o.Folder = None, lang: Language = "") -> None:
 
 
 @lesson.command("begin")
-def begin_lessons(names: o.Names = None, into: o.Into = Path("my-lessons"), lang: Language = "") -> None:
+def begin_lessons(
+    names: o.Names = None, into: o.Into = Path("my-lessons"), seed: o.Seed = "", lang: Language = ""
+) -> None:
     """Begin lessons: copy their notebooks into a folder of your own, to work in.
 
     A notebook that is there already stays as it is. Exit code 0: all are there; 2: one cannot be written.
@@ -50,7 +52,7 @@ def begin_lessons(names: o.Names = None, into: o.Into = Path("my-lessons"), lang
     from armproof.course.authoring.beginning.copies import begin
 
     with ending():
-        new, kept = begin(names or [], into, lang or spoken())
+        new, kept = begin(names or [], into, lang or spoken(), seed)
     for path in new:
         typer.echo(str(path))
     for path in kept:

@@ -28,6 +28,9 @@ Out = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="Where th
 Into = Annotated[
     Path, typer.Option("--into", metavar="DIR", help="Your folder: what is there already is never written over.")
 ]
+Seed = Annotated[
+    str, typer.Option("--seed", metavar="NAME", help="Numbers of your own in the tasks: a name or a number.")
+]
 Only = Annotated[
     bool, typer.Option("--check", help="Write nothing: name the notebooks that are out of date, exit 1 if any is.")
 ]

@@ -8,6 +8,7 @@ from armproof.course.feedback.formula import Formula
 from armproof.course.feedback.lesson import Lesson, lessons, open_lesson, results
 from armproof.course.feedback.outcome import Feedback, Outcome, Row
 from armproof.course.feedback.overview import course
+from armproof.course.feedback.own_numbers import drawn
 from armproof.course.feedback.quantity import Quantity
 from armproof.course.feedback.table import Table
 from armproof.course.feedback.task import Task, Wrong
@@ -30,6 +31,7 @@ __all__ = [
     "WithSympy",
     "Wrong",
     "course",
+    "drawn",
     "lessons",
     "open_lesson",
     "results",

@@ -129,15 +129,16 @@ class Lesson:
         return f"{words}  {bar(solved, len(states))}"
 
 
-_opened: dict[tuple[str, str, str], Lesson] = {}
+_opened: dict[tuple[str, str, str, str], Lesson] = {}
 
 
-def open_lesson(name: str, folder: str | Path | None = None, lang: str = "") -> Lesson:
+def open_lesson(name: str, folder: str | Path | None = None, lang: str = "", seed: str | int = "") -> Lesson:
     """Return a lesson by its name; opened again it is the same one.
 
     Args:
         folder: where a teacher's own lessons are: `<folder>/tasks/<name>.py` has its tasks.
         lang: the language of its tasks and of what they answer; by default that of the environment.
+        seed: a name or a number that gives tasks numbers of their own; the same seed, the same numbers.
 
     Raises:
         LessonError: there is no such lesson, or its tasks are declared wrongly.
@@ -147,9 +148,10 @@ def open_lesson(name: str, folder: str | Path | None = None, lang: str = "") -> 
         show_figures()
         speak(asked(), known_language(lang) or spoken())  # from here on: figures too
     wanted = existing_language(lang) if lang else _usual_language()
-    key = (str(Path(folder).resolve()) if folder is not None else "", name, wanted)
+    key = (str(Path(folder).resolve()) if folder is not None else "", name, wanted, str(seed).strip())
     if key not in _opened:
-        _opened[key] = _in_language(_read(name) if folder is None else _read_own(name, Path(folder)), folder, key[2])
+        lesson = _read(name) if folder is None else _read_own(name, Path(folder))
+        _opened[key] = _in_language(lesson, folder, wanted, key[3])
     return _opened[key]
 
 
@@ -165,8 +167,8 @@ def _read(name: str) -> Lesson:
     return lesson
 
 
-def _in_language(lesson: Lesson, folder: str | Path | None, lang: str) -> Lesson:
-    """Return a lesson whose tasks speak a language, with its words from the catalogue of its source."""
+def _in_language(lesson: Lesson, folder: str | Path | None, lang: str, seed: str) -> Lesson:
+    """Return a lesson whose tasks speak a language, with its words from the catalogue of its source, and the numbers of a seed."""
     source = (Path(folder) if folder is not None else COURSE) / "lessons" / f"{lesson.number:02}_{lesson.name}.py"
     change = partial(translated_sentence, translate=translation_of(source, lang))
     return Lesson(
@@ -174,7 +176,7 @@ def _in_language(lesson: Lesson, folder: str | Path | None, lang: str) -> Lesson
         lesson.name,
         change(lesson.title),
         tuple(map(change, lesson.objectives)),
-        tuple(changed_task(task, change) for task in lesson.tasks),
+        tuple(changed_task(task.own(seed) if seed and task.own else task, change) for task in lesson.tasks),
         change(lesson.source),
         lang,
     )

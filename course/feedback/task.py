@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import textwrap
 import time
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any, Protocol
@@ -16,10 +16,10 @@ from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
 from armproof.course.feedback.derivation import Derivation
 from armproof.course.feedback.notebook import Portrait, Shown
-from armproof.course.feedback.outcome import Feedback, Outcome, nothing
+from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
 from armproof.course.feedback.quantity import NOTHING_YET, Quantity
 from armproof.models.errors import ArmproofError, written
-from armproof.models.language import look_up, noted, use
+from armproof.models.language import look_up, noted, number_text, separator, use
 
 NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
 
@@ -63,6 +63,8 @@ class Task:
         right: right answers in several forms; the first is the solution that is shown.
         wrong: wrong answers, from real mistakes.
         derivation: the way to the solution, line by line.
+        own: makes the task of a seed, with numbers of its own; see `drawn`.
+        numbers: those numbers, by their letters (m).
         lesson, lang: the name of its lesson and its language, given when the lesson takes it.
     """
 
@@ -74,6 +76,8 @@ class Task:
     right: tuple[Any, ...]
     wrong: tuple[Wrong, ...] = ()
     derivation: Derivation = field(default_factory=Derivation)
+    own: Callable[[str], Task] | None = None
+    numbers: Mapping[str, float] = field(default_factory=dict)
     lesson: str = ""
     lang: str = ""
     on_feedback: Callable[[Feedback], None] = field(default=lambda feedback: None, repr=False)
@@ -96,12 +100,19 @@ class Task:
 
     def _in_stages(self, feedback: Feedback) -> Feedback:
         """Hold the values expected back until a second answer is wrong, and say what helps on."""
+        own = self._own_numbers()
         if feedback.outcome is not Outcome.WRONG:
-            return feedback
+            return feedback if feedback.is_right else replace(feedback, advice=own)
         self._tried[repr((feedback.message, feedback.rows))] = None  # the same answer again is no second try
         is_first = len(self._tried) == 1
         held = look_up("The values expected are shown at your next answer.") if is_first and feedback.rows else ""
-        return replace(feedback, is_first=is_first, advice=" ".join(filter(None, [held, self._way_on()])))
+        return replace(feedback, is_first=is_first, advice=" ".join(filter(None, [own, held, self._way_on()])))
+
+    def _own_numbers(self) -> str:
+        if not self.numbers:
+            return ""
+        values = [f"{name} = {number_text(value, 'g')}" for name, value in self.numbers.items()]
+        return written("Your numbers (m): {values}.", values=pretty(separator(values).join(values)))
 
     def _way_on(self) -> str:
         if self._given < len(self.hints):

@@ -19,7 +19,8 @@ def changed_task(task: Task, change: Change) -> Task:
     lines = tuple(replace(line, words=change(line.words)) for line in task.derivation.lines)
     derivation = replace(task.derivation, lines=lines)
     asks = _asked(task.asks, change)
-    return Task(task.name, change(task.title), change(task.text), asks, hints, task.right, wrong, derivation)
+    words = change(task.title), change(task.text)
+    return Task(task.name, *words, asks, hints, task.right, wrong, derivation, task.own, task.numbers)
 
 
 def _asked(asks: Any, change: Change) -> Any:

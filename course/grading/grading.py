@@ -59,7 +59,8 @@ def grade(
                 path=clean(str(submission.path)), place=place)  # fmt: skip
     count = min(jobs or cores(), max(len(submissions), 1))
     read = {each: _read(each) for each in submissions}
-    used = {lesson for notebook in read.values() if isinstance(notebook, Notebook) for lesson in notebook.lessons}
+    notebooks = [notebook for notebook in read.values() if isinstance(notebook, Notebook)]
+    used = {lesson for notebook in notebooks for lesson in (*notebook.lessons, *notebook.seeded)}
     with Client(count, limits, used, own, unprotected=unprotected) as client:
         pool = ThreadPoolExecutor(count)
         try:

@@ -8,12 +8,14 @@ import re
 import stat
 from dataclasses import dataclass
 from pathlib import Path
+from urllib.parse import quote
 
 from armproof.course.grading.sandbox.limits import MEGABYTE
 from armproof.verification.document.cells import notebook_cells
 
 _LARGEST = 20 * MEGABYTE
 _OPENED = re.compile(r"open_lesson\(\s*[\"'](\w+)[\"']")
+_SEEDED = re.compile(r"open_lesson\(\s*[\"'](\w+)[\"'][^)]*?\bseed\s*=\s*[\"']?([^\"',)]{1,80})")
 _SOLUTIONS = re.compile(r"\.solution\(|\.right\b")
 _TITLE = re.compile(r"^title:\s*[\"']?(.+?)[\"']?\s*$", re.MULTILINE)
 
@@ -29,6 +31,7 @@ class Notebook:
     Attributes:
         cells: the sources of its code cells.
         lessons: the names of the lessons that they open.
+        seeded: the same with a seed, `name=seed`, of those that are opened with one.
         title: that of its front matter.
         asks_solutions: whether a cell asks for the solutions that come with the tasks.
     """
@@ -37,6 +40,7 @@ class Notebook:
     lessons: tuple[str, ...] = ()
     title: str = ""
     asks_solutions: bool = False
+    seeded: tuple[str, ...] = ()
 
 
 def read_notebook(path: Path) -> Notebook:
@@ -50,7 +54,8 @@ def read_notebook(path: Path) -> Notebook:
     code = tuple(cell.text for cell in cells if cell.kind == "code")
     opened = dict.fromkeys(name for source in code for name in _OPENED.findall(source))
     title = _title([cell.text for cell in cells if cell.kind in ("raw", "markdown")])
-    return Notebook(code, tuple(opened), title, any(_SOLUTIONS.search(source) for source in code))
+    seeded = dict.fromkeys(f"{name}={quote(seed.strip())}" for source in code for name, seed in _SEEDED.findall(source))
+    return Notebook(code, tuple(opened), title, any(_SOLUTIONS.search(source) for source in code), tuple(seeded))
 
 
 def _read_text(path: Path) -> str:

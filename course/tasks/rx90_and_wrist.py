@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong, drawn
 from armproof.course.links import classic_link, modified_link, product, shift, turn
 
 ARM, WRIST = "rx90", "spherical_wrist"
@@ -155,6 +155,31 @@ def _aligned_sympy(sp):
     return (turn(sp, "z", t4) * turn(sp, "z", t6))[:3, :3]
 
 
+def _predict(a_3=0.45, d_3=0.42):
+    """Return the task `predict` for an arm of these lengths (m)."""
+    return Task(
+        name="predict",
+        title="Prediction: the arm upright",
+        text=f"Upper arm $a_3 = {a_3:g}$ m, forearm $d_3 = {d_3:g}$ m. In the figure, at zero, the upper arm is horizontal and the forearm upright."
+        " Where is the origin of frame 6 at $\\theta_2 = 90°$, $\\theta_3 = -90°$, all others 0? Give `[x, y, z]` in metres, in frame 0.",
+        asks=Number((0, 0, a_3 + d_3), unit="m", labels=("x", "y", "z")),
+        hints=(
+            "Start from the figure and turn the shoulder by 90°: where is the elbow now?",
+            "The forearm was upright; the shoulder turned it by 90°, the elbow turns it back.",
+            "Upper arm and forearm both point up, from the shoulder, where frame 0 is: add the lengths.",
+        ),
+        right=([0, 0, a_3 + d_3], f"0, 0, {a_3 + d_3:.4g}", (0, 0, a_3 + d_3)),
+        wrong=(
+            Wrong([-d_3, 0, a_3], "the elbow turns the forearm back by 90°: θ_3 counts from the upper arm", own=True),
+            Wrong([a_3, 0, d_3], "this is the zero pose of the figure", own=True),
+            Wrong([0, 0, a_3 - d_3], "upper arm and forearm point the same way here: the lengths add", own=True),
+            Wrong([d_3, 0, a_3], f"x is not {d_3:g}, z is not {a_3:g}"),
+            Wrong([a_3 + d_3, 0, 0], "at θ_2 = 90° the upper arm points up, along z_0", own=True),
+        ),
+        own=drawn(_predict, a_3=(0.43, 0.55), d_3=(0.3, 0.42)),
+    )
+
+
 LESSON = Lesson(
     number=4,
     name="rx90_and_wrist",
@@ -166,28 +191,7 @@ LESSON = Lesson(
         "Say what makes a wrist spherical, and where it loses an orientation.",
     ),
     tasks=(
-        Task(
-            name="predict",
-            title="Prediction: the arm upright",
-            text="Upper arm $a_3 = 0.45$ m, forearm $d_3 = 0.42$ m. In the figure, at zero, the upper arm is horizontal and the forearm upright."
-            " Where is the origin of frame 6 at $\\theta_2 = 90°$, $\\theta_3 = -90°$, all others 0? Give `[x, y, z]` in metres, in frame 0.",
-            asks=Number((0, 0, 0.87), unit="m", labels=("x", "y", "z")),
-            hints=(
-                "Start from the figure and turn the shoulder by 90°: where is the elbow now?",
-                "The forearm was upright; the shoulder turned it by 90°, the elbow turns it back.",
-                "Upper arm and forearm both point up, from the shoulder, where frame 0 is: add the lengths.",
-            ),
-            right=([0, 0, 0.87], "0, 0, 0.87", (0, 0, 0.45 + 0.42)),
-            wrong=(
-                Wrong(
-                    [-0.42, 0, 0.45], "the elbow turns the forearm back by 90°: θ_3 counts from the upper arm", own=True
-                ),
-                Wrong([0.45, 0, 0.42], "this is the zero pose of the figure", own=True),
-                Wrong([0, 0, 0.03], "upper arm and forearm point the same way here: the lengths add", own=True),
-                Wrong([0.42, 0, 0.45], "x is not 0.42, z is not 0.45"),
-                Wrong([0.87, 0, 0], "at θ_2 = 90° the upper arm points up, along z_0", own=True),
-            ),
-        ),
+        _predict(),
         Task(
             name="table",
             title="The table of parameters",

@@ -16,6 +16,7 @@ from armproof.course.feedback import (
     Task,
     WithSympy,
     Wrong,
+    drawn,
 )
 from armproof.course.links import classic_link, product, shift, turn
 
@@ -107,6 +108,59 @@ def distance_squared(theta_2, a_2, a_3):
     return a_2**2 + a_3**2 + 2 * a_2 * a_3 * np.cos(theta_2)
 
 
+def _reach(a_2=0.3, a_3=0.25):
+    """Return the task `reach` for an arm of these lengths (m)."""
+    return Task(
+        name="reach",
+        title="Limits: the ring",
+        text="Without joint limits, how near to axis 1 and how far from it can the tool be? Give `[nearest, farthest]` in metres, for"
+        f" $a_2 = {a_2:g}$ and $a_3 = {a_3:g}$.",
+        asks=Number((a_2 - a_3, a_2 + a_3), unit="m", labels=("the nearest distance", "the farthest distance")),
+        hints=(
+            "Which values does $\\cos\\theta_2$ take?",
+            "Put $\\theta_2 = 0$ and $\\theta_2 = \\pi$ into the squared distance: both become squares.",
+            "Folded: the difference of the lengths; stretched: their sum.",
+        ),
+        right=([a_2 - a_3, a_2 + a_3], f"{a_2 - a_3:.4g}, {a_2 + a_3:.4g}", (abs(a_2 - a_3), a_2 + a_3)),
+        wrong=(
+            Wrong([0, a_2 + a_3], "the arm cannot fold onto axis 1: the lengths differ", own=True),
+            Wrong([a_2 + a_3, a_2 - a_3], "this is [farthest, nearest]", own=True),
+            Wrong([a_2, a_2 + a_3], "folded, the second arm brings the tool back towards axis 1", own=True),
+            Wrong([(a_2 - a_3) ** 2, (a_2 + a_3) ** 2], "these are the squares of the distances", own=True),
+        ),
+        own=drawn(_reach, a_2=(0.3, 0.45), a_3=(0.15, 0.28)),
+    )
+
+
+def _predict(a_2=0.3, a_3=0.25):
+    """Return the task `predict` for an arm of these lengths (m)."""
+    return Task(
+        name="predict",
+        title="Prediction: seen from above",
+        text=f"The arms are $a_2 = {a_2:g}$ m and $a_3 = {a_3:g}$ m long. At $\\theta_1 = 90°$, $\\theta_2 = -90°$ and with the quill lowered by"
+        " $d_2 = 0.1$ m: where is the tool, in frame 0? Give `[x, y, z]` in metres; $z_0$ points up.",
+        asks=Number((a_3, a_2, -0.1), unit="m", labels=("x", "y", "z")),
+        hints=(
+            "Draw the arm from above: the first arm along which axis?",
+            "$\\theta_2$ counts from the first arm. The second arm's direction is $\\theta_1 + \\theta_2$.",
+            "The first arm lies along $y_0$, the second along $x_0$; lowering counts negative along $z_0$.",
+        ),
+        right=([a_3, a_2, -0.1], f"{a_3:g}, {a_2:g}, -0.1", np.array([a_3, a_2, -0.1])),
+        wrong=(
+            Wrong([a_3, a_2, 0.1], "z_0 points up, and d_2 lowers the quill: the sign of z", own=True),
+            Wrong(
+                [0, a_2 - a_3, -0.1],
+                "θ_2 is taken from the base; it counts from the first arm, so the second arm points along θ_1 + θ_2",
+                own=True,
+            ),
+            Wrong([a_2, a_3, -0.1], "the two arms have changed places: the first one points along y_0 here", own=True),
+            Wrong([-a_3, a_2, -0.1], "θ_2 is negative: seen from above, the elbow bends to the right", own=True),
+            Wrong([a_3, a_2], "3 numbers"),
+        ),
+        own=drawn(_predict, a_2=(0.3, 0.45), a_3=(0.15, 0.28)),
+    )
+
+
 LESSON = Lesson(
     number=3,
     name="scara_forward",
@@ -118,32 +172,7 @@ LESSON = Lesson(
         "Check the result from above, and say how far the arm reaches.",
     ),
     tasks=(
-        Task(
-            name="predict",
-            title="Prediction: seen from above",
-            text="The arms are 0.3 m ($a_2$) and 0.25 m ($a_3$) long. At $\\theta_1 = 90°$, $\\theta_2 = -90°$ and with the quill lowered by"
-            " $d_2 = 0.1$ m: where is the tool, in frame 0? Give `[x, y, z]` in metres; $z_0$ points up.",
-            asks=Number((0.25, 0.3, -0.1), unit="m", labels=("x", "y", "z")),
-            hints=(
-                "Draw the arm from above: the first arm along which axis?",
-                "$\\theta_2$ counts from the first arm. The second arm's direction is $\\theta_1 + \\theta_2$.",
-                "The first arm lies along $y_0$, the second along $x_0$; lowering counts negative along $z_0$.",
-            ),
-            right=([0.25, 0.3, -0.1], "0.25, 0.3, -0.1", np.array([0.25, 0.3, -0.1])),
-            wrong=(
-                Wrong([0.25, 0.3, 0.1], "z_0 points up, and d_2 lowers the quill: the sign of z", own=True),
-                Wrong(
-                    [0, 0.05, -0.1],
-                    "θ_2 is taken from the base; it counts from the first arm, so the second arm points along θ_1 + θ_2",
-                    own=True,
-                ),
-                Wrong(
-                    [0.3, 0.25, -0.1], "the two arms have changed places: the first one points along y_0 here", own=True
-                ),
-                Wrong([-0.25, 0.3, -0.1], "θ_2 is negative: seen from above, the elbow bends to the right", own=True),
-                Wrong([0.25, 0.3], "3 numbers"),
-            ),
-        ),
+        _predict(),
         Task(
             name="table",
             title="The table of parameters",
@@ -395,24 +424,6 @@ LESSON = Lesson(
                 Wrong(r"a_2^2 + a_3^2 + a_2 a_3 \cos\theta_2", "the factor 2 of the mixed term is missing", own=True),
             ),
         ),
-        Task(
-            name="reach",
-            title="Limits: the ring",
-            text="Without joint limits, how near to axis 1 and how far from it can the tool be? Give `[nearest, farthest]` in metres, for"
-            " $a_2 = 0.3$ and $a_3 = 0.25$.",
-            asks=Number((0.05, 0.55), unit="m", labels=("the nearest distance", "the farthest distance")),
-            hints=(
-                "Which values does $\\cos\\theta_2$ take?",
-                "Put $\\theta_2 = 0$ and $\\theta_2 = \\pi$ into the squared distance: both become squares.",
-                "Folded: the difference of the lengths; stretched: their sum.",
-            ),
-            right=([0.05, 0.55], "0.05, 0.55", (abs(0.3 - 0.25), 0.3 + 0.25)),
-            wrong=(
-                Wrong([0, 0.55], "the arm cannot fold onto axis 1: the lengths differ", own=True),
-                Wrong([0.55, 0.05], "this is [farthest, nearest]", own=True),
-                Wrong([0.3, 0.55], "folded, the second arm brings the tool back towards axis 1", own=True),
-                Wrong([0.0025, 0.3025], "these are the squares of the distances", own=True),
-            ),
-        ),
+        _reach(),
     ),
 )

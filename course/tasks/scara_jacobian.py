@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import (
+    Choice,
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Task,
+    WithSympy,
+    Wrong,
+    drawn,
+)
 from armproof.course.links import turn
 
 
@@ -105,6 +117,41 @@ def _omega_first(q, a_1, a_2):
     return np.vstack([right[3:], right[:3]])
 
 
+def _prediction(a_1=0.325, a_2=0.275):
+    """Return the task `prediction` for an arm of these lengths (m)."""
+    return Task(
+        name="prediction",
+        title="Predict a velocity",
+        text="The arm is stretched along $x_0$: $\\theta_1 = \\theta_2 = 0$. Joint 1 turns at 1 rad/s, the other joints rest. With "
+        f"$a_1 = {a_1:g}$ m and $a_2 = {a_2:g}$ m, what is the velocity of the tool point? Give $[v_x, v_y, v_z]$ in m/s, in frame 0.",
+        asks=Number((0, a_1 + a_2, 0), "m/s", ("v_x", "v_y", "v_z")),
+        hints=(
+            "The tool point runs on a circle about $z_0$. Which way does a circle run where it crosses the $x_0$ axis?",
+            "Speed is rate times radius; the radius is the distance of the tool from $z_0$.",
+            "The radius is $a_1 + a_2$ and the velocity is along $y_0$.",
+        ),
+        right=([0, a_1 + a_2, 0], f"0, {a_1 + a_2:.4g}, 0", np.array([0.0, a_1 + a_2, 0.0])),
+        wrong=(
+            Wrong(
+                [a_1 + a_2, 0, 0],
+                "that is along the arm: a point that turns about an axis moves across the line to the axis",
+                own=True,
+            ),
+            Wrong([0, a_1, 0], "that is the elbow: the tool is one link further from the axis", own=True),
+            Wrong([0, a_2, 0], "that is what joint 2 would give: joint 1 turns both links", own=True),
+            Wrong(
+                [0, -a_1 - a_2, 0], "the right-hand rule about z_0 turns x_0 towards y_0, not away from it", own=True
+            ),
+            Wrong(
+                [0, 0, a_1 + a_2],
+                "that is along the axis of joint 1: turning about an axis moves nothing along it",
+                own=True,
+            ),
+        ),
+        own=drawn(_prediction, a_1=(0.3, 0.45), a_2=(0.15, 0.28)),
+    )
+
+
 LESSON = Lesson(
     number=8,
     name="scara_jacobian",
@@ -116,34 +163,7 @@ LESSON = Lesson(
         "Say what is lost there, and where in the workspace it happens.",
     ),
     tasks=(
-        Task(
-            name="prediction",
-            title="Predict a velocity",
-            text="The arm is stretched along $x_0$: $\\theta_1 = \\theta_2 = 0$. Joint 1 turns at 1 rad/s, the other joints rest. With "
-            "$a_1 = 0.325$ m and $a_2 = 0.275$ m, what is the velocity of the tool point? Give $[v_x, v_y, v_z]$ in m/s, in frame 0.",
-            asks=Number((0, 0.6, 0), "m/s", ("v_x", "v_y", "v_z")),
-            hints=(
-                "The tool point runs on a circle about $z_0$. Which way does a circle run where it crosses the $x_0$ axis?",
-                "Speed is rate times radius; the radius is the distance of the tool from $z_0$.",
-                "The radius is $a_1 + a_2$ and the velocity is along $y_0$.",
-            ),
-            right=([0, 0.6, 0], "0, 0.6, 0", np.array([0.0, 0.325 + 0.275, 0.0])),
-            wrong=(
-                Wrong(
-                    [0.6, 0, 0],
-                    "that is along the arm: a point that turns about an axis moves across the line to the axis",
-                    own=True,
-                ),
-                Wrong([0, 0.325, 0], "that is the elbow: the tool is one link further from the axis", own=True),
-                Wrong([0, 0.275, 0], "that is what joint 2 would give: joint 1 turns both links", own=True),
-                Wrong([0, -0.6, 0], "the right-hand rule about z_0 turns x_0 towards y_0, not away from it", own=True),
-                Wrong(
-                    [0, 0, 0.6],
-                    "that is along the axis of joint 1: turning about an axis moves nothing along it",
-                    own=True,
-                ),
-            ),
-        ),
+        _prediction(),
         Task(
             name="rotation",
             title="The rotation of frame 2",

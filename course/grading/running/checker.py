@@ -12,6 +12,7 @@ import importlib
 from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 from armproof.course.errors import GradingError
 from armproof.models.language import languages
@@ -57,7 +58,7 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
 
     Args:
         used: names of lessons of which the first right answer of each task is judged beforehand: what that computes once,
-            no submission computes again.
+            no submission computes again; `name=seed` is one with numbers of its own.
         own: the folder of a teacher's own lessons, or nothing.
         base: the folder of the runs' folders, in which a notebook finds them as `open_lesson(name, folder="..")`.
 
@@ -74,7 +75,15 @@ def load_course(used: Collection[str], own: str, base: str) -> tuple[list[dict[s
         for task in lesson.tasks if lesson.name in used else ():
             with contextlib.suppress(Exception):
                 task.asks.judge(task.right[0])
-    tasks = {id(task): (lesson.name, task.asks) for each in named.values() for lesson in each for task in lesson.tasks}
+    pairs = [each.partition("=") for each in used if "=" in each]
+    seeded = [
+        open_lesson(name, lang=lang, seed=unquote(seed))
+        for name, _, seed in pairs
+        if name in lesson_names()
+        for lang in languages()
+    ]
+    opened = [lesson for each in named.values() for lesson in each] + seeded
+    tasks = {id(task): (lesson.name, task.asks) for lesson in opened for task in lesson.tasks}
     Task.check, found = recording(Task.check, tasks)  # type: ignore[method-assign]
     return [_described(named[lesson.name]) for lesson in course], lambda: list(found.values())
 
@@ -103,5 +112,5 @@ def _own_lessons(folder: Path, base: str) -> dict[str, Any]:
     found = {name: [open_lesson(name, folder, lang) for lang in languages()] for name in names}
     for name, each in found.items():
         for lesson in each:
-            opened._opened[str(Path(base).resolve()), name, lesson.lang] = lesson
+            opened._opened[str(Path(base).resolve()), name, lesson.lang, ""] = lesson
     return found

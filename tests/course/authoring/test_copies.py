@@ -86,3 +86,13 @@ def test_a_solved_task_is_a_point_in_the_bars(tmp_path: Path, monkeypatch: pytes
     assert f"{before + 1} of {count} points" in told and "8 · SCARA: geometric Jacobian" in told
     page = course()._repr_html_()
     assert "▰" in repr(lesson) and f"<td>{lesson.points} / {len(lesson.tasks)}</td>" in page
+
+
+def test_a_seed_gives_a_notebook_numbers_of_its_own(tmp_path: Path):
+    assert run("begin", "8", "--into", tmp_path, "--seed", "Ana P.").exit_code == 0
+    text = (tmp_path / "08_scara_jacobian.ipynb").read_text()
+    numbers = open_lesson("scara_jacobian", seed="Ana P.").prediction.numbers
+    assert json.loads(text) and 'open_lesson(\\"scara_jacobian\\", seed=\\"Ana P.\\")' in text
+    assert f"$a_1 = {numbers['a_1']:g}$" in text and "$a_1 = 0.325$" not in text
+    refused = run("begin", "8", "--into", tmp_path / "other", "--seed", 'x", folder="/')
+    assert refused.exit_code == 2 and "is no seed" in refused.stderr

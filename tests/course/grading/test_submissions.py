@@ -58,6 +58,16 @@ def test_a_notebook_says_its_lessons_and_title(write):
     assert plain.lessons == () and plain.title == "" and not plain.asks_solutions
 
 
+def test_a_notebook_says_the_seeds_of_its_lessons(write):
+    cells = (
+        "open_lesson('frames', lang='fr', seed='Ana P.')",
+        'open_lesson("frames", seed=7)',
+        "open_lesson('quintic')",
+    )
+    read = read_notebook(write("a.ipynb", *cells))
+    assert read.lessons == ("frames", "quintic") and read.seeded == ("frames=Ana%20P.", "frames=7")
+
+
 @pytest.mark.parametrize("kind", BROKEN)
 def test_what_is_no_notebook_is_unreadable(kind, tmp_path):
     path = tmp_path / "a.ipynb"
