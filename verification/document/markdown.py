@@ -240,8 +240,22 @@ def display_reader() -> MarkdownIt:
     reader = _new_reader()
     ends: Any = {"alt": ["paragraph", "reference", "blockquote", "list"]}
     reader.block.ruler.before("html_block", "amsmath", _quiet(_environment), ends)
-    reader.block.ruler.at("math_block", _quiet(math_block_dollar(allow_labels=True, allow_blank_lines=True)), ends)
+    reader.block.ruler.at("math_block", _quiet(_single(math_block_dollar(True, allow_blank_lines=True))), ends)
     return reader
+
+
+def _single(rule: Rule) -> Rule:
+    """Return a rule for one display: $$$$, the end of one and the opening of the next, stands in none."""
+
+    def found(state: StateBlock, start: int, last: int, silent: bool) -> bool:
+        line, count = state.line, len(state.tokens)
+        if rule(state, start, last, silent) and "$$" not in state.tokens[-1].content:
+            return True
+        state.line = line
+        del state.tokens[count:]
+        return False
+
+    return found
 
 
 def _quiet(rule: Rule) -> Rule:

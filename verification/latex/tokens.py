@@ -49,7 +49,7 @@ MAX_DEPTH = 60
 
 _MASTER = re.compile(
     r"""
-    (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n)|%%[^\n]*\n)+)
+    (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n|\Z)|%%[^\n]*\n)+)
   | (?P<TAG>\\(?:tag\*?|color|hspace\*?|cline|cmidrule|rule|eqno)\s*\{[^{}]*\})
   | (?P<NEWLINE>\\\\\*?(?:\s*\[\s*-?[\d.]+\s*(?:ex|em|pt|mm|cm|in|\\baselineskip)\s*\])?|\\cr(?![A-Za-z])|\\newline(?![A-Za-z])|\\tabularnewline(?![A-Za-z]))
   | (?P<BEGIN>\\begin\s*\{\s*([A-Za-z]+)\*?\s*\})

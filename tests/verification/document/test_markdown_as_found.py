@@ -65,6 +65,8 @@ def test_displays_in_a_paragraph_pair_as_they_are_written():
         "e = 5",
     ]
     assert all(display.closed for display in displays)
+    displays, _ = read_markdown("Words\n$$\na = 1\n$$$$\nb = 2\n$$\nwords\n\n$$\nc = 3 \\\n$$\n", 1)
+    assert [" ".join(display.latex.split()) for display in displays] == ["a = 1", "b = 2", "c = 3 \\"]
     open_one, other = read_markdown("Words\n$$\na = 1\n\nwords\n\nwords\n", 1)[0][0], "a = 1"
     assert not open_one.closed and other in open_one.latex
 
