@@ -503,6 +503,7 @@ class Kind(MessageKind):
     SECOND_TABLE = "second_table", "compared with the arm of the {source} at line {line}, and which of the two is right is not certain"
     ARMS_NO_MAPPING = "arms_no_mapping", "'arms' gives sections, by their headings, an arm each: {{Exercise 1: scara}}; not {value}"
     NO_SECTION = "no_section", "'arms': '{section}' is no heading with an arm, or with keys among {keys}; the headings are {sections}"
+    LENGTH_WITHOUT_VALUE = "length_without_value", "a number cannot be compared with `{length}`, which has no value in the front matter"
     UNLIKE_CATALOGUE = "unlike_catalogue", "the text names '{arm}': rows of the table at line {line} that differ from that arm of the catalogue: {rows}"
     NO_DH_ENTRY = "no_dh_entry", "a formula in {value} is no sum of lengths or angles"
     JOINTS_MISSING = "joints_missing", "gives {count} joints, and the document speaks of joint {index}: no arm is taken from it"

@@ -29,6 +29,12 @@ _GLUED = re.compile(  # q1, but not in a script
 )
 _WORD = re.compile(r"([-+]?[adlhrADLHR])([A-Za-z]{1,3})")  # dg, -LT: a length with its index
 _LETTERS = re.compile(r"(?<![\\A-Za-z{])([A-Z]{2,3})_?\{?(\d+)\}?")  # RL4: one length
+_UNIT = re.compile(r"(\d+(?:\.\d+)?)\s*(mm|cm|m)(?![A-Za-z_]|\s*\^)")
+_METRES = {"mm": Fraction(1, 1000), "cm": Fraction(1, 100), "m": Fraction(1)}
+_COMMA = re.compile(r"(?<!\d)(\d+),(?!\d{3}\b)(\d+)|(?<!\d)0,(\d+)")  # 1,250 may be a thousand
+_VALUED = re.compile(
+    r"([^=(\[:≈]*[A-Za-z][^=(\[:≈]*?)\s*(?:\(|\[|:|≈|\\approx(?![A-Za-z])|\\simeq(?![A-Za-z]))\s*([-+−]?\s*\d+(?:\.\d+)?)\s*[)\]]?"
+)
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
 
@@ -42,6 +48,7 @@ class Cell:
     text: str
     trees: tuple[n.Node, ...] = ()
     kind: str = "value"
+    has_unit: bool = False  # its numbers are in metres
 
     @property
     def name(self) -> n.Name | None:
@@ -63,8 +70,11 @@ class UnreadableCell(ReadError):
     """A cell that is not an expression."""
 
 
-def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
-    """Return the cell of a row (from 1) and column (from 0) with its trees; raises UnreadableCell."""
+def read_cell(names: Names, text: str, row: int, column: int, in_metres: bool = True) -> Cell:
+    """Return the cell of a row (from 1) and column (from 0) with its trees; raises UnreadableCell.
+
+    A number with a unit of its own is taken in metres, or as it stands.
+    """
     spelt = plain(text)
     if spelt == "0":
         return Cell("0", (n.Number(Fraction(0), "0"),))
@@ -74,6 +84,12 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
         return Cell(text.strip(), kind="variable")
     spelt = re.sub(r"\s*[(\[]\s*var(?:iable)?\.?\s*[)\]]$", "", spelt)
     spelt = re.sub(r"(?<=[\w}])\s*\^?\s*\{?\*+\}?(?=\s*(?:$|[-+=)]))", "", spelt)  # θ_1*: the star of a variable
+    spelt = _COMMA.sub(lambda number: f"{number[1] or 0}.{number[2] or number[3]}", spelt)
+    spelt, units = _UNIT.subn(
+        lambda found: _number(Fraction(found[1]) * (_METRES[found[2]] if in_metres else 1)), spelt
+    )
+    if valued := _VALUED.fullmatch(spelt):  # l_1 (0.45)
+        spelt = f"{valued[1]} = {valued[2]}"
     spelt = SPELT.sub(r"\\\1", spelt)
     if word := _WORD.fullmatch(spelt):
         spelt = f"{word[1]}_{{{word[2]}}}"
@@ -81,7 +97,8 @@ def read_cell(names: Names, text: str, row: int, column: int) -> Cell:
     spelt = _GLUED.sub(lambda found: f"{found[1]}_{{{found[2]}}}" if found[1] else found[0], spelt)
     spelt = re.sub(r"(?<=\d)\s*deg(?:rees)?\b", r"^\\circ", spelt)
     try:
-        return Cell(text.strip(), tuple(names.reader.read_expression(part) for part in spelt.split("=")))
+        trees = tuple(names.reader.read_expression(part) for part in spelt.split("="))
+        return Cell(text.strip(), trees, has_unit=units > 0)
     except ReadError as error:
         place = {"row": row, "column": column + 1, "cell": text.strip()}
         raise UnreadableCell(say(Kind.UNREADABLE_CELL, **place, problem=finding_of(error))) from None

@@ -83,7 +83,7 @@ class DHTableCheck:
         found = self._best(claim)
         if passed_over:
             self.notes.append(say(Kind.ROWS_IN_ORDER))
-        if not found.is_right and self._has_lengths_in_numbers(rows):
+        if not found.is_right and arm.dh is None and self._has_lengths_in_numbers(rows):
             rational = self.checker.exact.rational
             lengths = {symbol: rational(exact_number(value)) for symbol, value in arm.lengths.items()}
             measured = self._best(replace(claim, lengths=lengths))

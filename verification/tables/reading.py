@@ -124,9 +124,22 @@ class TableReading:
                     verdict.unbound[parameter] = problem.name
                 continue
             verdict.values[parameter] = values[0]
+            if parameter in ANGLES and symbols_of(values[0]):  # a number beside a joint is where it stands
+                values = values[:1]
+            elif self.arm.dh is not None:  # its lengths are letters: a number beside one is its value
+                values = values[:1]
+                if (length := self._without_value(values[0], self.right_value(verdict, parameter))) is not None:
+                    verdict.problems[parameter] = say(Kind.LENGTH_WITHOUT_VALUE, length=length)
+                    continue
             if verdict.right is not None and not all(verdict.right.agrees(parameter, value) for value in values):
                 verdict.wrong.append(parameter)
         return verdict
+
+    def _without_value(self, printed: Scalar, right: Scalar | None) -> str | None:
+        """Return the letter with which a printed number cannot be compared."""
+        number = printed.as_fraction()
+        letters = symbols_of(right) & set(self.arm.lengths) if number and right is not None else set()
+        return min(letters) if number and letters else None
 
     def _values(self, parameter: str, cell: Cell, verdict: RowVerdict) -> list[Scalar]:
         algebra = self.claim.algebra
@@ -138,7 +151,8 @@ class TableReading:
         unit = self.claim.columns.headers[self.reading.columns[parameter]].unit
         values = [algebra.substitute(value, self.claim.lengths) for value in cell.values(self.claim.names, algebra)]
         if parameter not in ANGLES:
-            return [v * SCALES.get(unit, 1) if v.as_fraction() is not None else v for v in values]
+            scale = 1 if cell.has_unit else SCALES.get(unit, 1)
+            return [v * scale if v.as_fraction() is not None else v for v in values]
         read = [to_radians(value, unit) for value in values]
         for _, note in read:
             if note is not None:

@@ -23,6 +23,7 @@ from armproof.verification.tables.check import read_array, turned
 from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.verdict import TakenArm
 
+_NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d)")
 
 
@@ -61,9 +62,17 @@ def _of_tables(document: Document) -> Inference:
 def arms_of(document: Document, table: Table) -> list[Candidate] | Finding:
     """Return the arms that a DH table can mean, or why it gives none."""
     try:
-        return list(candidates(table, read_columns(table.header), plain_names(document)))  # type: ignore[arg-type]
+        columns = read_columns(table.header)
+        return list(candidates(table, columns, plain_names(document), _in_metres(document, table)))  # type: ignore[arg-type]
     except (EvaluationError, ReadError, RecursionError) as error:
         return finding_of(error)
+
+
+def _in_metres(document: Document, table: Table) -> bool:
+    """Whether a document calculates in metres, whatever the unit of its table: else a number of it stands in a display."""
+    numbers = {number for row in table.rows for cell in row for number in _NUMBER.findall(cell) if len(number) > 1}
+    numbers -= {"90", "180", "45", "60", "30", "120", "135", "270", "360"}
+    return not any(numbers & set(_NUMBER.findall(display.latex)) for display in document.displays)
 
 
 def plain_names(document: Document) -> Names:

@@ -36,9 +36,14 @@ class _Row:
     label: str
 
 
-def candidates(table: Table, columns: Columns, names: Names) -> Iterator[Candidate]:
-    """Yield the arms that a table can mean, one a choice of its columns; raises ReadError, EvaluationError."""
-    rows = [_read_row(names, table, columns, number) for number in range(1, len(table.rows) + 1)]
+def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = True) -> Iterator[Candidate]:
+    """Yield the arms that a table can mean, one a choice of its columns; raises ReadError, EvaluationError.
+
+    Lengths with a unit are taken in metres, or as they stand.
+    """
+    if not in_metres:
+        columns = replace(columns, headers=tuple(replace(each, unit=_of_angle(each.unit)) for each in columns.headers))
+    rows = [_read_row(names, table, columns, number, in_metres) for number in range(1, len(table.rows) + 1)]
     letters = [node for row in rows for cell in row.cells.values() for node in _names_in(cell) if node.key != "pi"]
     keys = {node.key for node in letters}
     if _is_general(keys):
@@ -57,7 +62,11 @@ def candidates(table: Table, columns: Columns, names: Names) -> Iterator[Candida
         yield from (replace(found, frames=frames) for frames in named)
 
 
-def _read_row(names: Names, table: Table, columns: Columns, number: int) -> _Row:
+def _of_angle(unit: str) -> str:
+    return "" if unit in SCALES else unit
+
+
+def _read_row(names: Names, table: Table, columns: Columns, number: int, in_metres: bool) -> _Row:
     texts = table.rows[number - 1]
     if len(texts) != len(table.header):
         raise ReadError(say(Kind.ROW_LENGTH, number=number, count=len(texts), width=len(table.header)))
@@ -67,7 +76,7 @@ def _read_row(names: Names, table: Table, columns: Columns, number: int) -> _Row
     label = columns.first("label")
     return _Row(
         number,
-        {column: read_cell(names, texts[column], number, column) for column in used},
+        {column: read_cell(names, texts[column], number, column, in_metres) for column in used},
         read_kind(texts[kind]) if kind is not None else "",
         named.key if named is not None else "",
         texts[label] if label is not None else "",
@@ -107,7 +116,7 @@ def _value(names: Names, algebra: ExactAlgebra, columns: Columns, column: int, p
         value = others[-1]  # θ_2 = θ_2 - π/2
     if parameter in ANGLES:
         return to_radians(value, unit)[0]
-    return value * SCALES.get(unit, 1) if value.as_fraction() is not None else value
+    return value * SCALES.get(unit, 1) if value.as_fraction() is not None and not cell.has_unit else value
 
 
 def _joint_of(reading: Reading, row: _Row, values: Mapping[str, Scalar]) -> tuple[str, str]:

@@ -1,0 +1,63 @@
+"""Numbers in the cells of a table: units, decimal commas, and the values of letters."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof import verify_text
+
+TABLE = """| i | a | alpha | d | theta |
+|---|---|---|---|---|
+| 1 | {} | 0 | 0 | $\\theta_1$ |
+| 2 | {} | 0 | 0 | $\\theta_2$ |
+
+"""
+SHOWN = "$$ x = {} c_1 + {} c_{{12}} $$\n\n$$ y = {} s_1 + {} s_{{12}} $$\n"
+LINK = "$$ T_2^1 = \\begin{{bmatrix}} c_2 & -s_2 & 0 & {0} c_2 \\\\ s_2 & c_2 & 0 & {0} s_2 \\\\ 0 & 0 & 1 & 0 \\\\ 0 & 0 & 0 & 1 \\end{{bmatrix}} $$\n\n"
+FRONT = "---\narm:\n  dh: classic\n  rows:\n    - {a: l_1, alpha: 0, d: 0, theta: theta_1}\n    - {a: l_2, alpha: 0, d: 0, theta: theta_2}\n---\n"
+
+
+def verdicts(text: str) -> list[str]:
+    return [record.verdict.value for record in verify_text(text).equations]
+
+
+@pytest.mark.parametrize(
+    ("cells", "one", "two"),
+    [
+        (("450 mm", "300 mm"), "0.45", "0.3"),
+        (("450 mm", "300 mm"), "450", "300"),
+        (("45 cm", "0.3 m"), "0.45", "0.3"),
+        (("0,45", "0,3"), "0.45", "0.3"),
+        (("-0.45", "$300\\,\\text{mm}$"), "-0.45", "0.3"),
+        (("l_1 (450 mm)", "l_2 (300 mm)"), "l_1", "l_2"),
+        (("$l_1$ = 450 mm", "$l_2$: 300"), "l_1", "l_2"),
+        (("l_1 ≈ -0.45", "l_2 [0.3]"), "l_1", "l_2"),
+    ],
+)
+def test_a_length_is_read_with_its_unit_or_by_its_letter(cells: tuple[str, str], one: str, two: str) -> None:
+    text = TABLE.format(*cells) + LINK.format(two)
+    assert verdicts(text + SHOWN.format(one, two, one, two)) == ["proved"] * 3
+    assert "proved" not in verdicts(text + SHOWN.format(two, one, two, one))[1:]
+
+
+def test_a_column_in_millimetres_is_in_metres_where_the_displays_are() -> None:
+    table = TABLE.replace("| a |", "| a (mm) |").format("450", "300")
+    for one, two in (("0.45", "0.3"), ("450", "300")):
+        text = table + LINK.format(two) + SHOWN.format(one, two, one, two)
+        assert verdicts(text) == ["proved"] * 3
+    assert "proved" not in verdicts(table + LINK.format("4.5"))
+
+
+@pytest.mark.parametrize("cell", ["1,250", "l_1 (2 l_2)", "450 mm^2"])
+def test_what_is_no_length_for_certain_gives_no_arm(cell: str) -> None:
+    assert not verify_text(TABLE.format(cell, "l_2") + LINK.format("l_2")).arms
+
+
+def test_a_value_beside_a_letter_of_the_front_matter_is_data() -> None:
+    def verdict(*cells: str) -> str:
+        return verify_text(FRONT + TABLE.format(*cells)).tables[0].verdict.value
+
+    assert verdict("l_1 = 0.45", "l_2 = 300 mm") == "proved"
+    assert verdict("l_2 = 0.45", "l_1 = 300 mm") == "refuted"
+    assert verdict("450 mm", "l_2") == "unchecked"  # no number to compare it with
+    assert verdict("0", "l_2") == "refuted"
