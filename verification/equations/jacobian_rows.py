@@ -100,6 +100,8 @@ class RowsOfJacobians:
             return None  # J ∈ ℝ^{6×4} tells them itself
         for name in self._open(chains):
             rows = self.names.rows_of(name.key)
+            if rows is None and any(_prints_whole(chain, name) for chain in chains):
+                continue  # six rows beside it tell them
             with self._read_in(name.key, self._square(name) if rows is None else None) as other:
                 if other == rows:
                     continue
@@ -157,6 +159,12 @@ class RowsOfJacobians:
         part = replace(name, sub=f"rows {rows}")
         self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
         return part
+
+
+def _prints_whole(chain: n.Chain, name: n.Name) -> bool:
+    """Whether a chain prints a matrix of six rows for a name that stands alone."""
+    sides = [bare(member) for member in chain.members]
+    return name in sides and any(isinstance(side, n.Matrix) and len(side.rows) == len(WHOLE) for side in sides)
 
 
 def _likely_rows(value: Value) -> Iterator[tuple[int, ...]]:
