@@ -61,8 +61,8 @@ class Conventions:
             return chain
         self.doubts = Doubts(self.names)
         keys = set(map(_plain_key, chain.members))
-        self.names.state.forget_text(keys)  # a name that stands alone is asked anew
-        if known := keys & self.names.state.conventional:
+        self.names.state.forget_text(_plain_key(chain.members[0]))
+        if known := keys & self.names.state.conventional:  # a name that stands alone is asked anew
             self.doubts.forget(known)
         for key in filter(self._usual, keys):
             self.names.state.definitions.pop(key, None)

@@ -184,9 +184,9 @@ class DocumentState:
         """Return the names consulted whose meaning the text between displays gave."""
         return sorted(key for key, _ in self.consulted if key in self.definitions and self.definitions[key].in_text)
 
-    def forget_text(self, keys: Iterable[str]) -> None:
-        """Take back what the text said of names."""
-        for key in [key for key in keys if key in self.definitions and self.definitions[key].in_text]:
+    def forget_text(self, key: str) -> None:
+        """Take back what the text said of a name: a display says it."""
+        if key in self.definitions and self.definitions[key].in_text:
             del self.definitions[key]
 
     def copy(self) -> DocumentState:

@@ -26,7 +26,7 @@ _SCRIPTS = re.compile("[₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋]+")
 
 # a unit in a header: in brackets, or after "in"
 _UNITS = {
-    "deg": r"deg(?:rees?)?\.?|degr[eé]s?|grad[oi]s?|graus?|\^circ|\^\{circ\}|°",
+    "deg": r"deg(?:rees?)?\.?|degr[eé]s?|grad[oi]s?|graus?|\^circ|\^\{circ\}|[°º˚]",
     "rad": r"rad(?:ians?|ianes?|ianos?)?\.?",
     "mm": r"mm|milli\w+",
     "cm": r"cm|centi\w+",
@@ -35,7 +35,7 @@ _UNITS = {
 _UNIT = re.compile(
     r"(?:[(\[]|,\s*|\bin\s+|\ben\s+)\s*(?:%s)\s*[)\]]?$" % "|".join(f"(?P<{k}>{v})" for k, v in _UNITS.items())
 )
-_BARE_DEGREES = re.compile(r"\s*(?:\^circ|°)$")
+_BARE_DEGREES = re.compile(r"\s*(?:\^circ|[°º˚])$")
 
 _SYMBOL = re.compile(
     r"(?<![A-Za-z])(?P<letter>alpha|theta|sigma|[adrqb])(?![A-Za-z])\s*(?:_?\s*\(?(?P<index>[ijkn](?:\s*-\s*1)?)\)?(?![A-Za-z]))?"
@@ -49,8 +49,8 @@ _WORDS = (
     (r"variables?", "q"),
 )
 _LABEL = re.compile(
-    r"(?:[ijkn](?:-1)?|n[°o]|no\.?|#|(?:the )?(?:links?|joints?|segments?|corps|liaisons?|articulations?|frames?|rep[eè]res?|row|ax[ie]s|axe|bod(?:y|ies)"
-    r"|solide|eslab[oó]n|elo|articulaci[oó]n|juntas?|gelenk|glied|achse|step|transforms?|matri(?:x|ces))(?: (?:no\.?|number|n°|#))?(?: ?[ijkn])?"
+    r"(?:[ijkn](?:-1)?|n[°ºo]|no\.?|#|(?:the )?(?:links?|joints?|segments?|corps|liaisons?|articulations?|frames?|rep[eè]res?|row|ax[ie]s|axe|bod(?:y|ies)"
+    r"|solide|eslab[oó]n|elo|articulaci[oó]n|juntas?|gelenk|glied|achse|step|transforms?|matri(?:x|ces))(?: (?:no\.?|number|n[°º]|#))?(?: ?[ijkn])?"
     r"|[ijkn][-–,/][ijkn](?:-1)?|[ijkn]-1[-–,/ ]*(?:to )?[ijkn]|\{?\}?\^?\{?[ijkn]-1\}?_?\{?[ijkn]?\}?[TAH](?:_?\{?[ijkn]\}?)?|[TAH]_?\{?[ijkn]\}?(?:\^\{?[ijkn]-1\}?)?|)"
 )
 

@@ -18,7 +18,7 @@ from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.row import ANGLES, SCALES
 from armproof.verification.verdict import WrongEntry
 
-_DEGREE_SIGN = re.compile(r"\^\s*\{?\s*\\circ\s*\}?|°|\\degree")
+_DEGREE_SIGN = re.compile(r"\^\s*\{?\s*\\circ\s*\}?|[°º˚]|\\degree")
 _PLAIN_DEGREES = re.compile(r"(?<![\d.{_])(?:15|30|45|60|75|90|120|135|150|180|270)(?![\d.}])")
 
 
