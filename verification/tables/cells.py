@@ -31,7 +31,7 @@ _WORD = re.compile(r"([-+]?[adlhrADLHR])([A-Za-z]{1,3})")  # dg, -LT: a length w
 _LETTERS = re.compile(r"(?<![\\A-Za-z{])([A-Z]{2,3})_?\{?(\d+)\}?")  # RL4: one length
 _UNIT = re.compile(r"(\d+(?:\.\d+)?)\s*(mm|cm|m)(?![A-Za-z_]|\s*\^)")
 _METRES = {"mm": Fraction(1, 1000), "cm": Fraction(1, 100), "m": Fraction(1)}
-_COMMA = re.compile(r"(?<!\d)(\d+),(?!\d{3}\b)(\d+)|(?<!\d)0,(\d+)")  # 1,250 may be a thousand
+_COMMA = re.compile(r"(?<![\d_{,])(?:(\d+),(?!\d{3}\b)(\d+)|0,(\d+))(?![\d,}])")  # 1,250 may be a thousand
 _VALUED = re.compile(
     r"([^=(\[:≈]*[A-Za-z][^=(\[:≈]*?)\s*(?:\(|\[|:|≈|\\approx(?![A-Za-z])|\\simeq(?![A-Za-z]))\s*([-+−]?\s*\d+(?:\.\d+)?)\s*[)\]]?"
 )
