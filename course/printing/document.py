@@ -18,7 +18,7 @@ from armproof.course.translation.documents import in_language
 from armproof.course.words import say
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
-from armproof.models.errors import existing_language
+from armproof.models.errors import existing_language, written
 from armproof.verification.document import Document
 from armproof.verification.document.catalogue import translated_sentence, translation_of
 from armproof.verification.document.front_matter import read_text, split_front_matter
@@ -65,9 +65,9 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
     title, blocks = _titled(document, blocks, inline)
     warnings = list(reader.warnings)
     if edition.solutions and not has_solutions(blocks):
-        warnings.append(
-            f"{document.path}: no solution in it: one is a section or a block quote that begins with 'Solution'"
-        )
+        warnings.append(written(
+            "{path}: no solution in it: one is a section or a block quote that begins with 'Solution'",
+            path=document.path))  # fmt: skip
     chosen = with_solutions(blocks) if edition.solutions else for_students(blocks)
     drawn = draw_figures(document, arm, lang, lambda text: _inline(text, inline), figures, edition.solutions)
     illustrated = _with_figures(chosen, drawn, lang)
