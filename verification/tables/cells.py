@@ -29,12 +29,13 @@ _GLUED = re.compile(  # q1, but not in a script
 )
 _WORD = re.compile(r"([-+]?[adlhrADLHR])([A-Za-z]{1,3})")  # dg, -LT: a length with its index
 _LETTERS = re.compile(r"(?<![\\A-Za-z{])([A-Z]{2,3})_?\{?(\d+)\}?")  # RL4: one length
-_UNIT = re.compile(r"(\d+(?:\.\d+)?)\s*(mm|cm|m)(?![A-Za-z_]|\s*\^)")
+_UNIT = re.compile(r"(?<![\d.])(\d+(?:\.\d+)?)\s*(mm|cm|m)(?![A-Za-z_]|\s*\^)")
 _METRES = {"mm": Fraction(1, 1000), "cm": Fraction(1, 100), "m": Fraction(1)}
 _COMMA = re.compile(r"(?<![\d_{,])(?:(\d+),(?!\d{3}\b)(\d+)|0,(\d+))(?![\d,}])")  # 1,250 may be a thousand
 _VALUED = re.compile(
     r"([^=(\[:≈]*[A-Za-z][^=(\[:≈]*?)\s*(?:\(|\[|:|≈|\\approx(?![A-Za-z])|\\simeq(?![A-Za-z]))\s*([-+−]?\s*\d+(?:\.\d+)?)\s*[)\]]?"
 )
+_LONGEST_VALUED = 80  # a longer cell is none, and would take its time
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
 
@@ -88,7 +89,7 @@ def read_cell(names: Names, text: str, row: int, column: int, in_metres: bool = 
     spelt, units = _UNIT.subn(
         lambda found: _number(Fraction(found[1]) * (_METRES[found[2]] if in_metres else 1)), spelt
     )
-    if valued := _VALUED.fullmatch(spelt):  # l_1 (0.45)
+    if len(spelt) < _LONGEST_VALUED and (valued := _VALUED.fullmatch(spelt)):  # l_1 (0.45)
         spelt = f"{valued[1]} = {valued[2]}"
     spelt = SPELT.sub(r"\\\1", spelt)
     if word := _WORD.fullmatch(spelt):
