@@ -19,7 +19,7 @@ from armproof.verification.check import check_document
 from armproof.verification.document import Document
 from armproof.verification.document import Table as Printed
 from armproof.verification.errors import ReadError
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader
 from armproof.verification.naming.names import Names, read_names
@@ -53,7 +53,9 @@ class Table:
     def loaded(self) -> Arm:
         """The arm."""
         arm = load_arm(self.arm)
-        return replace(arm, lengths=load_arm(self.measured).lengths) if self.measured else arm
+        if not self.measured:
+            return arm
+        return replace(arm, dh=None, lengths=load_arm(self.measured).lengths)  # no table whose letters have any lengths
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of a table: a list of rows, each {"a": …, "alpha": …, "d": …, "theta": …} or a list in order."""
@@ -70,6 +72,8 @@ class Table:
             return Feedback(Outcome.LETTERS, look_up("the numbers are right, in metres: which length is which letter?"))
         if record.verdict is Verdict.PROVED:
             return Feedback(Outcome.PROVED, look_up("every row leads from one frame of the arm to the next"))
+        if rows_in_numbers := [f.terms["number"] for f in record.findings if _wants_letter(f)]:
+            return Feedback(Outcome.WRONG, written("row {row}: a letter is wanted for the length, not a number", row=rows_in_numbers[0]))  # fmt: skip
         if record.verdict is Verdict.REFUTED:
             return Feedback(Outcome.WRONG, self._in_other_order(rows) or self._sentence(record))
         return Feedback(Outcome.ERROR, record.message or look_up("the table cannot be read"))
@@ -181,3 +185,9 @@ def _rows_of(text: str) -> list[list[str]]:
         rows = [row for row in rows if not set("".join(row)) <= set("-: ")]
     cells = [[cell.strip().strip("$").strip() for cell in row] for row in rows]
     return [row[-4:] for row in cells if not any("_i" in cell or "_{i" in cell for cell in row)]
+
+
+def _wants_letter(finding: Finding) -> bool:
+    """Whether a row was left open because a number stands where the arm has a letter."""
+    problem = finding.terms.get("problem")
+    return isinstance(problem, Finding) and problem.kind is Kind.LENGTH_WITHOUT_VALUE

@@ -292,7 +292,11 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     if defined and outcome.true is not None and outcome.printed is not None:
         first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
     if defined or angles:  # an identity of angles, or a slip in one
-        near = erratum or elementary or (not defined and all(found == first for found in others))
+        sides = [side.node for side in (outcome.true, outcome.printed) if side is not None]
+        meant_anew = bare_key(chain.members[0]) and chain.members[0] in sides
+        alike = all(found == first for found in others) and not (defined and (meant_anew or numbers))
+        both_written = all(any(isinstance(b, n.Matrix) for b in n.walk(side)) for side in sides)
+        near = erratum or elementary or alike or both_written
         near = near or (outcome.pair is not None and is_near(outcome.pair))
         bound = near and not (of_letters or has_value) and all(found <= first or first <= found for found in others)
     else:
