@@ -77,6 +77,9 @@ def test_begun_twice_at_once_it_is_whole(tmp_path: Path):
 def test_a_solved_task_is_a_point_in_the_bars(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv(VARIABLE, str(tmp_path / "progress.json"))
     lesson = open_lesson("scara_jacobian")
+    monkeypatch.delitem(
+        lesson._reached, "determinant", raising=False
+    )  # another test of this process may have solved it
     before, count = course().points
     lesson.determinant.check(r"a_1 a_2 \sin\theta_2")
     assert course().points == (before, count)
