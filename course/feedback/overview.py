@@ -23,15 +23,16 @@ class Overview:
 
     def __repr__(self) -> str:
         rows = [f"{bar(each.points, len(each.tasks))}  {each.number:2} · {each.title}" for each in self.lessons]
-        return "\n".join([*rows, "", f"{bar(*self.points)}  {self._total}"])
+        points = self.points
+        return "\n".join([*rows, "", f"{bar(*points)}  {_total(*points)}"])
 
     def _repr_html_(self) -> str:
-        return render("overview.html", "open", lessons=self.lessons, points=self.points, total=self._total, bar=bar)
+        points = self.points
+        return render("overview.html", "open", lessons=self.lessons, points=points, total=_total(*points), bar=bar)
 
-    @property
-    def _total(self) -> str:
-        reached, count = self.points
-        return written("{reached} of {count} points", reached=reached, count=count)
+
+def _total(reached: int, count: int) -> str:
+    return written("{reached} of {count} points", reached=reached, count=count)
 
 
 def course() -> Overview:

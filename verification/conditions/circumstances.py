@@ -30,7 +30,7 @@ class Circumstances:
         self.given = given
         self.names = checker.names
 
-    def heed(self, said: Sequence[str], above: int = 0, line: int = 0) -> None:
+    def heed(self, said: Sequence[str], above: int, line: int) -> None:
         """The text before a display gives values or a condition: the configuration stated before it is over, perhaps.
 
         What stands `above` the last heading ends a configuration as well, but tells nothing of what stands below.

@@ -24,6 +24,7 @@ from armproof.verification.equations.alignment import (
     square_rows,
 )
 from armproof.verification.equations.by_size import BySize
+from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome
@@ -274,9 +275,7 @@ def _plain(node: n.Node) -> n.Name | None:
 def _is_at_numbers(node: n.Node) -> bool:
     """Whether a side is a name at given joint values: P(0, π/2)."""
     call = bare(node)
-    return isinstance(call, n.Call) and not any(
-        isinstance(below, n.Name) and below.key != "pi" for each in call.arguments[1:] for below in n.walk(each)
-    )
+    return isinstance(call, n.Call) and all(map(is_number, call.arguments[1:]))
 
 
 def _letters_of(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:

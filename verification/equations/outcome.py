@@ -94,8 +94,7 @@ class Outcome:
     @property
     def states_values(self) -> bool:
         """Whether the equation says itself where it holds: J|_{θ_2 = 0}."""
-        sides = (side.node for side in (self.true, self.printed) if side is not None)
-        return any(isinstance(below, n.At) for node in sides for below in n.walk(node))
+        return any(isinstance(below, n.At) for node in _sides(self) for below in n.walk(node))
 
     @property
     def is_overloaded(self) -> bool:
@@ -292,16 +291,27 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     if defined and outcome.true is not None and outcome.printed is not None:
         first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
     if defined or angles:  # an identity of angles, or a slip in one
-        sides = [side.node for side in (outcome.true, outcome.printed) if side is not None]
-        meant_anew = bare_key(chain.members[0]) and chain.members[0] in sides
-        alike = all(found == first for found in others) and not (defined and (meant_anew or numbers))
-        both_written = all(any(isinstance(b, n.Matrix) for b in n.walk(side)) for side in sides)
-        near = erratum or elementary or alike or both_written
+        alike = all(found == first for found in others) and not (defined and (numbers or _gives_name(outcome, chain)))
+        near = erratum or elementary or alike or _are_written(outcome)
         near = near or (outcome.pair is not None and is_near(outcome.pair))
         bound = near and not (of_letters or has_value) and all(found <= first or first <= found for found in others)
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
+
+
+def _sides(outcome: Outcome) -> list[n.Node]:
+    return [side.node for side in (outcome.true, outcome.printed) if side is not None]
+
+
+def _gives_name(outcome: Outcome, chain: n.Chain) -> bool:
+    """Whether the equation begins with a name alone, which may be given another meaning here."""
+    return bare_key(chain.members[0]) is not None and chain.members[0] in _sides(outcome)
+
+
+def _are_written(outcome: Outcome) -> bool:
+    """Whether a matrix is written out on both sides."""
+    return all(any(isinstance(b, n.Matrix) for b in n.walk(side)) for side in _sides(outcome))
 
 
 def _is_of_letters(node: n.Node) -> bool:

@@ -177,12 +177,15 @@ class DocumentState:
 
     def foreign(self) -> list[Key]:
         """Return the names consulted whose definitions stand in another exercise, each with its line."""
-        met = {key: self.definitions[key] for key, _ in self.consulted if key in self.definitions}
-        return sorted((key, each.line) for key, each in met.items() if each.exercise not in ("", self.exercise))
+        return sorted((key, each.line) for key, each in self._met() if each.exercise not in ("", self.exercise))
 
     def from_text(self) -> list[str]:
         """Return the names consulted whose meaning the text between displays gave."""
-        return sorted(key for key, _ in self.consulted if key in self.definitions and self.definitions[key].in_text)
+        return sorted(key for key, each in self._met() if each.in_text)
+
+    def _met(self) -> set[tuple[str, Definition]]:
+        """Return the names consulted that the document defines, each with its definition."""
+        return {(key, self.definitions[key]) for key, _ in self.consulted if key in self.definitions}
 
     def forget_text(self, key: str) -> None:
         """Take back what the text said of a name: a display says it."""

@@ -98,7 +98,7 @@ class Sampler:
         """Return the constants that conditions on the lengths fix, in terms of the others."""
         x = self.coordinates(np.zeros((1, len(self.unknowns))))
         places = {self.half.slot(g): g[1] for g in self.half.others}
-        return {places[slot]: float(_evaluate(value, x)[0]) for slot, value in values.items() if slot in places}
+        return {places[slot]: float(_Terms.of(value).at(x)[0]) for slot, value in values.items() if slot in places}
 
     def coordinates(self, q: np.ndarray) -> np.ndarray:
         """Return the value of each variable, (variables, N): sin and cos of half angles, then the others."""
@@ -122,7 +122,7 @@ class Sampler:
         """Return sums of the absolute values of the terms, sines and cosines taken as 1, (N, polynomials)."""
         x = np.abs(self.coordinates(q))
         x[: 2 * len(self.half.angles)] = 1.0
-        return np.stack([_evaluate(p, x, absolute=True) for p in polynomials], axis=1)
+        return np.stack([_Terms.of(p).at(x, absolute=True) for p in polynomials], axis=1)
 
     def gradients(self, polynomials: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
         """Return ∂polynomial/∂q at N configurations, (N, polynomials, n)."""
@@ -207,10 +207,6 @@ def angle_derivative(half: HalfAngles, polynomial: Polynomial, angle: str) -> Po
     t, u = half.slots(angle)
     sine, cosine = half.pair(angle)
     return (cosine * polynomial.derivative(t) - sine * polynomial.derivative(u)) / 2
-
-
-def _evaluate(polynomial: Polynomial, x: np.ndarray, *, absolute: bool = False) -> np.ndarray:
-    return _Terms.of(polynomial).at(x, absolute=absolute)
 
 
 @dataclass(frozen=True, eq=False)
