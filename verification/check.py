@@ -87,11 +87,12 @@ def check_document(
         samples: whether samples may be taken. Without them neither NumPy nor Drake is needed, and what they alone
             decide is unchecked.
     """
-    seeks = arm is None and (samples or "arms" in document.front)
+    seeks = arm is None and ("arms" in document.front or (samples and "arm" not in document.front))
     parts = [infer_arm(part) for part in scopes(document)] if seeks else [Inference(document)]
     options = confirm and samples, correct and samples, samples
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
-    return with_accepted(document, results[0] if len(results) == 1 else joined(document, results))
+    result = results[0] if len(results) == 1 else joined(document, results)
+    return with_accepted(document, result) if document.accepts else result
 
 
 def joined(document: Document, results: Sequence[DocumentResult]) -> DocumentResult:

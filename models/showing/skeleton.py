@@ -11,7 +11,7 @@ import numpy as np
 from armproof.models.arm import Arm
 from armproof.models.errors import Fault, ModelError
 from armproof.models.exact.trace import trace_of
-from armproof.models.numeric.drake_arm import drake_of, frame_of, plant_of
+from armproof.models.numeric.drake_arm import drake_of
 
 _SAME = 1e-9  # m
 
@@ -59,13 +59,14 @@ def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
     q = np.asarray(q, dtype=float)
     if q.shape != (len(arm.joints),):
         raise ModelError(Fault.JOINT_COUNT, arm=arm.name, n=len(arm.joints), shape=str(q.shape))
-    plant, context = plant_of(arm), plant_of(arm).CreateDefaultContext()
-    positions = np.zeros(plant.num_positions())
-    positions[list(drake_of(arm).position_indices)] = q
-    plant.SetPositions(context, positions)
-    X_0W = frame_of(arm, arm.frames[0]).CalcPoseInWorld(context).inverse()
+    drake = drake_of(arm)
+    context = drake.plant.CreateDefaultContext()
+    positions = np.zeros(drake.plant.num_positions())
+    positions[list(drake.position_indices)] = q
+    drake.plant.SetPositions(context, positions)
+    X_0W = drake.frames[arm.frames[0]].CalcPoseInWorld(context).inverse()
     joints = []
-    for joint, drake_joint in zip(arm.joints, drake_of(arm).joints, strict=True):
+    for joint, drake_joint in zip(arm.joints, drake.joints, strict=True):
         X_0F = X_0W.multiply(drake_joint.frame_on_parent().CalcPoseInWorld(context))
         X_0M = X_0W.multiply(drake_joint.frame_on_child().CalcPoseInWorld(context))
         axis = drake_joint.revolute_axis() if joint.kind == "revolute" else drake_joint.translation_axis()
@@ -76,7 +77,7 @@ def place_skeleton(arm: Arm, q: Sequence[float] | np.ndarray) -> Skeleton:
         )
     frames = {}
     for name in arm.frames:
-        pose = X_0W.multiply(frame_of(arm, name).CalcPoseInWorld(context)).GetAsMatrix4()
+        pose = X_0W.multiply(drake.frames[name].CalcPoseInWorld(context)).GetAsMatrix4()
         pose.flags.writeable = False
         frames[name] = pose
     return Skeleton(tuple(joints), MappingProxyType(frames))

@@ -12,6 +12,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from importlib.metadata import EntryPoint, entry_points
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -21,7 +22,6 @@ from typer.main import get_command
 
 from armproof.models.errors import ArmproofError, LanguageError, existing_language, written
 from armproof.models.language import asked, known_language, look_up, speak
-from armproof.verification.cli.usage import telling_wrong_use
 from armproof.verification.report.text import write_lines
 
 if TYPE_CHECKING:
@@ -29,12 +29,25 @@ if TYPE_CHECKING:
 
 
 GROUP = "armproof.commands"
+UsageError: Any = typer.BadParameter.__base__  # of the click that this typer brings
 PASSES, FAILS, CANNOT_RUN, INTERRUPTED = 0, 1, 2, 130
 
 
 def commands() -> dict[str, EntryPoint]:
     """Return the commands that are installed beside this package, by name."""
     return {found.name: found for found in sorted(entry_points(group=GROUP), key=lambda found: found.name)}
+
+
+@contextmanager
+def telling_wrong_use() -> Iterator[None]:
+    """Let a wrong use that is found within be told in the language that is spoken."""
+    try:
+        yield
+    except UsageError as error:
+        from armproof.verification.cli.usage import show_translated
+
+        error.show = partial(show_translated, error.show)
+        raise
 
 
 class Group(TyperGroup):

@@ -4,18 +4,12 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import partial
 from io import StringIO
 from string import Formatter
 from typing import Any
 
-from typer import BadParameter
-
 from armproof.models.language import look_up
 
-UsageError: Any = BadParameter.__base__  # of the click that this typer brings
 SENTENCES = (
     "Usage: {usage}",
     "Try '{command}' for help.",
@@ -38,17 +32,8 @@ SENTENCES = (
 )
 
 
-@contextmanager
-def telling_wrong_use() -> Iterator[None]:
-    """Let a wrong use that is found within be told in the language that is spoken."""
-    try:
-        yield
-    except UsageError as error:
-        error.show = partial(_show, error.show)
-        raise
-
-
-def _show(show: Any, file: Any = None) -> None:
+def show_translated(show: Any, file: Any = None) -> None:
+    """Show what typer says, in the language that is spoken."""
     show(said := StringIO())
     (file or sys.stderr).writelines(f"{translated(line)}\n" for line in said.getvalue().splitlines())
 

@@ -21,8 +21,6 @@ def accepted(document: Document, record: Record) -> Record:
 
 def with_accepted(document: Document, result: DocumentResult) -> DocumentResult:
     """Return the result of a document with what is accepted in it; a comment that is about nothing is said at the last display."""
-    if not document.accepts:
-        return result
     equations = [accepted(document, record) for record in result.equations]
     for lost in document.accepts:
         if lost.target is None and equations:

@@ -18,6 +18,7 @@ from armproof.verification.document.markdown import markdown_reader, without_lab
 from armproof.verification.document.model import Accept, Display, Document, Table
 from armproof.verification.document.notebook import read_cells, split_cells
 
+MARK = "armproof:"  # in the text of a document with such comments
 FARTHEST = 3  # lines between a comment's last and the display or table that it is about
 _ACCEPT = r"armproof:\s*accept\b[ \t:]*"
 _LINES = {
@@ -29,8 +30,6 @@ _HTML = re.compile(rf"<!--\s*{_ACCEPT}(.*?)-->", re.DOTALL)
 
 def with_accepts(document: Document, text: str, suffix: str) -> Document:
     """Return a document with its author's comments, each with the place of what it is about, if anything is there."""
-    if "accept" not in text or "armproof:" not in text:
-        return document
     parts: list[Display | Table] = [*document.displays, *document.tables]
     places = [(part.cell, part.line) for part in parts]
     found = _of_lines(text, _LINES[suffix]) if suffix in _LINES else _of_markdown(document.path, text, suffix)

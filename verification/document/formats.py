@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from armproof.models.catalogue import arm_names
-from armproof.verification.document.accepts import with_accepts
+from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.front_matter import read_any_text
 from armproof.verification.document.markdown import read_markdown_file
@@ -67,7 +67,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         document = replace(document, remarks=(*document.remarks, told))
     headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
     document = replace(document, named=named_arms(text), headings=headings)
-    return with_accepts(document, text.replace("\r\n", "\n"), suffix)
+    return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 
 def _headings(text: str) -> Iterator[tuple[int, str]]:

@@ -74,16 +74,18 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
     return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
 
 
-def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool, decimals: int) -> bool:
+def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:
     """Confirm an equation whose numbers are rounded (1.501 for √(1.5² + 0.054²)) to the decimals they are printed with."""
     assert outcome.true is not None and outcome.printed is not None
-    if not _leaves_rounding(outcome, decimals):
+    of_numbers = _decimals_of_numbers(outcome)
+    decimals = of_numbers or route.members.decimals(outcome.true.node, outcome.printed.node)
+    if decimals is None or not _leaves_rounding(outcome, decimals):
         return False
     errors = route.sampled_errors(outcome, branches)
     if errors is None:
         return False
     tolerance = 0.45 * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
-    if decimals_of_numbers(outcome) is not None:
+    if of_numbers is not None:
         tolerance = max(_rounding(side.node, side.node).near for side in (outcome.true, outcome.printed)) / (
             1 + errors.size
         )
@@ -103,7 +105,7 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool, 
     return True
 
 
-def decimals_of_numbers(outcome: Outcome) -> int | None:
+def _decimals_of_numbers(outcome: Outcome) -> int | None:
     """Return to how many decimals a number is printed that stands for another: 1.57 for π/2; None of anything else."""
     sides = [side.node for side in (outcome.true, outcome.printed) if side is not None]
     if outcome.pair is None or not outcome.pair.is_scalar or not all(map(is_number, sides)):

@@ -22,7 +22,7 @@ from armproof.verification.equations.alignment import (
     exactly_equal,
 )
 from armproof.verification.equations.at_stated_values import StatedValues
-from armproof.verification.equations.decimals import decimals_of_numbers, holds_to_its_decimals
+from armproof.verification.equations.decimals import holds_to_its_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members, beyond_size
@@ -84,8 +84,8 @@ class Equality:
         assert best is not None
         outcome.pair, outcome.wrong = best
         outcome.findings = _noted(best[0])
-        decimals = decimals_of_numbers(outcome) or self.members.decimals(true.node, printed.node)
-        if decimals is not None and holds_to_its_decimals(self.route, outcome, branches, decimals):
+        rounded = self.members.decimals(true.node, printed.node, least=1) is not None
+        if rounded and holds_to_its_decimals(self.route, outcome, branches):
             return outcome
         return self.route.doubt(outcome, branches)
 

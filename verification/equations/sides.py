@@ -136,15 +136,15 @@ class Members:
         """Whether the name of a Jacobian that notation implies stands in chains."""
         return any(self.jacobian_name(below, True) is not None for chain in chains for below in n.walk(chain))
 
-    def decimals(self, *nodes: n.Node) -> int | None:
-        """Return the fewest decimals, from three on, of the numbers in trees and of the names made of such; None without."""
+    def decimals(self, *nodes: n.Node, least: int = 3) -> int | None:
+        """Return the fewest decimals, from `least` on, of the numbers in trees and of the names made of such; None without."""
         places = []
         for below in (below for node in nodes for below in n.walk(node)):
             if isinstance(below, n.Number):
                 places.append(below.decimals)
             elif isinstance(below, n.Name):
                 places.append(self.names.state.rounded.get(below.key, 0))
-        return min((count for count in places if count >= 3), default=None)
+        return min((count for count in places if count >= least), default=None)
 
     def is_symbol(self, node: n.Node) -> bool:
         """Whether a tree is the name of a joint variable or a length."""
