@@ -252,7 +252,7 @@ class DocumentChecker:
             return Record(line, "", Verdict.UNCHECKED, section="Inverse kinematics", findings=left_open)
         from armproof.verification.inverse.document import check_inverse
 
-        return check_inverse(self.document, self.arm)
+        return check_inverse(self.document, self.names)
 
     def _table(self, table: Table) -> Record | None:
         with self.ring.budget.of(SECONDS_TO_DECIDE):

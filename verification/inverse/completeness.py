@@ -143,7 +143,7 @@ class _Search:
         self.roots.signs = factors
         self.algebra.solved = {k.joint: ring.symbol(k.joint) for k in self.derivation.steps[:index]}
         resolution = Resolution(self.derivation, self.algebra, chosen)
-        difference = resolution.scalar(step.formula) - ring.symbol(step.joint)
+        difference = resolution.variable(step.formula) - ring.symbol(step.joint)
         if self.arm.joint(step.joint).kind == "revolute" and not difference.is_zero():
             difference = cos_sin(difference)[0] - 1
         return difference.is_zero(), resolution.branching

@@ -7,13 +7,13 @@ from functools import reduce
 from pathlib import Path
 from typing import Any
 
-from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of
 from armproof.models.errors import ArmproofError, Sentence, together
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document, read_document
+from armproof.verification.equations.table_angles import LOOSE, TABLE, VARIABLE
 from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
-from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.inverse.branch_graph import BranchGraph
 from armproof.verification.inverse.derivation import Derivation, Step
 from armproof.verification.inverse.formulas import read_formulas
@@ -23,7 +23,8 @@ from armproof.verification.inverse.numeric_algebra import NumericAlgebra
 from armproof.verification.inverse.resolution import Resolution, forward_values
 from armproof.verification.inverse.symbolic_algebra import free_algebra
 from armproof.verification.inverse.target import read_claim
-from armproof.verification.naming.names import Names, read_names
+from armproof.verification.naming.names import Names, read_names, spelling_of
+from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import Record, Verdict
 
 MOST_SIGNS = 6  # independent signs: 64 branches
@@ -47,7 +48,9 @@ def read_inverse(source: Path | str | Document) -> InverseKinematics:
         raise DocumentError(say(Kind.NO_INVERSE), path=document.path)
     try:
         arm = arm_of(document.front, document.path.parent)
-        return InverseKinematics(read_derivation(document, read_names(arm, document.front)))
+        names = read_names(arm, document.front)
+        names.reader.spelling = spelling_of(document, names.reader.words)
+        return _as_meant(document, names)[0]
     except DocumentError as error:
         raise document.fault(error.key or "inverse", error) from None
     except ArmproofError as error:
@@ -105,7 +108,7 @@ def _next_step(resolution: Resolution, joints: list[str]) -> tuple[Step, Any] | 
     for formula in sorted(formulas, key=lambda formula: formula.line):
         known, choice = len(resolution.branching), dict(resolution.choice)
         try:
-            return Step(formula.key, formula), resolution.scalar(formula)
+            return Step(formula.key, formula), resolution.variable(formula)
         except TooComplex:
             raise
         except EvaluationError:
@@ -136,31 +139,54 @@ def _reason(resolution: Resolution, joint: str) -> str:
     return together(found) or Sentence("no display '{joint} = …'", joint=joint)
 
 
-def check_inverse(document: Document, arm: Arm | None) -> Record:
-    """Return the verdict of the solution that a document's front matter announces.
+def check_inverse(document: Document, names: Names) -> Record:
+    """Return the verdict of the solution that a document's front matter announces, its names read as its displays show.
 
     Raises:
         DocumentError: the front matter's `inverse` cannot be read.
     """
     record = Record(document.lines.get("inverse", 1), LATEX, Verdict.UNCHECKED, section="Inverse kinematics")
     try:
-        inverse = InverseKinematics(read_derivation(document, read_names(arm, document.front)))
-    except NoDerivation as error:
+        inverse, reading = _as_meant(document, names)
+        proof = inverse.proof
+    except (NoDerivation, EvaluationError) as error:
         return replace(record, findings=(finding_of(error),))
     except DocumentError as error:
         raise document.fault(error.key or "inverse", error) from None
-    try:
-        proof = inverse.proof
-    except EvaluationError as error:
-        return replace(record, findings=(finding_of(error),))
     except Exception as error:  # a fault of ours must not cost the displays their verdicts
         fault = say(Kind.INTERNAL_ERROR, type=type(error).__name__, reason=str(error))
         return replace(record, verdict=Verdict.UNREADABLE, findings=(fault,))
+    if reading is not None and reading.kind is Kind.ANGLES_TOLD_OTHERWISE:
+        return replace(record, findings=(reading,))
     return replace(
         record,
         verdict=proof.verdict,
-        findings=proof.findings,
+        findings=proof.findings if reading is None else (reading, *proof.findings),
         counterexample=proof.counterexample,
         samples=proof.samples,
         max_error=proof.max_error,
+    )
+
+
+def _as_meant(document: Document, names: Names) -> tuple[InverseKinematics, Finding | None]:
+    """Return the solution, and how the letters of joints with an offset are read where only another reading gives the target back."""
+    inverse, told = _read(document, names, names.state.angles), names.reader.spelling.variables or names.state.angles
+    if not names.offset_joints or inverse.proof.verdict is not Verdict.REFUTED or told == "told":
+        return inverse, None
+    other = LOOSE if told == "both" else VARIABLE if told == TABLE else TABLE
+    second = _read(document, names, other)
+    if second.proof.verdict is Verdict.REFUTED:
+        return inverse, None
+    meant = TABLE if other == TABLE else VARIABLE
+    return second, say(Kind.ANGLES_TOLD_OTHERWISE, other=meant) if told else say(Kind.TABLE_ANGLES)
+
+
+def _read(document: Document, names: Names, angles: str) -> InverseKinematics:
+    """Return the solution in one reading, with the usual names of origins that equations have shown to have that meaning."""
+    state = DocumentState(transforms=names.state.transforms, angles=angles)
+    usual = {place: quantity for place, quantity in names.state.usual.items() if quantity.kind == "origin"}
+    meanings = {key: {quantity for (name, _), quantity in usual.items() if name == key} for key, _ in usual}
+    shown = {key: found.pop() for key, found in meanings.items() if len(found) == 1}
+    return InverseKinematics(
+        read_derivation(document, replace(names, quantities={**shown, **names.quantities}, state=state))
     )

@@ -30,7 +30,7 @@ def solve_branch(derivation: Derivation, algebra: GivenTarget, signs: Signs) -> 
     """
     resolution = Resolution(derivation, algebra, signs)
     for step in derivation.steps:
-        algebra.solve(step.joint, resolution.scalar(step.formula))
+        algebra.solve(step.joint, resolution.variable(step.formula))
     return algebra.solved
 
 
@@ -116,6 +116,11 @@ class Resolution:
         if hasattr(value, "rows") or isinstance(value, list):
             raise EvaluationError(say(Kind.JOINT_IS_SCALAR))
         return value
+
+    def variable(self, formula: Formula) -> Any:
+        """Return the value of the joint variable that a formula solves for: its letter may mean the angle of the DH table."""
+        letter = formula.name.key if formula.name is not None else formula.key
+        return self.names.variable_at(formula.key, self.scalar(formula), self.algebra, letter)
 
     def part(self, formula: Formula, node: n.Node) -> Any:
         """Return the value of a part of a formula."""
