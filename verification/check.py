@@ -333,7 +333,7 @@ class DocumentChecker:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
         result = outcome.result(record.line)
         if self.inferred.arm is not None:
-            result = replace(result, links=links_of(outcome, self.checker.members))
+            result = replace(result, links=links_of(outcome, self.checker.members, self.inferred.arm.source))
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:

@@ -1,22 +1,26 @@
-"""The arm of a closed form that pins it: the coordinates of a planar chain, or of an arm that a first joint turns about z."""
+"""The arm of a closed form that pins it: the coordinates of a chain of turns and slides in a plane, or in one that a first joint turns."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
+from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
-from armproof.verification.tables.arms.candidate import Candidate, renamed, symbol_of
+from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, value_in_letters
+from armproof.verification.tables.arms.moves import Moves
 
 _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE)?,?([xyz])")
-_ANGLES = re.compile(r"(?:theta|q)_?\d+")
+_ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
+_SLIDE = re.compile(r"[dqr]_?\d+")
 _INDEX = re.compile(r"\d+")
 SECONDS = 0.3
 
@@ -31,79 +35,173 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
         found: Found = {}
         for display in document.displays:
             for axis, value in _coordinates(display, names, algebra, letters) if "=" in display.latex else ():
-                if axis == "z" or _letters_of(value)[1]:  # x = f(θ) and x = 1.5 tell nothing
-                    found.setdefault(axis, (value, display))
-        rows = _planar(found, algebra) or _turned(found, algebra) if {"x", "y"} <= found.keys() else None
-    if rows is None:
+                found.setdefault(axis, (value, display))
+        if not {"x", "y"} <= found.keys():
+            return None
+        form = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, _rates(document))
+        try:
+            moves = form.moves()
+        except EvaluationError:  # a coefficient is no sum of lengths
+            return None
+    if moves is None:
         return None
     places = [(display.cell, display.line) for _, display in found.values()]
     cell, line = min(places, key=lambda place: (place[0] or 0, place[1]))
-    joints = tuple(symbol_of(row["theta"]) for row in rows)
-    entries = tuple(
-        {key: symbol_of(value) if value not in ("0", "pi/2") else value for key, value in row.items()} for row in rows
+    joints = tuple(symbol_of(joint) if joint else "" for joint in moves.joints)
+    rows = tuple(moves.rows)
+    return Candidate(
+        "closed form", line, cell, rows, joints, renamed(letters.values()), ("classic",), tuple(places), moves.frames
     )
-    return Candidate("closed form", line, cell, entries, joints, renamed(letters.values()), ("classic",), tuple(places))
 
 
 def _coordinates(
     display: Display, names: Names, algebra: ExactAlgebra, letters: dict[str, n.Name]
 ) -> Iterator[tuple[str, Scalar]]:
-    """Yield the coordinates that a display gives alone: x = …."""
+    """Yield the coordinates that a display gives alone: x = …; one that is a number or a bare length tells nothing."""
     for chain in equations_of(display, names):
         match = _COORDINATE.fullmatch(bare_key(chain.members[0]) or "") if len(chain.members) == 2 else None
         evaluated = value_in_letters(bare(chain.members[1]), names, algebra) if match is not None else None
         if match is not None and evaluated is not None and isinstance(evaluated[0], Scalar):
-            letters.update({name.key: name for name in evaluated[1]})
-            yield (match[1] or match[2]).lower(), evaluated[0]
+            axis, value = (match[1] or match[2]).lower(), evaluated[0].normal()
+            if axis == "z" or _turning(value) or any(map(_SLIDE.fullmatch, symbols_in([value]))):
+                letters.update({name.key: name for name in evaluated[1]})
+                yield axis, value
 
 
-def _planar(found: Found, algebra: ExactAlgebra) -> list[Mapping[str, str]] | None:
-    """Return the rows of a planar chain: x and y are sums of l_i cos(θ_1 + … + θ_i) and of the sines."""
-    lengths, angles = _letters_of(found["x"][0])
-    if not 2 <= len(angles) == len(lengths):
-        return None
-    x = y = algebra.ring.zero
-    for k, length in enumerate(lengths, 1):
-        cosine, sine = _of_sum(algebra, angles[:k])
-        x, y = x + algebra.symbol(length) * cosine, y + algebra.symbol(length) * sine
-    if not (_equal(x, found["x"][0]) and _equal(y, found["y"][0])):
-        return None
-    return [{"a": a, "alpha": "0", "d": "0", "theta": q} for a, q in zip(lengths, angles, strict=True)]
+def _rates(document: Document) -> set[str]:
+    """Return the letters, as keys, of which a display has the rate: those of joints."""
+    found = (m for d in document.displays for m in re.findall(r"\\dot\s*\{?\s*\\?([A-Za-z]+)(?:_\{?(\d+))?", d.latex))
+    return {f"{letter}_{index}" if index else letter for letter, index in found}
 
 
-def _turned(found: Found, algebra: ExactAlgebra) -> list[Mapping[str, str]] | None:
-    """Return the rows of two links in a plane that a first joint turns: x = cos θ_1 (l_2 c_2 + l_3 c_23), z = l_1 + …."""
-    if "z" not in found:
-        return None
-    (lengths, angles), (heights, _) = _letters_of(found["x"][0]), _letters_of(found["z"][0])
-    above = [length for length in heights if length not in lengths]
-    if len(angles) != 3 or len(lengths) != 2 or len(above) > 1:
-        return None
-    reach, z = algebra.ring.zero, algebra.symbol(above[0]) if above else algebra.ring.zero
-    for k, length in enumerate(lengths, 2):
-        cosine, sine = _of_sum(algebra, angles[1:k])
-        reach, z = reach + algebra.symbol(length) * cosine, z + algebra.symbol(length) * sine
-    cosine, sine = _of_sum(algebra, angles[:1])
-    if not all(_equal(value, found[axis][0]) for axis, value in (("x", reach * cosine), ("y", reach * sine), ("z", z))):
-        return None
-    first = {"a": "0", "alpha": "pi/2", "d": above[0] if above else "0", "theta": angles[0]}
-    return [first, *({"a": a, "alpha": "0", "d": "0", "theta": q} for a, q in zip(lengths, angles[1:], strict=True))]
+def _turning(value: Scalar) -> set[str]:
+    """Return the letters of which a value has the cosine or the sine."""
+    return {name for kind, name in value.generators if kind in ("cos", "sin")}
 
 
-def _letters_of(value: Scalar) -> tuple[list[str], list[str]]:
-    """Return the lengths and the angles of a coordinate, each in the order of their numbers."""
-    found = sorted(
-        symbols_in([value.normal()]), key=lambda name: (int(m[0]) if (m := _INDEX.search(name)) else 0, name)
-    )
-    angles = [name for name in found if _ANGLES.fullmatch(name)]
-    return [name for name in found if name not in angles], angles
+def _index(letter: str) -> int:
+    return int(found[0]) if (found := _INDEX.search(letter)) else 0
 
 
-def _of_sum(algebra: ExactAlgebra, angles: list[str]) -> tuple[Scalar, Scalar]:
-    total = algebra.ring.zero
-    for angle in angles:
-        total = total + algebra.symbol(angle)
-    return algebra.cos_sin(total)
+Step = tuple[
+    str, Scalar, str
+]  # where to: a column of a DH table or an axis to slide along; how far; the joint that moves it
+
+
+@dataclass(frozen=True)
+class _ClosedForm:
+    """The coordinates of a tool in letters.
+
+    Attributes:
+        rates: the letters whose rates the document has.
+    """
+
+    algebra: ExactAlgebra
+    values: Mapping[str, Scalar]
+    rates: set[str]
+
+    def moves(self) -> Moves | None:
+        """Return the chain that has these coordinates, or None."""
+        x, y, z = (self.values.get(axis, self.algebra.ring.zero) for axis in "xyz")
+        angles, above = sorted(_turning(x) | _turning(y), key=_index), _turning(z)
+        slides = self._slides(angles, strictly=bool(above))
+        if not all(map(_ANGLE.fullmatch, angles)) or len(angles) + len(slides) < 2:
+            return None
+        if not (slides or all(map(_index, angles))) or not (angles or len(slides) == 3):
+            return None
+        steps = self._turned(x, y, z, angles, slides) if above else self._level(x, y, z, angles, slides)
+        order = [_index(joint) for _, _, joint in steps or () if joint]
+        if steps is None or len(order) < len(angles) + len(slides) or (all(order) and order != sorted(order)):
+            return None
+        moves = Moves()
+        for where, value, joint in steps:
+            if where in ("x", "y", "-z"):
+                moves.slide(where, entry_text(value), joint)
+            else:
+                moves.add(where, entry_text(value), joint)
+        return moves
+
+    def _slides(self, angles: Sequence[str], strictly: bool) -> list[str]:
+        """Return the letters of joints that slide: those with rates, or that have the numbers which angles leave out."""
+        letters = sorted(symbols_in(self.values.values()) - set(angles), key=_index)
+        told = [letter for letter in letters if letter in self.rates or letter.startswith("q_")]
+        found = [letter for letter in letters if _SLIDE.fullmatch(letter) and _index(letter) not in map(_index, angles)]
+        numbers = sorted(map(_index, (*angles, *found)))
+        return found if not strictly and numbers == list(range(1, len(numbers) + 1)) else told
+
+    def _level(
+        self, x: Scalar, y: Scalar, z: Scalar, angles: Sequence[str], slides: Sequence[str]
+    ) -> list[Step] | None:
+        """A chain that turns about z and slides along itself and the axes: a planar arm, a SCARA, a cylinder, a gantry."""
+        plane, up = self._in_plane(x, y, angles, slides), self._up(z, slides)
+        return None if plane is None or up is None else self._with(up, plane)
+
+    def _turned(
+        self, x: Scalar, y: Scalar, z: Scalar, angles: Sequence[str], slides: Sequence[str]
+    ) -> list[Step] | None:
+        """A chain in an upright plane that a first joint turns: x = cos θ_1 (l_2 c_2 + l_3 c_23), z = l_1 + …."""
+        first, *others = sorted(angles, key=lambda angle: angle in _turning(z))
+        if first in _turning(z) or set(others) != _turning(z):
+            return None
+        ring, zero = self.algebra.ring, self.algebra.ring.zero
+        cosine, sine = self.algebra.cos_sin(ring.symbol(first))
+        reach, base = substitute(x, {first: zero}), substitute(z, self._stretched(others))
+        if not (_equal(x, reach * cosine) and _equal(y, reach * sine)):
+            return None
+        plane, up = self._in_plane(reach, z - base, others, slides), self._up(base, slides)
+        if plane is None or up is None:
+            return None
+        return [*self._with(up, [("theta", ring.symbol(first), first)]), ("alpha", self.algebra.pi() / 2, ""), *plane]
+
+    def _stretched(self, angles: Sequence[str]) -> dict[str, Scalar]:
+        return dict.fromkeys(angles, self.algebra.ring.zero)
+
+    def _in_plane(self, u: Scalar, v: Scalar, angles: Sequence[str], slides: Sequence[str]) -> list[Step] | None:
+        """Return the steps to (Σ r_k cos φ_k, Σ r_k sin φ_k), where φ_k is the sum of the first k angles."""
+        links: list[Step] = []
+        for count in range(len(angles), 0, -1):
+            angle = self.algebra.ring.symbol(angles[count - 1])
+            length = -substitute(derivative(derivative(u, angle), angle), self._stretched(angles))
+            total = sum((self.algebra.ring.symbol(each) for each in angles[:count]), self.algebra.ring.zero)
+            cosine, sine = self.algebra.cos_sin(total)
+            u, v = (u - length * cosine).normal(), (v - length * sine).normal()
+            slide = self._slide_in(length, slides)
+            if slide is None or not symbols_in([length]):  # with numbers for lengths it is an example
+                return None
+            links = [("theta", angle, angles[count - 1]), ("x" if slide else "a", length, slide), *links]
+        before = [
+            (axis, value, self._slide_in(value, slides)) for axis, value in (("x", u), ("y", v)) if not value.is_zero()
+        ]
+        if _turning(u) or _turning(v) or any(slide is None or (axis == "y" and not slide) for axis, _, slide in before):
+            return None
+        return [*((axis if slide else "a", value, str(slide)) for axis, value, slide in before), *links]
+
+    def _up(self, z: Scalar, slides: Sequence[str]) -> list[Step] | None:
+        """Return the steps along z: a length and a joint that slides, at most."""
+        slide = self._slide_in(z, slides, (1, -1))
+        if slide is None:
+            return None
+        if slide and not _equal(derivative(z, self.algebra.ring.symbol(slide)), self.algebra.ring.one):
+            symbol = self.algebra.ring.symbol(slide)
+            return [("d", z + symbol, ""), ("-z", symbol, slide)]
+        return [("d", z, slide)] if not z.is_zero() else []
+
+    def _slide_in(self, value: Scalar, slides: Sequence[str], factors: tuple[int, ...] = (1,)) -> str | None:
+        """Return the joint that slides in a length, "" where none does, None for several or another multiple of one."""
+        found = sorted(symbols_in([value]) & set(slides))
+        if len(found) > 1:
+            return None
+        rates = [derivative(value, self.algebra.ring.symbol(joint)) for joint in found]
+        fits = all(any((rate - factor).is_zero() for factor in factors) for rate in rates)
+        return None if not fits else found[0] if found else ""
+
+    def _with(self, up: Sequence[Step], steps: Sequence[Step]) -> list[Step]:
+        """Return steps with those along z between, as the numbers of joints say: they may be taken anywhere."""
+        fixed, sliding = [step for step in up if not step[2]], [step for step in up if step[2]]
+        number = _index(sliding[0][2]) if sliding else 0
+        after = [k for k, (_, _, joint) in enumerate(steps) if number and _index(joint) > number]
+        place = min(after, default=len(steps))
+        return [*fixed, *steps[:place], *sliding, *steps[place:]]
 
 
 def _equal(one: Scalar, other: Scalar) -> bool:

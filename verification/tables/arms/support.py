@@ -27,16 +27,35 @@ class Inference:
     line: int | None = None  # of what gives no arm, or not one
 
 
-def links_of(outcome: Outcome, members: Members) -> frozenset[int]:
+FRAMES, ORDER = 0, -1  # beside its links: where a chain's frames lie, and which of its joints comes first
+
+
+def links_of(outcome: Outcome, members: Members, source: str = "") -> frozenset[int]:
     """Return the links of the arm that an equation tells of: those that its quantities span, beside a formula without any.
 
-    One that is wrong of an angle of the table tells of that row.
+    One that is wrong of an angle of the table tells of that row. A closed form leaves open the frames of the arm, and the
+    order of joints without numbers.
     """
     if outcome.verdict is Verdict.REFUTED and (rows := _angle_rows(outcome, members)):
         return rows
     if outcome.true is None or outcome.printed is None or _quantities(outcome.printed, members):
         return frozenset()
-    return frozenset(link for quantity in _quantities(outcome.true, members) for link in _span(quantity, members))
+    quantities = _quantities(outcome.true, members)
+    links = frozenset(link for quantity in quantities for link in _span(quantity, members))
+    return links.union(*(_untold(quantity, members) for quantity in quantities)) if source == "closed form" else links
+
+
+def _untold(quantity: Quantity, members: Members) -> Iterable[int]:
+    """Yield what the coordinates of a tool do not tell of a quantity."""
+    arm = members.names.arm
+    if arm is None or quantity.kind in ("joint", "link", "vector"):
+        return
+    of_tool = ("origin", "jacobian", "velocity", "angle", "task", "determinant", "manipulability")
+    if quantity.kind not in of_tool or (quantity.frame, quantity.reference) != (arm.frames[-1], arm.frames[0]):
+        yield FRAMES
+    has_columns = quantity.kind in ("jacobian", "determinant", "vector")
+    if has_columns and not all(joint.symbol[-1].isdigit() for joint in arm.joints):
+        yield ORDER
 
 
 def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
@@ -177,7 +196,8 @@ class _Settled:
             return result if result.links <= self.confirmed else self._data(result.index)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
         doubtful = links - self.confirmed
-        if len(doubtful) == 1 and result.explained_by is not None and not doubtful & result.explained_by:
+        is_of_links = len(doubtful) == 1 and not doubtful & {FRAMES, ORDER}
+        if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
             links = self.confirmed  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
         has_sides = bool(links) or has_entry  # else a shape, or an inverse that this arm's Jacobian does not have

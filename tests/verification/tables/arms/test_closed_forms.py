@@ -1,4 +1,4 @@
-"""The arm of a closed form: the coordinates of a planar chain, or of one that a first joint turns."""
+"""The arm of a closed form: the coordinates of a chain of turns and slides in a plane, or of one that a first joint turns."""
 
 from __future__ import annotations
 
@@ -46,3 +46,70 @@ def test_coordinates_that_are_not_of_one_arm_give_none(other: str) -> None:
 
 def test_a_turned_arm_needs_its_height() -> None:
     assert not verify_text(TURNED.partition("$$ z")[0]).arms
+
+
+POLAR = r"$$ x = d_2 \cos\theta_1, \quad y = d_2 \sin\theta_1 $$" + "\n\n"
+RADIUS = r"$$ x = r \cos\theta, \quad y = r \sin\theta $$" + "\n\n"
+RATE = r"$$ \dot x = \dot r \cos\theta - r \sin\theta \dot\theta $$" + "\n\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "joints"),
+    [
+        (POLAR, "theta_1, d_2"),
+        (RADIUS + RATE, "theta, r"),
+        (RADIUS, ""),  # a circle
+        (POLAR.replace("y = d_2", "y = -d_2"), ""),
+        (r"$$ x = d_2 c_1 + l_3 c_{13}, \quad y = d_2 s_1 + l_3 s_{13} $$", "theta_1, d_2, theta_3"),
+        (r"$$ x = d_2 c_1 + 2 d_3 c_1, \quad y = d_2 s_1 + 2 d_3 s_1 $$", ""),
+        (r"$$ x = q_1 + l_2 \cos q_2, \quad y = l_2 \sin q_2 $$", "q_1, q_2"),
+        (r"$$ x = d_3 c_1, \quad y = d_3 s_1, \quad z = h + d_2 $$", "theta_1, d_2, d_3"),
+        (r"$$ x = l_1 c_1 + l_2 c_{12}, \quad y = l_1 s_1 + l_2 s_{12}, \quad z = h - d_3 $$", "theta_1, theta_2, d_3"),
+        (r"$$ x = d_1, \quad y = d_2, \quad z = d_3 $$", "d_1, d_2, d_3"),
+        (r"$$ x = d_1, \quad y = d_2, \quad z = h $$", ""),
+        (TURNED.replace("l_3", "d_4"), "theta_1, theta_2, theta_3"),  # a length: the Puma's
+        (r"$$ x = c_1 q_3 c_2, \quad y = s_1 q_3 c_2, \quad z = l_1 + q_3 s_2 $$", "theta_1, theta_2, q_3"),
+        ("$$ x = c_1 + c_{12}, \\quad y = s_1 + s_{12} $$", ""),  # numbers for lengths: an example
+    ],
+)
+def test_a_joint_that_slides_has_a_rate_or_the_number_that_the_angles_leave_out(text: str, joints: str) -> None:
+    arms = verify_text(text).arms
+    assert [f"joints: [{joints}]" in arm.front_matter for arm in arms] == [True] * bool(joints)
+
+
+@pytest.mark.parametrize(
+    ("claim", "verdict"),
+    [
+        (r"\det J = -d_2", "proved"),
+        (r"\det J = d_2^2", "refuted"),
+        (
+            r"R = \begin{bmatrix} 0 & -s_1 & c_1 \\ 0 & c_1 & s_1 \\ 1 & 0 & 0 \end{bmatrix}",
+            "unchecked",
+        ),  # its own frame
+        (r"p_1 = \begin{bmatrix} d_2 c_1 \\ d_2 s_1 \\ 0 \end{bmatrix}", "unchecked"),
+    ],
+)
+def test_coordinates_tell_nothing_of_the_frames(claim: str, verdict: str) -> None:
+    columns = r"$$ J = \begin{bmatrix} -d_2 s_1 & c_1 \\ d_2 c_1 & s_1 \end{bmatrix} $$"
+    assert verdicts(f"{POLAR}{columns}\n\n$$ {claim} $$")[-1] == verdict
+
+
+@pytest.mark.parametrize(("numbers", "verdict"), [(("theta", "r"), "unchecked"), (("theta_1", "r_2"), "refuted")])
+def test_columns_may_come_in_another_order_where_joints_have_no_numbers(numbers: tuple[str, str], verdict: str) -> None:
+    angle, radius = numbers
+    text = (
+        RADIUS
+        + RATE
+        + r"$$ J = \begin{bmatrix} c & -r s \\ s & r c \end{bmatrix} $$"
+        + "\n\n"
+        + r"$$ x^2 + y^2 = r^2 $$"
+    )
+    for old, new in (
+        ("c &", r"\cos\theta &"),
+        ("r c", r"r \cos\theta"),
+        ("r s", r"r \sin\theta"),
+        ("s &", r"\sin\theta &"),
+    ):
+        text = text.replace(old, new)
+    text = text.replace(r"\theta", f"\\{angle}").replace(" r ", f" {radius} ").replace(r"\dot r", rf"\dot {radius}")
+    assert verdicts(text.replace("r^2", f"{radius}^2"))[2:] == [verdict, "proved"]
