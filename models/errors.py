@@ -242,6 +242,7 @@ class Fault(MessageKind):
     CONFIGURATIONS_SHAPE = "configurations_shape", "configurations of arm '{arm}' have the shape (N, {n}), not {shape}; the {n} joint values are {joints}"
     ONE_CONFIGURATION_AS_LIST = "one_configuration_as_list", "configurations of arm '{arm}' have the shape (N, {n}), not {shape}; the {n} joint values are {joints}; write one configuration as [q]"
     NO_RENDERER = "no_renderer", "3D pictures need Mesa's EGL library and a driver for it ({problem}); on Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri. Everything else works without them"
+    NO_MESHCAT = "no_meshcat", "arm '{arm}' cannot be shown in Meshcat: {reason}. The picture beside the sliders needs no server"
     NO_DRIVER = "no_driver", "EGL finds no driver"
 
     # -- motion --------------------------------------------------------------------------------------------------------

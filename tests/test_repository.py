@@ -57,6 +57,7 @@ def modules() -> Iterator[tuple[str, Path]]:
 DECLARED_FOR = {  # extras that a place may need; whoever has not installed them is told so
     "verification/pytest_plugin.py": "test",
     "verification/cli/server.py": "lsp",
+    "course/feedback/hands_on.py": "lab",
     "course/sources": "lab",
     "course/grading": "lab",
     "course/printing": "print",

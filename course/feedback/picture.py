@@ -29,7 +29,7 @@ def draw_answer(
     if painter is None:
         return None
     try:
-        drawn = _drawn(arm, asked, function, at)
+        drawn = drawn_at(arm, asked, call_at(arm, function, at), at)
     except ArmproofError:
         return None
     if drawn is None:
@@ -38,13 +38,13 @@ def draw_answer(
     return painter.at_counterexample(Record(1, "", Verdict.REFUTED, counterexample=dict(at), discrepancy=discrepancy))
 
 
-def _drawn(arm: Arm, asked: Mapping[str, Any], function: Callable[..., Any], at: Mapping[str, float]) -> Drawn | None:
+def drawn_at(arm: Arm, asked: Mapping[str, Any], obtained: np.ndarray, at: Mapping[str, float]) -> Drawn | None:
+    """Return what an answer is at a configuration beside what is true; None where that is nothing to draw."""
     (one,) = read_asked(arm, asked)
     quantity = one.quantity
     if quantity.kind not in ("pose", "origin", "jacobian") or quantity.reference != arm.frames[0]:
         return None
     numeric = NumericKinematics(arm, np.array([[at[joint.symbol] for joint in arm.joints]]))
-    obtained = call_at(arm, function, at)
     pose = np.array(numeric.pose(quantity.frame)[0])
     if quantity.kind == "jacobian":
         true = numeric.jacobian(quantity.frame)[0]
@@ -65,19 +65,26 @@ def _drawn(arm: Arm, asked: Mapping[str, Any], function: Callable[..., Any], at:
 
 def _velocity(quantity: Any, true: np.ndarray, obtained: np.ndarray) -> Drawn | None:
     """Return the velocity of the first column that is wrong, linear or angular as its first wrong row."""
+    claimed = claimed_jacobian(quantity, true, obtained)
+    if claimed is None:
+        return None
+    wrong = np.argwhere(~(np.abs(claimed - true) <= 1e-9).T)
+    column, row = wrong[0] if len(wrong) else (quantity.columns[0] - 1 if quantity.columns else 0, 0)
+    part = slice(0, 3) if row < 3 else slice(3, 6)
+    kind = "velocity" if row < 3 else "angular velocity"
+    sides = _rows(true[part, column][:, None]), _rows(claimed[part, column][:, None])
+    return Drawn(kind, quantity.frame, *sides, joint=int(column) + 1)
+
+
+def claimed_jacobian(quantity: Any, true: np.ndarray, obtained: np.ndarray) -> np.ndarray | None:
+    """Return the true Jacobian (6, n) with what is claimed of it in the rows and columns asked; None for another shape."""
     rows = [row - 1 for row in quantity.rows] if quantity.rows else list(range(6))
     columns = [column - 1 for column in quantity.columns] if quantity.columns else list(range(true.shape[1]))
-    whole = true[np.ix_(rows, columns)]
-    if obtained.shape != whole.shape:
+    if obtained.shape != (len(rows), len(columns)):
         return None
-    wrong = np.argwhere(~(np.abs(obtained - whole) <= 1e-9).T)
-    column, row = wrong[0] if len(wrong) else (0, 0)
-    part = list(range(3)) if rows[row] < 3 else list(range(3, 6))
-    claimed = true[:, columns[column]].copy()
-    claimed[rows] = obtained[:, column]
-    kind = "velocity" if rows[row] < 3 else "angular velocity"
-    sides = _rows(true[part, columns[column]][:, None]), _rows(claimed[part][:, None])
-    return Drawn(kind, quantity.frame, *sides, joint=columns[column] + 1)
+    claimed = true.copy()
+    claimed[np.ix_(rows, columns)] = obtained
+    return claimed
 
 
 def call_at(arm: Arm, function: Callable[..., Any], at: Mapping[str, float]) -> np.ndarray:

@@ -12,6 +12,7 @@ import numpy as np
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import Claim, judge_formula
+from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, place, told
 from armproof.course.feedback.picture import call_at, draw_answer
@@ -104,6 +105,14 @@ class Quantity:
         if figure is None:
             return Shown(written("`{task}`: this answer cannot be drawn: it is no pose, point or Jacobian in the base frame.", task=task))  # fmt: skip
         return Portrait(figure)
+
+    def move(self, answer: Any, in_3d: bool, lang: str) -> HandsOn:
+        """Return the arm with its sliders, and the answer, a function or a formula, over it."""
+        if answer is None:
+            return HandsOn(self.loaded, in_3d=in_3d, lang=lang)
+        if is_function(answer):
+            return HandsOn(self.loaded, self.quantity, partial(call_at, self.loaded, answer), in_3d, lang)
+        return HandsOn(self.loaded, self.quantity, partial(self.claim.values_at, as_latex(answer)), in_3d, lang)
 
     @cached_property
     def _symbols(self) -> list[str]:

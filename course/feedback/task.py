@@ -15,6 +15,7 @@ import numpy as np
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
 from armproof.course.feedback.derivation import Derivation
+from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
 from armproof.course.feedback.quantity import NOTHING_YET, Quantity
@@ -166,6 +167,17 @@ class Task:
             if not isinstance(self.asks, Quantity) or not is_function(answer):
                 return Shown(written(NOT_DRAWN, task=self.name))
             return self.asks.show(self.name, answer, at)
+
+    def move(self, answer: Any = ..., *, in_3d: bool = False) -> Shown | HandsOn:
+        """Return the arm with a slider a joint: the answer beside the truth, what the tool can do there, and det J.
+
+        Args:
+            in_3d: whether Drake's Meshcat viewer shows the arm too.
+        """
+        if isinstance(self.asks, Quantity):
+            return self.asks.move(None if is_missing(answer) else answer, in_3d, self.lang)
+        with use(self.lang):
+            return Shown(written(NOT_DRAWN, task=self.name))
 
     def _judge(self, answer: Any) -> Feedback:
         if isinstance(answer, WithSympy):

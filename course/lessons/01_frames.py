@@ -191,6 +191,13 @@ lesson.pose.check(pose)
 lesson.pose.show(pose, theta_1=0.5, theta_2=0.8)
 
 # %% [markdown]
+# Now with your own hands: a slider a joint. Where do the two frames part? The ellipse holds the velocities that the tool can have;
+# bend the elbow until it is nearly round, stretch the arm until it is flat.
+
+# %%
+lesson.pose.move(pose)
+
+# %% [markdown]
 # ## Reading a pose in Drake
 #
 # Drake writes `X_AB` for the pose of B in A. The inner letters of a product meet: `X_AC = X_AB @ X_BC`, `p_AP = X_AB @ p_BP`. Change the

@@ -189,6 +189,13 @@ lesson.forward.check(forward)
 lesson.forward.show(forward, theta_1=0.5, theta_2=0.9, d_2=0.12, theta_4=-0.6)
 
 # %% [markdown]
+# Move it yourself. `lesson.forward.move(forward, in_3d=True)` shows it in Drake's viewer too. Which slider
+# turns the tool and leaves its point where it is?
+
+# %%
+lesson.forward.move(forward)
+
+# %% [markdown]
 # ### Task: the slide's own program
 #
 # In the zero pose the slide shows the output `[1.0*a2 + 1.0*a3, 0, -1.0*d2, 1.0]`. Its listing says `d3 = symbols('d2')`. What does it really

@@ -160,6 +160,13 @@ lesson.point.check(point)
 lesson.point.show(point, theta_1=0.5, theta_2=0.6, theta_3=0.7)
 
 # %% [markdown]
+# Move it yourself; with `in_3d=True` Drake's viewer shows it too. Find two quite different ways to make the ellipse flat. Where does
+# $\det J$ go then?
+
+# %%
+lesson.point.move(point)
+
+# %% [markdown]
 # ## The Jacobian
 #
 # Column $i$ is $[z_{i-1} \times (P - p_{i-1});\ z_{i-1}]$, as on the planar arm, but the axes are no longer parallel.

@@ -159,6 +159,12 @@ lesson.jacobian.check(jacobian)
 lesson.jacobian.show(jacobian, theta_1=0.6, theta_2=0.9, d_3=0.1)
 
 # %% [markdown]
+# All columns at once: the ellipse of your $J$, dashed, and that of the arm. Which of the four sliders change $\det J$? Keep the answer for the next tasks.
+
+# %%
+lesson.jacobian.move(jacobian)
+
+# %% [markdown]
 # ## Reduce and take the determinant
 #
 # The rows of $\omega_x$ and $\omega_y$ are zero: a SCARA never tilts its tool.

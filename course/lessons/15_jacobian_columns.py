@@ -220,6 +220,12 @@ lesson.planar_2r.check(jacobian)
 lesson.planar_2r.show(jacobian, theta_1=0.5, theta_2=0.8)
 
 # %% [markdown]
+# The two columns span an ellipse: the velocities of the tool when $\dot\theta_1^2 + \dot\theta_2^2 = 1$. Move the arm. At which $\theta_2$ are the columns parallel?
+
+# %%
+lesson.planar_2r.move(jacobian)
+
+# %% [markdown]
 # ## Alone: the polar arm
 #
 # The tool stands at $[r\cos\theta, r\sin\theta]^T$. Write its velocity for $\dot r = u$ and $\dot\theta = w$.
@@ -238,6 +244,12 @@ lesson.polar_velocity.check(polar_velocity)
 J_L = r"\begin{bmatrix} \cos\theta & -r\sin\theta \\ \sin\theta & r\cos\theta \end{bmatrix}"
 ### END SOLUTION
 lesson.polar_linear.check(J_L)
+
+# %% [markdown]
+# Move this arm too. Its $\det J$ is one of its two joint variables: which?
+
+# %%
+lesson.polar_linear.move(J_L)
 
 # %% [markdown]
 # Then add the row of $\omega$.

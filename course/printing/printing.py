@@ -21,7 +21,7 @@ from armproof.verification.report.html.templating import Shell
 from armproof.verification.running.atomic import write_atomically
 from armproof.verification.verdict import DocumentResult
 
-PAPER = Shell("armproof.course.printing", ("sheet.css",), "", allowed="img-src data:; ", drawn=False)
+PAPER = Shell("armproof.course.printing", ("sheet.css",), (), allowed="img-src data:; ", drawn=False)
 FORMATS = ("pdf", "html")
 
 

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from markupsafe import Markup
 
-from armproof.course.feedback import Lesson, Outcome, Task
+from armproof.course.feedback import Lesson, Outcome, Quantity, Task
 from armproof.course.sheet import model as s
 from armproof.course.site.cells import Cell, Output
+from armproof.course.site.moving import moving_figure
 from armproof.course.site.outputs import show_outputs
 from armproof.course.site.reading import LessonReader
 from armproof.course.site.writer import Entry, PageWriter, python
@@ -101,6 +102,9 @@ class BodyWriter:
         if cell.opens():  # the page says at its head what this cell shows
             self._opened = True
             return Markup("")
+        if asked := [self._tasks[name][1].asks for name in cell.calls("move") if name in self._tasks]:
+            moved = [each for each in asked if isinstance(each, Quantity)]
+            return Markup("").join(moving_figure(each, f"c{cell.number}-{k}-") for k, each in enumerate(moved))
         outputs = [output for output in cell.outputs if self.solutions or not _is_waiting(cell, output)]
         shown = show_outputs(outputs, f"c{cell.number}-", self._words(), self._markdown)
         self.styles += [style for style in shown.styles if style not in self.styles]

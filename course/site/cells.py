@@ -18,7 +18,7 @@ from armproof.verification.document.cells import Cell as SourceCell
 
 Output = Mapping[str, Any]  # as a notebook holds it
 
-_CALL = re.compile(r"(?<![\w.])lesson\.(\w+)\.(check|show|hint|solution)\(")
+_CALL = re.compile(r"(?<![\w.])lesson\.(\w+)\.(check|show|move|hint|solution)\(")
 _CONFIG = "c.InlineBackend.figure_formats = {'svg'}\nc.HistoryManager.enabled = False\n"
 _LONGEST = 300  # characters of what was raised
 
@@ -49,7 +49,7 @@ class Cell:
         return self.source != self.solved
 
     def calls(self, name: str) -> tuple[str, ...]:
-        """Return the names of the tasks whose check, show, hint or solution the cell calls."""
+        """Return the names of the tasks whose check, show, move, hint or solution the cell calls."""
         return tuple(dict.fromkeys(task for task, call in _CALL.findall(self.source) if call == name))
 
     def opens(self) -> bool:

@@ -18,7 +18,12 @@ from armproof.verification.report.html.templating import Shell, versions
 from armproof.verification.verdict import DocumentResult
 
 INDEX = "index"
-SITE = Shell("armproof.course.site", ("shell.css", "site.css"), "site.js", allowed="img-src data:; frame-src 'self'; ")
+SITE = Shell(
+    "armproof.course.site",
+    ("shell.css", "site.css"),
+    ("site.js", "hands.js"),
+    allowed="img-src data:; frame-src 'self'; ",
+)
 
 
 def write_page(

@@ -8,7 +8,7 @@ import statistics
 from importlib.metadata import version
 
 from armproof.verification.running.processes import cores
-from tests.benchmarks import bulk, documents, editing, functions, rx90, with_sympy
+from tests.benchmarks import bulk, documents, editing, functions, hands_on, rx90, with_sympy
 
 MEGABYTE = 1_000_000
 ROUNDS = 7
@@ -28,6 +28,7 @@ def main() -> None:
         print_sympy(ours, options.sympy_seconds)
     print_bulk()
     _print("Functions checked, after the first check", functions.rows())
+    _print("Hands on: from a slider's value to the new picture, median", hands_on.rows())
     print_course()
     print_growth()
     print_handouts()

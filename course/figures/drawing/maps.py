@@ -18,7 +18,6 @@ from matplotlib.ticker import MaxNLocator
 
 from armproof.course.figures.drawing.plots import tick_numbers
 from armproof.course.figures.drawing.style import INK, MAP, PAPER, STROKES, Box, mm_axes
-from armproof.models.arm import Arm
 
 _LIGHTEST_OF_DARK = 0.28  # of the colours: darker ones leave labels unreadable
 LEVELS = 6
@@ -92,17 +91,3 @@ def halo() -> list[Any]:
 def plain_condition(latex: str) -> str:
     r"""Return a condition as matplotlib's mathematics reads it, and small: without \text, \frac{\pi}{2} as \pi/2."""
     return re.sub(r"\\frac\{([^{}]+)\}\{([^{}]+)\}", r"\1/\2", latex.replace(r"\text{ and }", r",\;"))
-
-
-def volume_unit(arm: Arm, rows: Sequence[int], columns: Sequence[int]) -> str:
-    """Return the unit of √det(J Jᵀ), a power of the metre; "" where it is a number, or a sum of different units.
-
-    Args:
-        rows: of [v; ω], from 1.
-        columns: from 1.
-    """
-    sliding = sum(arm.joints[column - 1].kind == "prismatic" for column in columns)
-    if sliding and len(rows) != len(columns):
-        return ""
-    power = sum(row <= 3 for row in rows) - sliding
-    return {0: "", 1: "m", 2: "m²", 3: "m³"}.get(power, "")

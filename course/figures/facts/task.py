@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -119,3 +120,17 @@ def tool_frame(arm: Arm) -> str:
 def tool_points(arm: Arm, q: np.ndarray) -> np.ndarray:
     """Return the origin of the tool's frame in frame 0 at configurations (N, n), on the double plant, (N, 3), metres."""
     return np.asarray(NumericKinematics(arm, q).pose(tool_frame(arm))[:, :3, 3])
+
+
+def volume_unit(arm: Arm, rows: Sequence[int], columns: Sequence[int]) -> str:
+    """Return the unit of √det(J Jᵀ), a power of the metre; "" where it is a number, or a sum of different units.
+
+    Args:
+        rows: of [v; ω], from 1.
+        columns: from 1.
+    """
+    sliding = sum(arm.joints[column - 1].kind == "prismatic" for column in columns)
+    if sliding and len(rows) != len(columns):
+        return ""
+    power = sum(row <= 3 for row in rows) - sliding
+    return {0: "", 1: "m", 2: "m²", 3: "m³"}.get(power, "")

@@ -18,7 +18,7 @@ from armproof.course.figures.drawing.labels import (
     number,
     say,
 )
-from armproof.course.figures.drawing.maps import curve_style, draw_map, plain_condition, volume_unit
+from armproof.course.figures.drawing.maps import curve_style, draw_map, plain_condition
 from armproof.course.figures.drawing.placement import Label, place_labels
 from armproof.course.figures.drawing.plots import mark_angles, plot_axes
 from armproof.course.figures.drawing.style import STROKES, TEXT, Stroke, new_figure, styled
@@ -31,6 +31,7 @@ from armproof.course.figures.facts.joint_map import (
     joint_map,
     shown_families,
 )
+from armproof.course.figures.facts.task import volume_unit
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.verification.latex.writer import symbol_as_latex

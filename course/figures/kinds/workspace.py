@@ -10,14 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.labels import axis_label, length, number, say
-from armproof.course.figures.drawing.maps import curve_style, draw_map, plain_condition, smooth, volume_unit
+from armproof.course.figures.drawing.maps import curve_style, draw_map, plain_condition, smooth
 from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import INK, PAPER, Box, new_figure, styled
 from armproof.course.figures.facts.curves import family_curve
 from armproof.course.figures.facts.positioning import Positioning, position_singularities, positioning_of
-from armproof.course.figures.facts.task import joint_ranges
+from armproof.course.figures.facts.task import joint_ranges, volume_unit
 from armproof.course.figures.registry import Kind
 from armproof.models.arm import Arm
 from armproof.models.showing.skeleton import stick_points

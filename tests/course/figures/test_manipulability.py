@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armproof.course.figures.drawing.labels import joint_scales
-from armproof.course.figures.drawing.maps import levels_up_to, plain_condition, smooth, volume_unit
+from armproof.course.figures.drawing.maps import levels_up_to, plain_condition, smooth
 from armproof.course.figures.facts.joint_map import (
     SIDE,
     family_lines,
@@ -15,7 +15,7 @@ from armproof.course.figures.facts.joint_map import (
     relevant_joints,
     shown_families,
 )
-from armproof.course.figures.facts.task import task_of
+from armproof.course.figures.facts.task import task_of, volume_unit
 from armproof.course.figures.kinds.manipulability import caption, manipulability_figure
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from armproof.models.showing.recording import _camera
+from armproof.models.showing.stage import camera
 
 HALF_ANGLE = np.radians(75.0) / 2  # of Meshcat's camera, from top to bottom
 
 
 def angles(points: np.ndarray) -> np.ndarray:
     """Return how far from the middle of the view points are seen (rad)."""
-    camera, target = _camera(points)
-    rays, ahead = points - camera, target - camera
+    eye, target = camera(points)
+    rays, ahead = points - eye, target - eye
     return np.arccos(rays @ ahead / np.linalg.norm(rays, axis=1) / np.linalg.norm(ahead))
 
 
@@ -23,10 +23,10 @@ def test_every_point_is_in_view_and_some_far_from_its_middle(size):
 
 
 def test_a_camera_too_near_is_noticed(monkeypatch):
-    monkeypatch.setattr("armproof.models.showing.recording._DISTANCE", 0.8)
+    monkeypatch.setattr("armproof.models.showing.stage._DISTANCE", 0.8)
     assert angles(np.random.default_rng(3).uniform(-1, 1, (200, 3))).max() > HALF_ANGLE
 
 
 def test_a_single_point_is_seen_from_a_distance():
-    camera, target = _camera(np.zeros((1, 3)))
-    assert np.linalg.norm(camera - target) > 0.5
+    eye, target = camera(np.zeros((1, 3)))
+    assert np.linalg.norm(eye - target) > 0.5

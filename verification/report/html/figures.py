@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -87,6 +88,24 @@ class ArmPainter:
             Markup(sketch.write(words)),
             written("{what}: solid as it is, dashed {dashed}.", what=heading(what), dashed=dashed),
         )
+
+    def moved(
+        self, q: np.ndarray, window: np.ndarray, drawn: Drawn | None, around: Sequence[tuple[str, str, np.ndarray]]
+    ) -> Markup:
+        """Return the arm at a configuration (n,) in a window that stays while it moves.
+
+        Args:
+            drawn: a side that is claimed, beside the true one.
+            around: closed lines (K, 2) of the paper: each with the frame that it is drawn about, and true or printed.
+        """
+        pose = place_skeleton(self.arm, q)
+        sketch = self._sketch(pose, self.reach / 6)
+        sketch.window = window
+        for frame, kind, line in around:
+            sketch.outline(pose.frames[frame][:3, 3], line, kind)
+        if drawn is not None:
+            self._draw_both(sketch, drawn, pose)
+        return Markup(sketch.write(written("The arm {arm} as its sliders have it", arm=self.arm.name)))
 
     def _what(self, drawn: Drawn) -> str:
         terms = {"frame": drawn.frame}

@@ -25,15 +25,27 @@ Point = Sequence[float] | np.ndarray
 
 @dataclass
 class Sketch:
-    """Collects shapes in metres of frame 0, then fits them to the picture and writes it."""
+    """Collects shapes in metres of frame 0, then fits them to the picture and writes it.
+
+    Attributes:
+        projection: from where it is seen.
+        triad: the length of a frame's axes (m).
+        window: the least and the greatest of what is seen (m), (2, 2), where that is not to follow the shapes.
+    """
 
     projection: Projection
-    triad: float  # length of a frame's axes (m)
+    triad: float
+    window: np.ndarray | None = None
     shapes: list[tuple[str, list[tuple[float, float]], str, str]] = field(default_factory=list)
 
     def line(self, points: Sequence[Point] | np.ndarray, kind: str) -> None:
         """Draw a polyline."""
         self.shapes.append(("line", [self._project(point) for point in points], kind, ""))
+
+    def outline(self, point: Point, around: np.ndarray, kind: str) -> None:
+        """Draw a closed line (K, 2) of the paper around a point."""
+        x, y = self._project(point)
+        self.shapes.append(("line", [(x + float(u), y + float(v)) for u, v in around], kind, ""))
 
     def dot(self, point: Point, kind: str) -> None:
         """Draw a joint or a point: "revolute" round, "prismatic" square."""
@@ -73,7 +85,8 @@ class Sketch:
 
     def _fit(self) -> tuple[float, float, float]:
         """Return the scale and the offsets that bring all shapes into the picture."""
-        points = np.array([point for _, points, _, _ in self.shapes for point in points] or [(0.0, 0.0)])
+        drawn = [point for _, points, _, _ in self.shapes for point in points] or [(0.0, 0.0)]
+        points = np.array(drawn) if self.window is None else self.window
         low, high = points.min(axis=0), points.max(axis=0)
         size = np.maximum(high - low, 1e-9)
         scale = float(min((WIDTH - 2 * BESIDE) / size[0], (HEIGHT - 2 * ABOVE) / size[1]))

@@ -26,7 +26,7 @@ class Shell:
     Attributes:
         package: where the templates are, and the files of the style and the script.
         styles: the files of the style; with `drawn`, that of the drawings of an arm stands before them.
-        script: the file of the script; without one, none runs.
+        scripts: the files of the script; without one, none runs.
         allowed: what a page may load beside them, as a policy says it.
     """
 
@@ -34,12 +34,18 @@ class Shell:
         self,
         package: str = _HERE,
         styles: tuple[str, ...] = ("shell.css", "style.css"),
-        script: str = "script.js",
+        scripts: tuple[str, ...] = ("script.js",),
         *,
         allowed: str = "",
         drawn: bool = True,
     ) -> None:
-        self._package, self._styles, self._script, self._allowed, self._drawn = package, styles, script, allowed, drawn
+        self._package, self._styles, self._scripts, self._allowed, self._drawn = (
+            package,
+            styles,
+            scripts,
+            allowed,
+            drawn,
+        )
 
     def render(self, template: str, styles: Iterable[str] = (), **values: Any) -> str:
         """Return a page; every value is escaped unless it is Markup.
@@ -70,7 +76,7 @@ class Shell:
 
     @cached_property
     def _program(self) -> str:
-        return self._resource(self._script) if self._script else ""
+        return "".join(map(self._resource, self._scripts))
 
     @cached_property
     def _environment(self) -> Environment:
