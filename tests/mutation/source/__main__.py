@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from random import Random
 
 from tests.mutation.source.mutants import Mutant, mutants_of
+from tests.mutation.source.reach import record
 from tests.mutation.source.run import KILLED, SURVIVED, UNCHANGED
 from tests.mutation.source.trusted import ROOT, trusted_files
 
@@ -54,8 +55,13 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes")
     parser.add_argument("--seconds", type=int, default=SECONDS, help="processor time for one mutant")
     parser.add_argument("--minutes", type=float, default=24 * 60, help="start no mutant after so many minutes")
+    parser.add_argument(
+        "--record", action="store_true", help="first record which tests reach which line: later runs are quicker"
+    )
     parser.add_argument("files", nargs="*", help="files or patterns, from the project's folder; none: the trusted base")
     options = parser.parse_args()
+    if options.record and (code := record()):
+        return code
     drawn = draw(options.files, options.sample, options.seed)
     if not drawn:
         print("no mutant of these files", file=sys.stderr)

@@ -14,13 +14,16 @@ import resource
 import signal
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from contextlib import redirect_stdout
 from pathlib import Path
 from random import Random
 from types import CodeType
 
-from tests.mutation.source.mutants import mutate
+import pytest
+
+from tests.mutation.source.mutants import mutants_of, mutate
+from tests.mutation.source.reach import files_of, reaching
 from tests.mutation.source.trusted import selection
 
 SURVIVED, KILLED = 0, 3  # 1 is what Python says of a fault of this tool
@@ -71,13 +74,23 @@ def main(arguments: Sequence[str]) -> int:
         if int(index) != UNCHANGED:
             put_in_place(file, int(index))
         own, room, course = selection(file)
-        if tests_fail(own) or tests_fail(room) or labels_differ() or tests_fail(course):
+        tests = seeing(file, int(index))
+        if tests is not None and (
+            tests_fail(own, tests) or tests_fail(room, tests) or tests_fail(files_of(tests), tests)
+        ):
             return KILLED
         allow(TIMES_AS_LONG * int(seconds))
-        return KILLED if tests_fail(EVERY_TEST) else SURVIVED
+        if tests_fail(own) or tests_fail(room) or labels_differ() or tests_fail(course):
+            return KILLED
+        return KILLED if tests is None and tests_fail(EVERY_TEST) else SURVIVED
     except Exception as error:
         print(f"{type(error).__name__}: {error}", file=sys.stderr)
         return KILLED
+
+
+def seeing(file: str, index: int) -> Set[str] | None:
+    """Return the tests that reach a mutant; None where all must run."""
+    return reaching(file, mutants_of(Path(file).read_text("utf-8"))[index].line) if index != UNCHANGED else None
 
 
 def allow(seconds: int) -> None:
@@ -111,14 +124,24 @@ def labels_differ() -> bool:
     return mine != set(listed) - {case.key for case in cases}
 
 
-def tests_fail(tests: Sequence[str]) -> bool:
-    """Whether one of the tests fails."""
-    import pytest
+class Only:
+    """Takes the tests away that cannot see a mutant."""
 
-    if not tests:
+    def __init__(self, tests: Set[str]) -> None:
+        self.tests = tests
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        items[:] = [item for item in items if item.nodeid in self.tests]
+
+
+def tests_fail(places: Sequence[str], tests: Set[str] | None = None) -> bool:
+    """Whether one of the tests of these places fails; `tests` are those that count, if not all."""
+    if not places:
         return False
+    options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:cov"]
     with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere):
-        return pytest.main(["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", *tests]) != pytest.ExitCode.OK
+        code = pytest.main([*options, *places], plugins=[] if tests is None else [Only(tests)])
+    return code not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED)
 
 
 if __name__ == "__main__":

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ast
+import os
 from collections import Counter
 from pathlib import Path
 
 import pytest
+from coverage import CoverageData
 
+from tests.mutation.source import reach
 from tests.mutation.source.__main__ import draw, fate_of, report, tell
 from tests.mutation.source.mutants import Mutant, mutants_of, mutate
 from tests.mutation.source.run import UNCHANGED
@@ -114,3 +117,23 @@ def test_a_share_below_what_is_wanted_is_a_failure(capsys: pytest.CaptureFixture
     assert report([Fate("a.py", mutant, "killed")] * 19 + [Fate("a.py", mutant, "survived")]) == 0
     assert report([Fate("a.py", mutant, "killed")] * 18 + [tell(Fate("a.py", mutant, "survived"))] * 2) == 1
     assert "a.py:1: operator" in capsys.readouterr().out
+
+
+def test_a_line_of_a_function_is_reached_by_its_tests_and_a_line_of_the_module_by_all(tmp_path, monkeypatch):
+    file = tmp_path / "a.py"
+    file.write_text("LIMIT = 3\ndef f(x=2):\n    y = x\n    return y\n", "utf-8")
+    monkeypatch.setattr(reach, "ROOT", tmp_path)
+    monkeypatch.setattr(reach, "RECORD", tmp_path / "reach.coverage")
+    assert reach.reaching("a.py", 3) is None  # no record
+    data = CoverageData(str(reach.RECORD))
+    for test in ("tests/test_a.py::test_f|run", "tests/test_b.py::test_g|setup"):
+        data.set_context(test)
+        data.add_lines({str(file): [3]})
+    data.write()
+    assert (
+        reach.reaching("a.py", 3) == {"tests/test_a.py::test_f", "tests/test_b.py::test_g"} == reach.reaching("a.py", 4)
+    )
+    assert reach.reaching("a.py", 1) is None and reach.reaching("a.py", 2) is None  # both run at import
+    os.utime(file, (2**31, 2**31))
+    assert reach.reaching("a.py", 3) is None  # the file is newer
+    assert reach.files_of({"b.py::x", "b.py::y", "a.py::z"}) == ["a.py", "b.py"]

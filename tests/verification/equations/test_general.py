@@ -127,3 +127,11 @@ def test_somebodys_own_matrix_of_that_name_is_a_definition(judge: Judge) -> None
 )  # fmt: skip
 def test_elementary_transforms_and_identities_hold_for_any_symbols(judge: Judge, latex: str, verdict: Verdict) -> None:
     assert judge(latex, arm=None).verdict is verdict
+
+
+def test_a_document_may_mean_something_else_by_its_link_matrix(judge: Judge) -> None:
+    """Then only what is exactly a link matrix is judged: a slip may belong to the other meaning."""
+    own, slip = r"A_i = Rot(z, \theta_i) Trans(x, a_i)", f"A_i = {CLASSIC.replace('& d_i', '& -d_i')}"
+    assert judge(slip, arm=None).verdict is Verdict.REFUTED
+    assert judge(own, slip, arm=None).verdict is Verdict.UNCHECKED
+    assert judge(own, f"A_i = {CLASSIC}", arm=None).verdict is Verdict.PROVED
