@@ -17,8 +17,7 @@ class Format(StrEnum):
 
 
 Names = Annotated[
-    list[str] | None,
-    typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all."),
+    list[str] | None, typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all.")
 ]
 Folder = Annotated[
     Path | None,
@@ -47,10 +46,6 @@ ReportFormat = Annotated[Format, typer.Option("--format", help="text for people,
 Name = Annotated[str, typer.Argument(metavar="NAME", help="The lesson's name, such as my_arm_jacobian.")]
 OfArm = Annotated[str | None, typer.Option("--arm", metavar="ARM", help="An arm of `armproof arms`.")]
 OfDocument = Annotated[
-    Path | None,
-    typer.Option("--document", metavar="FILE", help="A document whose proved displays become tasks."),
+    Path | None, typer.Option("--document", metavar="FILE", help="A document whose proved displays become tasks.")
 ]
-Title = Annotated[
-    str,
-    typer.Option("--title", metavar="TEXT", help="By default the document's, or the name in words."),
-]
+Title = Annotated[str, typer.Option("--title", metavar="TEXT", help="By default the document's, or the name in words.")]

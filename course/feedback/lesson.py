@@ -18,15 +18,7 @@ from armproof.course.feedback.progress import keep_progress, reached, read_progr
 from armproof.course.feedback.task import Task
 from armproof.course.feedback.translation import changed_task
 from armproof.models.errors import counted, existing_language
-from armproof.models.language import (
-    ENGLISH,
-    asked,
-    known_language,
-    language_of_environment,
-    speak,
-    spoken,
-    use,
-)
+from armproof.models.language import ENGLISH, asked, known_language, language_of_environment, speak, spoken, use
 from armproof.verification.document.catalogue import translated_sentence, translation_of
 
 PACKAGE = "armproof.course.tasks"
@@ -105,12 +97,7 @@ class Lesson:
 
     def __repr__(self) -> str:
         states = self.progress()
-        lines = [
-            f"{self.number} · {self.title}",
-            *(f"  – {line}" for line in self.objectives),
-            "",
-            self._solved(states),
-        ]
+        lines = [f"{self.number} · {self.title}", *(f"  – {line}" for line in self.objectives), "", self._solved()]
         width = max(map(len, states), default=0)
         lines += [f"  {states[task.name].mark} {task.name.ljust(width)}  {task.title}" for task in self.tasks]
         return "\n".join(lines)
@@ -118,15 +105,13 @@ class Lesson:
     def _repr_html_(self) -> str:
         states = self.progress()
         with use(self.lang):
-            return render("lesson.html", "open", lesson=self, states=states, solved=self._solved(states))
+            return render("lesson.html", "open", lesson=self, states=states, solved=self._solved())
 
-    def _solved(self, states: dict[str, Outcome]) -> str:
-        solved = sum(state.is_right for state in states.values())
+    def _solved(self) -> str:
+        solved, count = self.points, len(self.tasks)
         with use(self.lang):
-            words = counted(
-                "{number} of {count} tasks solved", "{number} of {count} tasks solved", solved, count=len(states)
-            )
-        return f"{words}  {bar(solved, len(states))}"
+            words = counted("{number} of {count} tasks solved", "{number} of {count} tasks solved", solved, count=count)
+        return f"{words}  {bar(solved, count)}"
 
 
 _opened: dict[tuple[str, str, str, str], Lesson] = {}

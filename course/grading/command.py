@@ -29,10 +29,7 @@ Jobs = Annotated[
 Seconds = Annotated[float, typer.Option("--seconds", min=1, max=3600, metavar="S", help="Seconds for each submission.")]
 Memory = Annotated[int, typer.Option("--memory", min=64, max=65536, metavar="MB", help="Memory for each, in MB.")]
 
-Own = Annotated[
-    Path | None,
-    typer.Option("--folder", metavar="DIR", help="Lessons of your own, beside the course's."),
-]
+Own = Annotated[Path | None, typer.Option("--folder", metavar="DIR", help="Lessons of your own, beside the course's.")]
 Unprotected = Annotated[
     bool, typer.Option("--unprotected", help="Run without bubblewrap: limits of time and memory, and no protection.")
 ]

@@ -44,13 +44,7 @@ class TimeOptimalMotion:
 
 
 def time_optimal(
-    arm: Arm,
-    path: Any,
-    *,
-    velocity: Any = None,
-    acceleration: Any = None,
-    effort: Any = None,
-    grid_points: int = 400,
+    arm: Arm, path: Any, *, velocity: Any = None, acceleration: Any = None, effort: Any = None, grid_points: int = 400
 ) -> TimeOptimalMotion:
     """Return the fastest motion along a path, from rest to rest, that respects velocity, acceleration and effort limits.
 

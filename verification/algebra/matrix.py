@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain, product
 from typing import Any
 
 from armproof.verification.errors import EvaluationError, ShapeError
@@ -28,6 +29,16 @@ class Matrix:
     def size(self) -> str:
         """The shape as one says it: 4×4."""
         return f"{self.shape[0]}×{self.shape[1]}"
+
+    @property
+    def cells(self) -> tuple[Cell, ...]:
+        """The entries, row by row."""
+        return tuple(chain.from_iterable(self.rows))
+
+    @property
+    def places(self) -> Iterator[tuple[int, int]]:
+        """The row and the column (from 0) of each of its cells."""
+        return product(*map(range, self.shape))
 
     def map(self, function: Callable[[Cell], Cell]) -> Matrix:
         """Apply a function to every entry."""
@@ -73,7 +84,7 @@ class Matrix:
             if length:
                 raise EvaluationError(say(Kind.NO_VECTOR_OF_LENGTH, length=length, size=self.size))
             raise EvaluationError(say(Kind.NO_VECTOR, size=self.size))
-        return tuple(cell for row in self.rows for cell in row)
+        return self.cells
 
     def minors(self, size: int, rows: tuple[int, ...]) -> dict[tuple[int, ...], Cell]:
         """Return the determinants of the given rows with every choice of `size` columns, by columns."""
@@ -195,7 +206,9 @@ def as_matrix(value: Any) -> Matrix:
 
 
 def is_zero(value: Any) -> bool:
-    """Whether a scalar of either algebra vanishes everywhere."""
+    """Whether a scalar of either algebra, or a matrix of such, vanishes everywhere."""
+    if isinstance(value, Matrix):
+        return all(map(is_zero, value.cells))
     if hasattr(value, "is_zero"):
         return bool(value.is_zero())
     return bool((value == 0).all()) if hasattr(value, "all") else value == 0

@@ -134,8 +134,8 @@ class Circumstances:
         """Whether one side moves with joints that the other side does not hold."""
         if outcome.pair is None:
             return False
-        sides = ([cell for row in side.rows for cell in row] for side in (outcome.pair.true, outcome.pair.printed))
-        one, other = (symbols_in(cells) & set(self.given.joints) for cells in sides)
+        sides = (outcome.pair.true, outcome.pair.printed)
+        one, other = (symbols_in(side.cells) & set(self.given.joints) for side in sides)
         return one != other
 
 

@@ -140,12 +140,10 @@ def _equations(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Ev
         return [_angle_or_difference(checker, left, right, evaluator)]
     b = as_scalar(evaluator.evaluate(right))
     if isinstance(b, Scalar) and b.is_zero():
-        return [cell for row in a.rows for cell in row]
+        return [*a.cells]
     if not isinstance(b, Matrix):
         raise Undecided(say(Kind.MATRIX_FOR_CONDITION))
-    pair = next(align(a, b, checker.exact))
-    rows = zip(pair.true.rows, pair.printed.rows, strict=True)
-    return [x - y for row, other in rows for x, y in zip(row, other, strict=True)]
+    return [x - y for _, x, y in next(align(a, b, checker.exact)).entries()]
 
 
 def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: Evaluator) -> Scalar | None:

@@ -72,7 +72,7 @@ def _outside_matrices(nodes: Iterable[object]) -> Iterator[n.Node]:
 
 
 def _is_of_names(matrix: n.Matrix) -> bool:
-    return all(isinstance(bare(cell), n.Name) for row in matrix.rows for cell in row)
+    return all(isinstance(bare(cell), n.Name) for cell in matrix.cells)
 
 
 def _within(name: n.Name, span: tuple[int, int]) -> bool:

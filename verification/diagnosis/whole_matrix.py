@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.protocol import link_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
@@ -27,11 +27,6 @@ def whole_matrix(checker: ChainChecker, outcome: Outcome) -> Finding | None:
         )
     except ArmproofError:
         return None
-
-
-def is_zero(matrix: Matrix) -> bool:
-    """Whether a matrix holds nothing but zeros: they are everything's special case."""
-    return all(cell.is_zero() for row in matrix.rows for cell in row)
 
 
 def _others(checker: ChainChecker, node: n.Node, pair: Pair) -> Iterator[Candidate]:

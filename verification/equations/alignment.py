@@ -27,6 +27,10 @@ class Pair:
     is_scalar: bool = False
     true_rows: tuple[int, ...] | None = None
 
+    def entries(self) -> Iterator[tuple[tuple[int, int], Any, Any]]:
+        """Yield each place (from 0) with the true entry and the printed one."""
+        return zip(self.true.places, self.true.cells, self.printed.cells, strict=True)
+
 
 ROTATION = say(Kind.ROTATION_ALONE)
 HOMOGENEOUS = say(Kind.HOMOGENEOUS)
@@ -168,20 +172,13 @@ def exactly_equal(a: Scalar, b: Scalar) -> bool:
 def equal_matrices(a: Matrix, b: Matrix) -> bool:
     """Decide whether two matrices of one size are equal, entry by entry."""
     return a.shape == b.shape and all(
-        isinstance(y, Scalar) and exactly_equal(x, y)
-        for row, other in zip(a.rows, b.rows, strict=True)
-        for x, y in zip(row, other, strict=True)
+        isinstance(y, Scalar) and exactly_equal(x, y) for x, y in zip(a.cells, b.cells, strict=True)
     )
 
 
 def different_entries(pair: Pair, equal: Callable[[Any, Any], bool]) -> list[tuple[int, int]]:
     """Return the places (from 0) of the entries that differ."""
-    return [
-        (r, c)
-        for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True))
-        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True))
-        if not equal(a, b)
-    ]
+    return [place for place, a, b in pair.entries() if not equal(a, b)]
 
 
 def agree_exactly(pair: Pair) -> bool:
@@ -191,12 +188,7 @@ def agree_exactly(pair: Pair) -> bool:
 
 def angle_places(pair: Pair) -> set[tuple[int, int]]:
     """Return the places (from 0) whose exact values hold an arc function: angles, equal up to whole turns."""
-    return {
-        (r, c)
-        for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True))
-        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True))
-        if has_arcs(a) or has_arcs(b)
-    }
+    return {place for place, a, b in pair.entries() if has_arcs(a) or has_arcs(b)}
 
 
 def _all(equal: Any) -> bool:
@@ -208,8 +200,7 @@ def is_near(pair: Pair) -> bool:
     """Whether a value is a slip away from another: half of the entries that are no constants agree, or half of the terms."""
     cells = [
         (a, b)
-        for row, other in zip(pair.true.rows, pair.printed.rows, strict=True)
-        for a, b in zip(row, other, strict=True)
+        for _, a, b in pair.entries()
         if isinstance(a, Scalar) and isinstance(b, Scalar) and not (_is_number(a) and _is_number(b))
     ]
     if len(cells) == 1:
@@ -253,4 +244,4 @@ def _is_number(value: Scalar) -> bool:
 
 def is_constant(value: Matrix) -> bool:
     """Whether a value holds nothing but numbers."""
-    return all(isinstance(cell, Scalar) and _is_number(cell) for row in value.rows for cell in row)
+    return all(isinstance(cell, Scalar) and _is_number(cell) for cell in value.cells)

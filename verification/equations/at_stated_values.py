@@ -9,7 +9,6 @@ from math import inf, remainder, tau
 from typing import Any
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, angle_places
 from armproof.verification.equations.decimals import FEW, finest_decimals, roundings
@@ -61,7 +60,7 @@ class StatedValues:
         if arm is None or outcome.states_values:
             return None
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
-        sides = [[symbols_in(_cells(side)) for side in (pair.true, pair.printed)] for pair in pairs]
+        sides = [[symbols_in(side.cells) for side in (pair.true, pair.printed)] for pair in pairs]
         one, other = sides[0]
         if not (one and other) and of_arm & (one | other):
             numbers = _sides(outcome)[bool(one)]
@@ -254,12 +253,8 @@ def _sides(outcome: Outcome) -> tuple[Member, Member]:
     return outcome.true, outcome.printed
 
 
-def _cells(matrix: Matrix) -> list[Scalar]:
-    return [cell for row in matrix.rows for cell in row]
-
-
 def _differences(pair: Pair) -> list[Scalar]:
-    return [a - b for a, b in zip(_cells(pair.true), _cells(pair.printed), strict=True)]
+    return [a - b for _, a, b in pair.entries()]
 
 
 def _has_unit(node: n.Node) -> bool:

@@ -54,8 +54,7 @@ def roundings(node: n.Node, shape: tuple[int, int]) -> dict[tuple[int, int], Rou
     A whole number among decimals has theirs; an expression of decimals is exact, or not known to half a unit.
     """
     node = n.ungrouped(node)
-    rows = node.rows if isinstance(node, n.Matrix) else ()
-    cells = [cell for row in rows for cell in row]
+    cells = node.cells if isinstance(node, n.Matrix) else ()
     places = [(r, c) for r in range(shape[0]) for c in range(shape[1])]
     if len(cells) != len(places):
         return dict.fromkeys(places, _rounding(node, node))

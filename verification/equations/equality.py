@@ -132,10 +132,9 @@ class Equality:
         for branch in self.names.state.signs.branches():
             one = Evaluator(self.names, self.exact, branch)
             differences.append(next(align(one.evaluate(true), one.evaluate(printed), self.exact)))
-        places = [(r, c) for r, row in enumerate(pair.true.rows) for c in range(len(row))]
+        places = [*pair.true.places]
         distances = [
-            {(r, c): d for r, c in places if not (d := _distance(p.true.rows[r][c], p.printed.rows[r][c])).is_zero()}
-            for p in differences
+            {place: d for place, a, b in each.entries() if not (d := _distance(a, b)).is_zero()} for each in differences
         ]
         wrong = [place for place in places if all(place in of for of in distances)]
         alone = [place for place in wrong if not prod(of[place] for of in distances).is_zero()]

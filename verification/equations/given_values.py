@@ -161,7 +161,7 @@ def cells_of(node: n.Node) -> Sequence[n.Node]:
     if isinstance(node, n.Sequence):
         return node.items
     column = isinstance(node, n.Matrix) and (len(node.rows) == 1 or all(len(row) == 1 for row in node.rows))
-    return [cell for row in node.rows for cell in row] if isinstance(node, n.Matrix) and column else ()
+    return node.cells if isinstance(node, n.Matrix) and column else ()
 
 
 def new_name(names: Names, chain: n.Chain) -> str | None:
@@ -213,7 +213,7 @@ def adopts_letters(sides: Members, members: list[Member]) -> bool:
 def names_alone(node: n.Node) -> list[n.Name]:
     """Return the names that a matrix of nothing but names and numbers holds."""
     node = bare(node)
-    cells = [cell for row in node.rows for cell in row] if isinstance(node, n.Matrix) else []
+    cells = node.cells if isinstance(node, n.Matrix) else ()
     return [c for c in cells if isinstance(c, n.Name)] if all(isinstance(c, n.Name | n.Number) for c in cells) else []
 
 

@@ -70,6 +70,6 @@ def _equal(checker: ChainChecker, true: Member, printed: Member) -> bool:
         pairs = list(align(true.value, printed.value, checker.exact)) if true.known and printed.known else []
     except EvaluationError:
         return False
-    cells = [cell for pair in pairs for row in pair.printed.rows for cell in row]
+    cells = [cell for pair in pairs for cell in pair.printed.cells]
     telling = any(isinstance(cell, Scalar) and cell.as_fraction() is None for cell in cells)
     return telling and any(agree_exactly(pair) for pair in pairs)

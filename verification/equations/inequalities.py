@@ -83,13 +83,11 @@ def _at_configuration(checker: ChainChecker, left: n.Node, right: n.Node, equati
 def _identical(a: Any, b: Any) -> bool:
     a, b = as_scalar(a), as_scalar(b)
     if isinstance(a, Matrix) and isinstance(b, Matrix):
-        return a.shape == b.shape and all(
-            is_zero(x - y) for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True)
-        )
+        return a.shape == b.shape and is_zero(a + -b)
     if isinstance(a, Scalar) and isinstance(b, Scalar):
         return (a - b).is_zero()
     if isinstance(a, Matrix) and isinstance(b, Scalar):
-        return b.is_zero() and all(is_zero(x) for row in a.rows for x in row)
+        return b.is_zero() and is_zero(a)
     return False
 
 

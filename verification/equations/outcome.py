@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
+from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.equations.sides import Member
@@ -316,7 +316,7 @@ def _are_written(outcome: Outcome) -> bool:
 
 def _is_of_letters(node: n.Node) -> bool:
     """Whether a matrix is a rotation of letters alone: n_x, o_x, a_x … or r_{11}, r_{12} …."""
-    cells = [cell for row in node.rows for cell in row] if isinstance(node, n.Matrix) else []
+    cells = node.cells if isinstance(node, n.Matrix) else ()
     letters = {
         name.key
         for cell in cells
@@ -331,10 +331,9 @@ def _is_nought(node: n.Node) -> bool:
 
 def _letters_of(side: Member, names: Names) -> set[str]:
     """Return the letters in the value of a side; where that is outside the algebra, those that it is written with."""
-    rows = side.value.rows if isinstance(side.value, Matrix) else ((side.value,),)
-    cells = [cell.normal() for row in rows for cell in row if isinstance(cell, Scalar)]
-    if cells and len(cells) == len(rows) * len(rows[0]):
-        return symbols_in(cells)
+    cells = as_matrix(side.value).cells
+    if all(isinstance(cell, Scalar) for cell in cells):
+        return symbols_in([cell.normal() for cell in cells])
     return _letters(side.node, names)
 
 

@@ -145,16 +145,13 @@ def vanishes_for_lengths(
 
 def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c: False) -> np.ndarray:
     """Return |printed − true| of sampled values as an array (rows, columns, samples); up to whole turns for `angles`."""
-    stacked = []
-    for r, (true_row, printed_row) in enumerate(zip(pair.true.rows, pair.printed.rows, strict=True)):
-        cells = []
-        for c, (a, b) in enumerate(zip(true_row, printed_row, strict=True)):
-            error = np.abs(a - b)
-            if angles(r, c):
-                error = np.minimum(error, np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi))
-            cells.append(error)
-        stacked.append(cells)
-    return np.array(stacked)
+    errors = []
+    for place, a, b in pair.entries():
+        error = np.abs(a - b)
+        if angles(*place):
+            error = np.minimum(error, np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi))
+        errors.append(error)
+    return np.array(errors).reshape(*pair.true.shape, -1)
 
 
 def _is_arc(node: n.Node) -> bool:

@@ -201,6 +201,4 @@ class SecondRoute:
 
 def _holds_arcs(outcome: Outcome) -> bool:
     pair = outcome.pair
-    return pair is None or any(
-        has_arcs(cell) for side in (pair.true, pair.printed) for row in side.rows for cell in row
-    )
+    return pair is None or any(map(has_arcs, (*pair.true.cells, *pair.printed.cells)))

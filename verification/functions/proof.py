@@ -18,7 +18,7 @@ from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.diagnosis.causes.probes import probes
-from armproof.verification.equations.alignment import exactly_equal
+from armproof.verification.equations.alignment import Pair, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -63,8 +63,7 @@ class Bench:
     def lengths_in(self, quantity: Quantity) -> list[str]:
         """Return the lengths, and constant angles, on which a quantity depends."""
         if quantity not in self._lengths_in:
-            cells = [cell for row in self.true(quantity).rows for cell in row]
-            names = symbols_in(cells)
+            names = symbols_in(self.true(quantity).cells)
             self._lengths_in[quantity] = [symbol for symbol in self.numbers if symbol in names]
         return self._lengths_in[quantity]
 
@@ -157,14 +156,13 @@ def _compare(bench: Bench, part: Part, value: Matrix, taken: Collection[str]) ->
     A length that the function takes stays a symbol: at its own value a wrong formula may be right by chance.
     """
     true, everywhere, different = bench.true(part.asked.quantity), True, []
-    for r, (true_row, row) in enumerate(zip(true.rows, value.rows, strict=True)):
-        for c, (a, b) in enumerate(zip(true_row, row, strict=True)):
-            if exactly_equal(a, b):
-                continue
-            everywhere = False
-            if bench.equal_at_the_lengths(a, b, but=taken):
-                continue
-            if not bench.equal_at_the_lengths(a, b):
-                return _UNEQUAL
-            different.append((r, c))
+    for place, a, b in Pair(true, value).entries():
+        if exactly_equal(a, b):
+            continue
+        everywhere = False
+        if bench.equal_at_the_lengths(a, b, but=taken):
+            continue
+        if not bench.equal_at_the_lengths(a, b):
+            return _UNEQUAL
+        different.append(place)
     return not different, everywhere, tuple(different)

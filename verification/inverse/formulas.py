@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.document import Display, Document
+from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.given_values import named_sign
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.blocks import partition
@@ -84,7 +85,7 @@ def _display_formulas(display: Display, names: Names) -> Iterator[Formula]:
     for statement in statements:
         if isinstance(statement, n.Chain) and PREVIOUS not in statement.members:
             for formula in _chain_formulas(statement, display.line, names):
-                if not (conditional and _is_constant(formula.node)):  # "… ⇔ θ_2 = 0" is a condition
+                if not (conditional and is_number(formula.node)):  # "… ⇔ θ_2 = 0" is a condition
                     yield replace(formula, latex=normalise_unicode(display.latex))
 
 
@@ -146,9 +147,3 @@ def _name(node: n.Node) -> n.Name | None:
 def _symbol(key: str, names: Names) -> str:
     """Return the arm's symbol where the document writes a joint with a letter of its own."""
     return names.known_symbol(key) or key
-
-
-def _is_constant(node: n.Node) -> bool:
-    return not any(
-        isinstance(below, n.JointAngles) or (isinstance(below, n.Name) and below.key != "pi") for below in n.walk(node)
-    )

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from armproof.models.arm import Arm
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
@@ -45,9 +45,9 @@ class GivenTarget(TracedAlgebra):
             return super().quantity(quantity)
         try:
             value = super().quantity(quantity)
-            cells = [cell for row in value.rows for cell in row] if isinstance(value, Matrix) else [value]
+            cells = as_matrix(value).cells
         except TypeError:  # a difference of an origin that is not given
-            cells = [None]
+            cells = (None,)
         if any(cell is None for cell in cells):
             self._cache.pop(quantity, None)
             raise EvaluationError(say(Kind.NOT_IN_TARGET, frame=quantity.frame))

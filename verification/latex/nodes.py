@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cache
+from itertools import chain
 from typing import Any
 
 
@@ -151,6 +152,11 @@ class Matrix(Node):
 
     rows: tuple[tuple[Node, ...], ...]
     environment: str = "bmatrix"
+
+    @property
+    def cells(self) -> tuple[Node, ...]:
+        """Its cells, row by row."""
+        return tuple(chain.from_iterable(self.rows))
 
 
 @dataclass(frozen=True, slots=True)

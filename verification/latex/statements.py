@@ -8,7 +8,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import span_of_token
-from armproof.verification.latex.vocabulary import LAYOUTS
+from armproof.verification.latex.vocabulary import LAYOUTS, SPOKEN
 
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
@@ -95,32 +95,7 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
 
 def _word_kind(text: str) -> str:
     words = text.strip(" .,;:").lower()
-    if words in ("or", "ou", "oder", "o", "或", "或者", "または", "또는", "или", "หรือ"):
-        return "or"
-    if words in ("and", "et", "und", "y", "e", "和", "且", "与", "と", "그리고", "и", "และ"):
-        return "and"
-    if words in ("if and only if", "iff", "si et seulement si", "ssi"):
-        return "⇔"
-    if words in (
-        "if",
-        "si",
-        "when",
-        "whenever",
-        "for",
-        "pour",
-        "lorsque",
-        "provided",
-        "wenn",
-        "falls",
-        "cuando",
-        "若",
-        "当",
-        "如果",
-        "если",
-        "for all",
-    ):
-        return "if"
-    return "words"
+    return next((kind for kind, spoken in SPOKEN.items() if words in spoken), "words")
 
 
 def _starts_with_sign(node: n.Sum) -> bool:

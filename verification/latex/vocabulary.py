@@ -92,23 +92,15 @@ COMMANDS = {
     "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
 }  # fmt: skip
 COMMANDS |= dict.fromkeys(("SE", "SO", "se", "so", "reals", "Reals", "Real"), "LETTER")
-BARE_JOINING = (
-    "and",
-    "or",
-    "if",
-    "then",
-    "where",
-    "when",
-    "with",
-    "hence",
-    "thus",
-    "for",
-    "avec",
-    "donc",
-    "alors",
-    "soit",
-    "pour",
-)
+BARE_JOINING = tuple("and or if then where when with hence thus for avec donc alors soit pour".split())
+# connectives in words, each alone between two statements
+SPOKEN = {
+    "or": ("or", "ou", "oder", "o", "或", "或者", "または", "또는", "или", "หรือ"),
+    "and": ("and", "et", "und", "y", "e", "和", "且", "与", "と", "그리고", "и", "และ"),
+    "⇔": ("if and only if", "iff", "si et seulement si", "ssi"),
+    "if": ("if", "si", "when", "whenever", "for", "for all", "pour", "lorsque", "provided", "wenn", "falls", "cuando",
+           "若", "当", "如果", "если"),
+}  # fmt: skip
 QUANTITIES = frozenset(["SI", "qty", "ang", "num", "si", "unit"])  # of siunitx
 UNIT_NAMES = {
     "milli": "m",

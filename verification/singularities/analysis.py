@@ -81,7 +81,7 @@ class Analyst:
     def __init__(self, algebra: ExactAlgebra, arm: Arm, chosen: ChosenJacobian, rng: np.random.Generator) -> None:
         self.arm, self.chosen, self.rng = arm, chosen, rng
         self.positive = frozenset(arm.lengths)
-        self.half = HalfAngles(algebra.ring, (cell for row in chosen.simple.rows for cell in row))
+        self.half = HalfAngles(algebra.ring, chosen.simple.cells)
         self.rows: Rows = polynomial_rows(self.half, chosen.simple)
         constants = {**trace_of(arm).constants, **arm.lengths}
         self.sampler = Sampler(self.half, joint_unknowns(arm), constants, tuple(c - 1 for c in chosen.columns))

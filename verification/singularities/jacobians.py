@@ -117,7 +117,7 @@ def _simplest(
 
 
 def _terms(matrix: Matrix) -> int:
-    return sum(len(cell.numerator) for row in matrix.rows for cell in row)
+    return sum(len(cell.numerator) for cell in matrix.cells)
 
 
 def _moved(algebra: ExactAlgebra, jacobian: Matrix, frame: str, point: str, axes: str) -> Matrix:

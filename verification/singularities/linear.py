@@ -40,7 +40,7 @@ def maximal_minors(matrix: Matrix, size: int) -> list[Scalar]:
 
 def polynomial_rows(half: HalfAngles, matrix: Matrix) -> Rows:
     """Return the numerators of a matrix without denominators, all times the same Π (t² + u²)^d."""
-    degrees = half.degrees(cell for row in matrix.rows for cell in row)
+    degrees = half.degrees(matrix.cells)
     return tuple(tuple(half.polynomial(cell, degrees) for cell in row) for row in matrix.rows)
 
 

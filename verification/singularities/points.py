@@ -32,11 +32,7 @@ class Unknown:
 def joint_unknowns(arm: Arm) -> tuple[Unknown, ...]:
     """Return the joint variables of an arm, base to tool; a prismatic joint without limits moves between ±1 m."""
     return tuple(
-        Unknown(
-            joint.symbol,
-            joint.kind == "revolute",
-            *joint_range(joint.lower, joint.upper, joint.kind, slide=1.0),
-        )
+        Unknown(joint.symbol, joint.kind == "revolute", *joint_range(joint.lower, joint.upper, joint.kind, slide=1.0))
         for joint in arm.joints
     )
 

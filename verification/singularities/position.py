@@ -85,7 +85,7 @@ class Placement:
         """Return the relations between lengths that divide every minor of the family's image."""
         half = variety.half
         moved = Matrix(image_rows(variety, self.rows, self.sampler)).map(variety.substituted)
-        if size == 0 or moved.shape[0] != size or sum(len(entry) for row in moved.rows for entry in row) > MOST_TERMS:
+        if size == 0 or moved.shape[0] != size or sum(map(len, moved.cells)) > MOST_TERMS:
             return []
         minors = [m for m in moved.minors(size, tuple(range(size))).values() if not m.is_zero()]
         common = reduce(lambda a, b: a.gcd(b), minors)

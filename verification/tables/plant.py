@@ -74,7 +74,7 @@ def _differences(found: TableReading, verdict: RowVerdict) -> list[Scalar]:
     if verdict.holds or verdict.problems or verdict.row.frames is None:
         return []
     difference = found.pose(verdict.row.frames) + -found.matrix(verdict)
-    return [cell for row in difference.rows for cell in row if not cell.is_zero()]
+    return [cell for cell in difference.cells if not cell.is_zero()]
 
 
 def _confirmed(proved: Record, sampled: SampledAlgebra, pairs: list[tuple[Matrix, Matrix]]) -> Record:

@@ -13,7 +13,7 @@ from typing import Any
 
 from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.protocol import Algebra
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError
@@ -71,7 +71,7 @@ def right_row(pose: Matrix, convention: str, variables: Iterable[str]) -> RightR
 
 def equal(one: Matrix, other: Matrix) -> bool:
     """Decide whether two matrices of one shape are equal."""
-    return all(cell.is_zero() for row in (one + -other).rows for cell in row)
+    return is_zero(one + -other)
 
 
 def _matrix_of(

@@ -39,10 +39,7 @@ def slips(latex: str, arm: Arm) -> Iterator[str]:
 
 def _cells(root: n.Node) -> Iterator[n.Node]:
     plain = n.ungrouped(root)
-    if isinstance(plain, n.Matrix):
-        yield from (cell for row in plain.rows for cell in row)
-    else:
-        yield plain
+    yield from plain.cells if isinstance(plain, n.Matrix) else (plain,)
 
 
 def _edits(cell: n.Node, letters: Letters) -> Iterator[tuple[n.Node, Edit]]:

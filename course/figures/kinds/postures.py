@@ -6,14 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import (
-    joint_texts,
-    joint_value,
-    length,
-    math,
-    say,
-    values_text,
-)
+from armproof.course.figures.drawing.labels import joint_texts, joint_value, length, math, say, values_text
 from armproof.course.figures.drawing.layout import lay_out
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
 from armproof.course.figures.drawing.scene import Scene, finish

@@ -149,9 +149,7 @@ def caption(arm: Arm, lang: str = "") -> str:
     unit = volume_unit(arm, positioning.rows, positioning.columns)
     best = f"{number(float(np.nanmax(found.best)), lang)} {unit}".strip()
     near, far = (length(distance, lang) for distance in found.reach)
-    parts = [
-        say("workspace_is", lang, point=point, count=say("million", lang), best=best),
-    ]
+    parts = [say("workspace_is", lang, point=point, count=say("million", lang), best=best)]
     if not positioning.about:
         parts.append(say("workspace_reach", lang, near=near, far=far))
     if found.curves:

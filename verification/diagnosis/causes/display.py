@@ -28,7 +28,7 @@ def display_case(checker: ChainChecker, outcome: Outcome) -> Case | None:
     if arm is None or quantity is None or outcome.pair is None:
         return None
     printed, at, there = outcome.pair.printed, probes(arm), partners(arm)
-    if sum(count_terms(cell) for row in printed.rows for cell in row) > _MOST_TERMS:
+    if sum(map(count_terms, printed.cells)) > _MOST_TERMS:
         return None
     try:
         with np.errstate(all="ignore"):

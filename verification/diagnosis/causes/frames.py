@@ -129,10 +129,7 @@ def shape_candidates(case: Case) -> Iterator[Candidate]:
         return
     flat = case.obtained.reshape(len(case.q), -1)
     if flat.shape[1] == case.true[0].size:
-        for kind, values in (
-            (Kind.IN_ONE_ROW, case.true),
-            (Kind.IS_TRANSPOSED, case.true.transpose(0, 2, 1)),
-        ):
+        for kind, values in ((Kind.IN_ONE_ROW, case.true), (Kind.IS_TRANSPOSED, case.true.transpose(0, 2, 1))):
             yield say(kind), values.reshape(case.obtained.shape)
     quantity = case.quantity
     if quantity.kind == "jacobian":

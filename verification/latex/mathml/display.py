@@ -21,11 +21,7 @@ Line = tuple[Statement, ...]
 
 
 def write_display(
-    latex: str,
-    read: Read,
-    spans: Sequence[tuple[int, int]] = (),
-    mark: Mark | None = None,
-    widest: float = WIDEST,
+    latex: str, read: Read, spans: Sequence[tuple[int, int]] = (), mark: Mark | None = None, widest: float = WIDEST
 ) -> tuple[Line, ...]:
     """Return a display as lines of statements, each of pieces, and each piece the inside of one <math> element.
 

@@ -77,7 +77,7 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
     if evaluated is None or not isinstance(evaluated[0], Matrix) or evaluated[0].shape != (4, 4):
         return
     value, letters = evaluated
-    if any(cell.as_fraction() is None for row in value.rows for cell in row):  # one of numbers alone is an example
+    if any(cell.as_fraction() is None for cell in value.cells):  # one of numbers alone is an example
         yield _Link(indices[0], value, letters, display)
 
 
@@ -119,7 +119,7 @@ def _rows(chain: list[_Link], convention: str) -> Iterator[tuple[dict[str, Scala
 
 def _row(link: _Link, convention: str) -> tuple[dict[str, Scalar], str]:
     ring = link.value.rows[0][0].ring
-    angles = sorted({name for row in link.value.rows for cell in row for name in _angles_in(cell)})
+    angles = sorted({name for cell in link.value.cells for name in _angles_in(cell)})
     found = right_row(link.value, convention, [name for name in angles if _JOINTS.fullmatch(name)])
     if found is None:
         raise EvaluationError(say(Kind.NO_DH_LINK, line=link.display.line))

@@ -96,7 +96,7 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
 
 
 def _symbols(value: Matrix) -> set[str]:
-    return symbols_in([cell.normal() for row in value.rows for cell in row])
+    return symbols_in([cell.normal() for cell in value.cells])
 
 
 def _quantities(side: Member, members: Members) -> list[Quantity]:

@@ -83,7 +83,7 @@ class _Trial:
             self.held += tells and outcome.verdict is Verdict.PROVED
             self.failed += tells and outcome.verdict is Verdict.REFUTED
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
-                self.entries += sum(not is_constant(as_matrix(cell)) for row in outcome.pair.true.rows for cell in row)
+                self.entries += sum(not is_constant(as_matrix(cell)) for cell in outcome.pair.true.cells)
 
     @property
     def reading(self) -> Reading:
