@@ -24,8 +24,8 @@ from armproof.verification.errors import DocumentError, NotSampled, ReadError, T
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.tokens import normalise_unicode, original_offset
-from armproof.verification.naming.names import read_names, spelling_of
+from armproof.verification.latex.unicode import normalise_unicode, original_offset
+from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.state import settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (

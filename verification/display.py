@@ -19,7 +19,8 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
-from armproof.verification.equations.outcome import Outcome, sizes_of_convention, with_role, without_misreading
+from armproof.verification.equations.misreadings import sizes_of_convention, without_misreading
+from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.readings import counted
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say

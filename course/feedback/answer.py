@@ -21,7 +21,7 @@ from armproof.verification.functions.tracing.number import TracedNumber, as_trac
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import GREEK, one_of
 from armproof.verification.latex.reader import Reader
-from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.unicode import normalise_unicode
 
 _OPERATORS: dict[type, Callable[[Any, Any], Any]] = {
     ast.Add: lambda a, b: a + b,

@@ -21,7 +21,7 @@ from armproof.verification.functions.guarded_call import CallError, Guard
 from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.returned import NotAttempted, NotNumbers, read_returned
 from armproof.verification.functions.traced_function import trace_function
-from armproof.verification.naming.names import FREE
+from armproof.verification.naming.reading import FREE
 
 SECONDS = 2.0  # that a function may run
 FEW = 8  # samples by which two answers are told apart

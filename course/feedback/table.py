@@ -22,7 +22,8 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader
-from armproof.verification.naming.names import Names, read_names
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.reading import read_names
 from armproof.verification.verdict import Record, Verdict
 
 COLUMNS = {

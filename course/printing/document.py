@@ -24,7 +24,7 @@ from armproof.verification.document.catalogue import translated_sentence, transl
 from armproof.verification.document.front_matter import read_text, split_front_matter
 from armproof.verification.document.markdown import markdown_reader
 from armproof.verification.document.notebook import read_cells, split_cells
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 from armproof.verification.verdict import DocumentResult
 
 PRINTED = (".md", ".qmd", ".ipynb")

@@ -10,7 +10,7 @@ from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Heading, Sheet
 from armproof.course.sheet.reading import BlockReader
 from armproof.models.language import spoken
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 from armproof.verification.report.errata import MARKDOWN, Mistake, write_sheet
 from armproof.verification.report.html.templating import version_of
 from armproof.verification.verdict import DocumentResult

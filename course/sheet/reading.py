@@ -38,7 +38,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.latex.mathml.display import write_display
 from armproof.verification.latex.mathml.marks import WRONG
 from armproof.verification.latex.mathml.writer import WIDEST
-from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.tables.check import read_array
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 

@@ -15,7 +15,7 @@ from armproof.course.site.page import INDEX, SITE
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.language import look_up
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 from armproof.verification.report.html.figures import Figure
 from armproof.verification.report.html.prose import title
 from armproof.verification.report.html.templating import versions

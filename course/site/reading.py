@@ -19,7 +19,7 @@ from armproof.models.catalogue import arm_of
 from armproof.models.language import ENGLISH
 from armproof.verification.document import Document
 from armproof.verification.latex.mathml.writer import Read
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 _LESSON = re.compile(r"(?:\.\./)?(?:\./)?(?:\w+/)?(?P<stem>(?:\d\d_)?[a-z]\w*)(?:\.ipynb|\.py|\.html)?(?P<at>#[\w-]+)?")

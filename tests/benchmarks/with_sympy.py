@@ -44,7 +44,7 @@ def _main(part: str) -> None:
 
     from armproof.models.catalogue import load_arm
     from armproof.verification.evaluation.evaluator import Evaluator
-    from armproof.verification.naming.names import read_names
+    from armproof.verification.naming.reading import read_names
     from tests.benchmarks.rx90 import read_claims, right_sides
 
     claims = read_claims()

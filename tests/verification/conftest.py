@@ -17,7 +17,8 @@ from armproof.verification.document import Display, Document
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.naming.names import Names, read_names
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.reading import read_names
 from armproof.verification.verdict import DocumentResult, Record
 from tests.laws import examples
 

@@ -17,7 +17,7 @@ from armproof.verification.diagnosis.slips import single_edits
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.tokens import normalise_unicode, original_offset
+from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.latex.writer import Notation, Writer
 from armproof.verification.verdict import Correction, Record, Verdict
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from armproof.verification.latex.tokens import original_offset
+from armproof.verification.latex.unicode import original_offset
 from armproof.verification.verdict import Correction, Record, WrongEntry
 
 ELLIPSIS = r"\ldots"  # stands for what is too long to be written: no correction

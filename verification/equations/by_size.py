@@ -53,7 +53,7 @@ class BySize:
         """x_1^2 + y_1^2, and z_4 beside the height of the frame's origin, are made of coordinates and no axes."""
         if isinstance(member.value, Scalar) or not (member.known or isinstance(member.problem, ShapeError)):
             return member
-        node, found = member.node, {}
+        node, found, names = member.node, {}, self.members.names.state
         for below in [*n.walk(node)]:
             if not isinstance(below, n.Name) or not (below is bare(member.node) or below.sup):
                 continue  # J^T z_1 is no square
@@ -63,7 +63,7 @@ class BySize:
                 square = n.Power(replace(below, sup=""), n.Number(Fraction(2), "2"), span=below.span)
                 node = n.substitute(node, below, square) if below.sup else node
         for key, quantity in found.items():
-            self.doubts.infer(key, quantity)
+            names.infer_usual(key, quantity)
         tried = self.members.evaluate(node) if found else member
         value = tried.value
         if isinstance(value, Scalar) and not isinstance(bare(node), n.Name):
@@ -71,7 +71,7 @@ class BySize:
             return tried
         if isinstance(value, Scalar) and any(exactly_equal(value, other) for other in scalars):
             return tried
-        self.doubts.forget(found)
+        names.forget_usual(found)
         return member
 
     def _coordinate(self, name: n.Name) -> Quantity | None:

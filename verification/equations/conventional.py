@@ -64,7 +64,7 @@ class Conventions:
         keys = set(map(_plain_key, chain.members))
         self.names.state.forget_text(_plain_key(chain.members[0]))
         if known := keys & self.names.state.conventional:  # a name that stands alone is asked anew
-            self.doubts.forget(known)
+            self.names.state.forget_usual(known)
         for key in filter(self._usual, keys):
             self.names.state.definitions.pop(key, None)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
@@ -101,7 +101,7 @@ class Conventions:
                 tried = self._tried(member.node, name, quantity)  # type: ignore[arg-type]
                 if isinstance(tried.value, Matrix) and tried.value.shape in sizes:
                     return [*members[:place], tried, *members[place + 1 :]], [tried]
-                self.doubts.forget({name.key})  # type: ignore[union-attr]
+                self.names.state.forget_usual({name.key})  # type: ignore[union-attr]
         return members, []
 
     def _bound_inside(self, member: Member) -> Member:
@@ -117,11 +117,11 @@ class Conventions:
                 continue
             quantities = self._candidates(below, name)
             if quantities and quantities[0].frame != self._base:
-                self.doubts.infer(name.key, quantities[0])
+                self.names.state.infer_usual(name.key, quantities[0])
                 added.add(name.key)
         bound = self.members.evaluate(member.node) if added else member
         if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
-            self.doubts.forget(added)
+            self.names.state.forget_usual(added)
             return member
         self.doubts.weak |= added
         return bound
@@ -154,7 +154,7 @@ class Conventions:
                     self.doubts.open.setdefault(name.key, quantity)
                     may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
                     near = near or (quantity if may_be_near and is_near(pair) else None)
-        self.doubts.forget({name.key})
+        self.names.state.forget_usual({name.key})
         if near is None or (near != usual and self._is_of_another(known)):
             return member
         self.doubts.open.pop(name.key, None)
@@ -176,7 +176,7 @@ class Conventions:
         return self.members.evaluate(member.node)
 
     def _tried(self, node: n.Node, name: n.Name, quantity: Quantity) -> Member:
-        self.doubts.infer(name.key, quantity)
+        self.names.state.infer_usual(name.key, quantity)
         try:
             return self.members.evaluate(node)
         except TooComplex:
@@ -247,7 +247,10 @@ class Conventions:
         if outcome.verdict is Verdict.REFUTED and (meant := self._defined_otherwise(outcome)) is not None:
             return outcome.left_open(meant)
         near = outcome.pair is not None and is_near(outcome.pair)
-        doubtful = (outcome.verdict is Verdict.REFUTED and not near) or (outcome.defines and self.doubts.open)
+        refuted = outcome.verdict is Verdict.REFUTED
+        if refuted and not near and outcome.true is not None and _is_placed_above(outcome.true.node):
+            return outcome.left_open(say(Kind.WHICH_INDEX))  # p_0^2 may place frame 2 in frame 0
+        doubtful = (self.doubts.weak and not near) if refuted else (outcome.defines and self.doubts.open)
         return self.doubts.judge(outcome) if doubtful else outcome
 
     def _defined_otherwise(self, outcome: Outcome) -> Finding | None:
@@ -255,7 +258,7 @@ class Conventions:
         name = _plain(outcome.true.node) if outcome.true is not None else None
         definition = self.names.state.definitions.get(name.key) if name is not None else None
         arm = self.names.arm
-        if name is None or definition is None or arm is None or outcome.printed is None:
+        if name is None or name.base not in LETTERS or definition is None or arm is None or outcome.printed is None:
             return None
         for quantity in filter(None, map(self._with_rows, conventional(name, arm, self.names.transforms))):
             usual = Member(name, self.members.exact.quantity(quantity))
@@ -270,6 +273,10 @@ def _plain(node: n.Node) -> n.Name | None:
     if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
         node = node.arguments[0]
     return replace(node, dots=0) if isinstance(node, n.Name) and node.base not in ("words", "=") else None
+
+
+def _is_placed_above(node: n.Node) -> bool:
+    return isinstance(node, n.Name) and node.base in "pPoOd" and node.sup.isdigit() and node.sub.isdigit()
 
 
 def _is_at_numbers(node: n.Node) -> bool:

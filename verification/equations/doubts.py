@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Verdict
 
@@ -27,19 +25,8 @@ class Doubts:
     weak: set[str] = field(default_factory=set)
     open: dict[str, Quantity] = field(default_factory=dict)
 
-    def infer(self, key: str, quantity: Quantity) -> None:
-        """Give a name a usual meaning."""
-        self.names.state.inferred[key] = quantity
-        self.names.state.conventional.add(key)
-
-    def forget(self, keys: Iterable[str]) -> None:
-        """Take usual meanings back."""
-        for key in keys:
-            self.names.state.inferred.pop(key, None)
-            self.names.state.conventional.discard(key)
-
     def judge(self, outcome: Outcome) -> Outcome:
-        """Leave undecided what rests on a usual meaning that does not fit."""
+        """Leave undecided what rests on a usual meaning that does not fit: a weak one where it is refuted, else an open one."""
         if outcome.verdict is not Verdict.REFUTED:
             plain = {key.rpartition(" ")[2] for key in outcome.defines}  # of a rate, the name
             key = min(plain & set(self.open), default="")
@@ -49,20 +36,12 @@ class Doubts:
             if self.open[key].kind == "difference":  # no equation gives two points another vector
                 self.names.leave_open(key, doubt)
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(doubt,))
-        if outcome.true is not None and _is_placed_above(outcome.true.node):  # p_0^2 may place frame 2 in frame 0
-            return outcome.left_open(say(Kind.WHICH_INDEX))
-        if not self.weak:
-            return outcome
         key = min(self.weak)
         quantity = self.names.state.inferred.get(key)
-        self.forget(self.weak)
+        self.names.state.forget_usual(self.weak)
         return outcome.left_open(_unusual(key, quantity) if quantity is not None else say(Kind.NOT_BOUND, name=key))
 
 
 def _unusual(key: str, quantity: Quantity) -> Finding:
     reading, line = kind_of(quantity).tell(quantity), as_line(key, quantity)
     return say(Kind.NOT_AS_USUAL_BOUND, name=key, reading=reading, line=line)
-
-
-def _is_placed_above(node: n.Node) -> bool:
-    return isinstance(node, n.Name) and node.base in "pPoOd" and node.sup.isdigit() and node.sub.isdigit()

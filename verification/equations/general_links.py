@@ -9,7 +9,8 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import align, different_entries, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.outcome import ELEMENTARY, Outcome
+from armproof.verification.equations.misreadings import ELEMENTARY
+from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import greek

@@ -26,7 +26,7 @@ from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.functions.asked import Part
 from armproof.verification.functions.formulas import Formulas, exact_constant
 from armproof.verification.functions.returned import fit
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 
 MOST_GENERATORS = 128  # in a ring that is kept for the next check
 _PLAIN = {Fraction(number) for number in ("0", "1/2", "1", "2")}  # numbers that a formula holds beside its lengths

@@ -23,7 +23,8 @@ from armproof.verification.inverse.numeric_algebra import NumericAlgebra
 from armproof.verification.inverse.resolution import Resolution, forward_values
 from armproof.verification.inverse.symbolic_algebra import free_algebra
 from armproof.verification.inverse.target import read_claim
-from armproof.verification.naming.names import Names, read_names, spelling_of
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import Record, Verdict
 

@@ -17,7 +17,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.latex.statements import PREVIOUS
-from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
 
 _CONDITIONAL = ("⇔", "⇐", "⇒", "if", "or")

@@ -11,8 +11,9 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import KINDS, kind_of
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, finding_of, say
-from armproof.verification.naming.names import Names, name_key
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import read_quantity
+from armproof.verification.naming.reading import name_key
 
 OPTIONS = ("target", "solve")
 _WHOLE = ("pose", "rotation", "origin")

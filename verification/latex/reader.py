@@ -17,7 +17,8 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.builder import TreeBuilder
 from armproof.verification.latex.greek import SPELT
 from armproof.verification.latex.preparing import prepared
-from armproof.verification.latex.tokens import LatexLexer, Spelling, normalise_unicode
+from armproof.verification.latex.tokens import LatexLexer, Spelling
+from armproof.verification.latex.unicode import normalise_unicode
 
 MAX_LENGTH = 100_000
 _READABLE = {

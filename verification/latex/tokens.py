@@ -37,7 +37,6 @@ from armproof.verification.latex.vocabulary import (
     SPACES,
     STYLES,
     TRANSPARENT,
-    UNICODE,
     UNIT_NAMES,
     UNITS,
     VARIANTS,
@@ -626,22 +625,6 @@ class _Scanner:
         return [self.token(kind, RELATIONS.get(value, value), start, end)], end
 
 
-def normalise_unicode(text: str) -> str:
-    """Write the Unicode signs of mathematics as their LaTeX commands."""
-    return _UNICODE.sub(lambda found: UNICODE[found.group()], text) if not text.isascii() else text
-
-
-def original_offset(text: str, offset: int) -> int:
-    """Return the place in `text` of a place in its normalised form."""
-    position = 0
-    for index, character in enumerate(text):
-        if position >= offset:
-            return index
-        position += len(UNICODE.get(character, character))
-    return len(text)
-
-
-_UNICODE = re.compile("[" + "".join(UNICODE) + "]")
 _VARIANT = re.compile(r"\\var(?=%s)" % one_of(VARIANTS.values()))
 
 

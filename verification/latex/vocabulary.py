@@ -7,14 +7,6 @@ from armproof.verification.latex import greek
 VARIANTS = {**greek.VARIANTS, "ell": "l"}
 LETTERS = frozenset([*greek.GREEK, "ell"])  # commands that are letters
 
-UNICODE = {
-    "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
-    "º": r"^\circ ", "˚": r"^\circ ",  # as typed for a degree
-    "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
-    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ",
-    "\u00a0": " ", "⁼": "=", "＝": "=", "（": "(", "）": ")", "，": ",", "；": ";", "：": ":", **{character: f"\\{name} " for character, name in greek.NAMES.items()},
-}  # fmt: skip
-
 # how the functions of kinematics are spelt: the spelling → the function
 FUNCTIONS = {
     "cos": "cos", "sin": "sin", "tan": "tan", "cot": "cot", "sec": "sec", "csc": "csc",

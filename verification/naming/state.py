@@ -187,6 +187,17 @@ class DocumentState:
         """Return the names consulted that the document defines, each with its definition."""
         return {(key, self.definitions[key]) for key, _ in self.consulted if key in self.definitions}
 
+    def infer_usual(self, key: str, quantity: Quantity) -> None:
+        """Give a name a meaning that only convention binds."""
+        self.inferred[key] = quantity
+        self.conventional.add(key)
+
+    def forget_usual(self, keys: Iterable[str]) -> None:
+        """Take meanings back that only convention binds."""
+        for key in keys:
+            self.inferred.pop(key, None)
+            self.conventional.discard(key)
+
     def forget_text(self, key: str) -> None:
         """Take back what the text said of a name: a display says it."""
         if key in self.definitions and self.definitions[key].in_text:

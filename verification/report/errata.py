@@ -15,7 +15,7 @@ from armproof.models.language import look_up, number_text
 from armproof.verification.correction import corrected_latex
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.findings.finding import Piece, distinct, pieces
-from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.report.headings import sentences_of
 from armproof.verification.report.text import ordered_records
 from armproof.verification.verdict import DocumentResult, Record, Verdict

@@ -13,7 +13,7 @@ from pathlib import Path
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.diagnosis.accepted import accepted, with_accepted
 from armproof.verification.document import Display, Document
-from armproof.verification.naming.names import spelling_of
+from armproof.verification.naming.reading import spelling_of
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.tables.arms import Inference, infer_arm, scopes
 from armproof.verification.verdict import DocumentResult, Record

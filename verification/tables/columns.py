@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import STYLES
 
 XYZ, RPY = ("x", "y", "z"), ("roll", "pitch", "yaw")

@@ -16,7 +16,8 @@ from armproof.verification.equations.alignment import exactly_equal
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.names import Names, read_names
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.reading import read_names
 from tests.laws import examples
 
 NOTATIONS = {

@@ -13,7 +13,8 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.equations.jacobian_rows import _likely_rows as likely_rows
 from armproof.verification.equations.readings import _part_of_jacobian as part_of_jacobian
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.names import Names, read_names
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.reading import read_names
 
 RING = Ring()
 SCALAR = RING.one

@@ -19,7 +19,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.tracing.number import TracedNumber, as_traced, symbol
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 
 X, Y = 0.7, 1.3
 NAMES = {"symbols": {"x": "free", "y": "free"}}

@@ -13,7 +13,7 @@ from armproof.verification.latex.greek import ANGLES, CAPITAL, GREEK, LONG, NAME
 from armproof.verification.latex.plain import plain_text
 from armproof.verification.latex.reader import Reader, key_as_latex
 from armproof.verification.latex.writer import symbol_as_latex
-from armproof.verification.naming.names import READ_ALREADY, name_key
+from armproof.verification.naming.reading import READ_ALREADY, name_key
 from armproof.verification.report.text import to_ascii, write_lines
 
 LETTERS = SMALL | CAPITAL

@@ -16,7 +16,7 @@ from armproof.verification.latex.mathml.display import pieces, write_display
 from armproof.verification.latex.mathml.marks import RIGHT, WRONG
 from armproof.verification.latex.mathml.writer import WIDEST, MathWriter
 from armproof.verification.latex.reader import Reader
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 from tests.verification.latex.test_layouts import LAYOUTS
 
 HANDOUTS = sorted((Path(__file__).resolve().parents[3] / "course" / "handouts").glob("*.md"))

@@ -14,7 +14,7 @@ from armproof.verification.document import Document
 from armproof.verification.errors import DocumentError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader
-from armproof.verification.naming.names import name_key, read_names
+from armproof.verification.naming.reading import name_key, read_names
 from armproof.verification.verdict import Record, Verdict
 from tests.verification.conftest import check_displays
 

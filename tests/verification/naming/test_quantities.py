@@ -13,8 +13,8 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import KINDS, as_front_matter
 from armproof.verification.errors import DocumentError
-from armproof.verification.naming.names import read_names
 from armproof.verification.naming.quantities import frame_name, read_quantity
+from armproof.verification.naming.reading import read_names
 from armproof.verification.verdict import Verdict
 
 # notation → what it means on the SCARA; the upper index of T^i_j is the reference

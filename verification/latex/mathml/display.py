@@ -11,7 +11,7 @@ from armproof.verification.latex.mathml.box import Box
 from armproof.verification.latex.mathml.breaking import packed
 from armproof.verification.latex.mathml.marks import Mark, find_marks
 from armproof.verification.latex.mathml.writer import WIDEST, MathWriter, Read
-from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.unicode import normalise_unicode
 
 _SEPARATOR = re.compile(r"(?<!\\)[,;]")
 _SHORT = 6.0  # em of a left side that stays with its right side

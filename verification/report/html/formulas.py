@@ -16,7 +16,7 @@ from armproof.verification.latex.mathml.display import Line, pieces, write_displ
 from armproof.verification.latex.mathml.marks import RIGHT, WRONG, Mark
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.latex.plain import LETTERS
-from armproof.verification.latex.tokens import normalise_unicode
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.report.html.prose import math, symbol
 from armproof.verification.tables.check import read_array
 from armproof.verification.verdict import Record, WrongEntry

@@ -13,7 +13,7 @@ from armproof.models.language import of_document
 from armproof.verification.diagnosis import counterexample
 from armproof.verification.document import Document
 from armproof.verification.evaluation import sampled
-from armproof.verification.naming.names import read_names
+from armproof.verification.naming.reading import read_names
 from armproof.verification.report.headings import sentences_of, with_headings
 from armproof.verification.report.html import prose
 from armproof.verification.report.html.card import arm_card

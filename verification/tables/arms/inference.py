@@ -11,7 +11,8 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.document import Document, Table
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.findings import Finding, Kind, finding_of, say
-from armproof.verification.naming.names import Names, read_names, spelling_of
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.matrices import candidate_of_matrices

@@ -20,7 +20,7 @@ from armproof.verification.errors import NotSampled
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.names import read_names, spelling_of
+from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.support import links_of
 from armproof.verification.verdict import Verdict
 

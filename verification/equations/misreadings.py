@@ -1,0 +1,205 @@
+"""Whether a refuted equation was understood: what may be meant otherwise is left open, and not refuted."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.alignment import is_near
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Member
+from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.naming.names import Names
+from armproof.verification.verdict import Role
+
+SIZES = (
+    Kind.WRONG_SIZE, Kind.WRONG_SIZE_OF_VALUE, Kind.SUM_OF_SIZES, Kind.PRODUCT_OF_SIZES, Kind.SUM_WITH_SCALAR,
+    Kind.NO_INVERSE_OF_SIZE, Kind.NO_DETERMINANT, Kind.NO_COFACTORS,
+)  # fmt: skip
+ELEMENTARY = ("Rot", "Rot3", "Trans")
+TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
+
+
+def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: bool = False) -> Outcome:
+    """Return a refuted outcome, or an unchecked one where it was not understood; an erratum is said to be more than a slip."""
+    reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
+    if names.arm is not None or not erratum:
+        reason = reason or sizes_of_convention(outcome, chain, names)
+    reason = reason or _nothing_to_compare(outcome, chain, names, erratum)
+    return outcome if reason is None else outcome.left_open(reason)
+
+
+def _rotation_for_pose(outcome: Outcome, names: Names) -> Finding | None:
+    """A 3×3 matrix without a translation may be the rotation of what convention calls a pose."""
+    sides = [side.value if side is not None else None for side in (outcome.true, outcome.printed)]
+    true, printed = sides
+    if not (isinstance(true, Matrix) and isinstance(printed, Matrix) and outcome.true is not None):
+        return None
+    name = bare(outcome.true.node)
+    by_convention = isinstance(name, n.Name) and _quantity(name, names) and name.key not in names.quantities
+    if (
+        not by_convention
+        or (true.shape, printed.shape) != ((4, 4), (3, 3))
+        or not all(is_zero(printed.rows[r][2]) for r in (0, 1))
+    ):
+        return None
+    return say(Kind.SIZES_OF_CONVENTION, reason=say(Kind.WRONG_SIZE, printed=printed.size, correct=true.size))
+
+
+def _determinant(outcome: Outcome, names: Names) -> Finding | None:
+    """J = l_1 l_2 s_2: a scalar beside the name of a Jacobian may be its determinant."""
+    if outcome.true is None or outcome.printed is None or not isinstance(as_scalar(outcome.printed.value), Scalar):
+        return None
+    name = bare(outcome.true.node)
+    is_matrix = isinstance(outcome.true.value, Matrix)  # J_{11} is an entry
+    quantity = names.quantity(name) if isinstance(name, n.Name) and is_matrix else None
+    is_jacobian = quantity is not None and quantity.kind == "jacobian" and name.key not in names.quantities  # type: ignore[attr-defined]
+    return say(Kind.DETERMINANT_MEANT, name=name.text) if is_jacobian else None  # type: ignore[attr-defined]
+
+
+def _own_name(chain: n.Chain, names: Names) -> Finding | None:
+    """S_1 = π r²: a letter that is a sine elsewhere, equated to what is no expression of joints and has names of its own."""
+    for member in chain.members:
+        alone = bare(member)
+        if not (isinstance(alone, n.Call) and alone.style == "index" and alone.head in ("s", "S", "c", "C")):
+            continue
+        others = [below for other in chain.members if other is not member for below in n.walk(other)]
+        if any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in others):
+            continue
+        unknown = [b for b in others if isinstance(b, n.Name) and b.key != "pi" and not _is_bound(b, names)]
+        if unknown:
+            return say(Kind.OWN_NAME, text=f"{alone.head}_{_digits(alone)}")
+    return None
+
+
+def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
+    """Sizes that do not fit tell a slip where the front matter or explicit frames say what the names are, on both sides."""
+    if not _tells_sizes(outcome):
+        return None
+    if names.arm is None:  # a letter may be a column, and a row of letters a matrix
+        return say(Kind.NO_ARM_TO_COMPARE)
+    held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
+    held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
+    by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
+    explicit = all(_is_explicit(name) for name in by_convention)
+    points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
+    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for m in chain.members for b in n.walk(m))
+    understood = all(held) or elementary or _are_columns(outcome)
+    if not by_convention or (explicit and not points and understood):
+        return None
+    return say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
+
+
+def _tells_sizes(outcome: Outcome) -> bool:
+    return bool(outcome.findings) and outcome.findings[0].kind in SIZES
+
+
+def _quantity(name: n.Name, names: Names) -> bool:
+    """Whether a name stands for a quantity of the arm, by the front matter or by convention."""
+    plain = replace(name, dots=0)
+    return names.known_symbol(plain.key) is None and names.quantity(plain) is not None
+
+
+def _is_scalar(name: n.Name, names: Names) -> bool:
+    quantity = names.quantity(replace(name, dots=0))
+    return quantity is not None and quantity.scalar
+
+
+def _is_explicit(name: n.Name) -> bool:
+    """Whether a name says of which frame it is."""
+    return any(character.isdigit() for character in name.sub + name.sup + name.pre_sub + name.pre_sup)
+
+
+def _are_columns(outcome: Outcome) -> bool:
+    values = [side.value for side in (outcome.true, outcome.printed) if side is not None]
+    return all(isinstance(value, Matrix) and value.shape[1] == 1 for value in values)
+
+
+def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum: bool) -> Finding | None:
+    """Without an arm, only a slip can be told: in an identity, or in what the document has defined. All else may be meant otherwise.
+
+    Letters that the other side lacks make an equation a definition or a law of letters that nothing else binds.
+    """
+    if names.arm is not None or outcome.role is Role.LAW or _tells_sizes(outcome):
+        return None
+    below = [each for member in chain.members for each in n.walk(member)]
+    written = any(isinstance(b, n.Matrix) for b in below)
+    if any(isinstance(b, n.Name) and ((b.pre_sup and not written) or b.key in names.quantities) for b in below):
+        return None  # a law of link matrices
+    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
+    first, *others = [_letters(member, names) for member in chain.members]
+    defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
+    angles = any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below)
+    of_letters = any(_is_of_letters(node) for node in defined if node is not None)  # a rotation obeys more than they do
+    numbers = [m for m in chain.members if not _letters(m, names) and not _is_nought(m)]
+    has_value = bool(numbers) and any(map(bare_key, chain.members))  # that of a name alone
+    if defined and outcome.true is not None and outcome.printed is not None:
+        first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
+    if defined or angles:  # an identity of angles, or a slip in one
+        alike = all(found == first for found in others) and not (defined and (numbers or _gives_name(outcome, chain)))
+        near = erratum or elementary or alike or _are_written(outcome)
+        near = near or (outcome.pair is not None and is_near(outcome.pair))
+        bound = near and not (of_letters or has_value) and all(found <= first or first <= found for found in others)
+    else:
+        bound = all(found == first for found in others)
+    return None if bound else say(Kind.NO_ARM_TO_COMPARE)
+
+
+def _gives_name(outcome: Outcome, chain: n.Chain) -> bool:
+    """Whether the equation begins with a name alone, which may be given another meaning here."""
+    return bare_key(chain.members[0]) is not None and chain.members[0] in outcome.nodes
+
+
+def _are_written(outcome: Outcome) -> bool:
+    """Whether a matrix is written out on both sides."""
+    return all(any(isinstance(b, n.Matrix) for b in n.walk(side)) for side in outcome.nodes)
+
+
+def _is_of_letters(node: n.Node) -> bool:
+    """Whether a matrix is a rotation of letters alone: n_x, o_x, a_x … or r_{11}, r_{12} …."""
+    cells = node.cells if isinstance(node, n.Matrix) else ()
+    letters = {
+        name.key
+        for cell in cells
+        if isinstance(name := bare(cell), n.Name) and (name.sub in tuple("xyz") or name.base in "rR")
+    }
+    return len(cells) == len(letters) == 9
+
+
+def _is_nought(node: n.Node) -> bool:
+    return isinstance(node, n.Number) and node.value == 0
+
+
+def _letters_of(side: Member, names: Names) -> set[str]:
+    """Return the letters in the value of a side; where that is outside the algebra, those that it is written with."""
+    cells = as_matrix(side.value).cells
+    if all(isinstance(cell, Scalar) for cell in cells):
+        return symbols_in([cell.normal() for cell in cells])
+    return _letters(side.node, names)
+
+
+def _letters(member: n.Node, names: Names, of: frozenset[str] = frozenset()) -> set[str]:
+    """Return the letters of a side, those of the names that the document defines, and the joint angles that it holds."""
+    found: set[str] = set()
+    for below in n.walk(member):
+        if isinstance(below, n.JointAngles):
+            found |= {f"theta_{index}" for _, index in below.terms}
+        elif isinstance(below, n.Name) and below.key not in ("pi", "I"):
+            definition = names.state.definitions.get(below.key) if below.key not in of else None
+            node = definition.node if definition is not None else None
+            found |= {below.key} if node is None else _letters(node, names, of | {below.key})
+    return found
+
+
+def _is_bound(name: n.Name, names: Names) -> bool:
+    known = names.known_symbol(name.key) is not None or name.key in names.state.definitions
+    return known or names.quantity(name) is not None
+
+
+def _digits(call: n.Call) -> str:
+    (angles,) = call.arguments
+    return "".join(str(index) for _, index in angles.terms) if isinstance(angles, n.JointAngles) else ""

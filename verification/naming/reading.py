@@ -1,0 +1,98 @@
+"""The names that a front matter binds, and how a document spells: read once, before its displays."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from armproof.models.arm import Arm
+from armproof.verification.document import Document
+from armproof.verification.errors import DocumentError, ReadError
+from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import VARIANTS
+from armproof.verification.latex.nodes import call_key
+from armproof.verification.latex.reader import Reader, key_as_latex
+from armproof.verification.latex.tokens import Spelling
+from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import read_quantity
+
+# words of a name that LaTeX reads without being told: letters, functions, accents and styles
+READ_ALREADY = frozenset(
+    [
+        *LETTERS,
+        *FUNCTIONS,
+        *"dot ddot vec mathbf mathrm text prime hat bar operatorname mathcal boldsymbol star frac".split(),
+    ]
+)
+FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
+_TOLD = re.compile(
+    r"theta_(\d+)=(?!q_\1(?:[^\d+-]|$))[^=,;]*q_\1(?!\d)|(?<![A-Za-z])q_(\d+)=(?!\\?theta_\2(?:[^\d+-]|$))[^=,;]*theta_\2(?!\d)"
+)
+
+
+def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
+    """Return the bindings of a front matter; raises DocumentError with the key and the valid choices."""
+    symbols_spec = front.get("symbols") or {}
+    quantities_spec = front.get("quantities") or {}
+    transforms = front.get("transforms", "")
+    for key, value in (("symbols", symbols_spec), ("quantities", quantities_spec)):
+        if not isinstance(value, Mapping):
+            raise DocumentError(say(Kind.NO_MAPPING, key=key, value=repr(value)), key)
+    if transforms not in ("", "upper", "lower"):
+        raise DocumentError(say(Kind.UNKNOWN_TRANSFORMS, value=repr(transforms)), "transforms")
+    found = (re.findall(r"^[A-Za-z]{2}(?=_\d|$)|[A-Za-z]{3,}", str(key)) for key in [*symbols_spec, *quantities_spec])
+    words = frozenset(word for words in found for word in words) - READ_ALREADY
+    plain = Reader(words=words)
+    symbols: dict[str, str] = {}
+    for key, value in symbols_spec.items():
+        if not isinstance(value, str):
+            raise DocumentError(say(Kind.SYMBOL_OF_NOTHING, symbol=str(key), value=repr(value)), "symbols")
+        name = name_key(plain, str(key))
+        if arm is not None and value != FREE and value not in (known := _scalars(arm)):
+            unknown = say(Kind.UNKNOWN_SYMBOL, symbol=str(key), arm=arm.name, value=value, known=list(known), free=FREE)
+            raise DocumentError(unknown, "symbols")
+        if value == FREE and arm is not None and name in _scalars(arm):
+            raise DocumentError(say(Kind.SYMBOL_NOT_FREE, symbol=str(key), arm=arm.name), "symbols")
+        symbols[name] = name if value == FREE else value
+    quantities = {
+        name_key(plain, str(key)): read_quantity(str(key), spec, arm) for key, spec in quantities_spec.items()
+    }
+    bound = frozenset(symbols) | frozenset(quantities)
+    # A trig letter bound with any index (s_x) or an applied name (J(q)) is bound as written.
+    reader = Reader(lambda key: key in bound, words)
+    return Names(arm, symbols, quantities, transforms, reader)
+
+
+def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
+    """Return how a document spells: φ and ϕ are two letters where it uses both, a decimal comma is French or used before."""
+    text = "\n".join(display.latex for display in document.displays)
+    found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", text))
+    bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
+    apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
+    said = "\n".join(each for display in document.displays for each in (display.latex, *display.said))
+    both = all(re.search(rf"{letter}\s*_\s*\{{?\s*\d", said) for letter in (r"theta", r"(?<![A-Za-z])q"))
+    variables = ("told" if _TOLD.search(re.sub(r"[\s{}&]", "", said)) else "both") if both else ""
+    comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
+    return Spelling(words, frozenset(apart), comma, variables)
+
+
+def _scalars(arm: Arm) -> list[str]:
+    return [*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles]
+
+
+def name_key(reader: Reader, key: str) -> str:
+    """Return the canonical key of a front-matter name, such as J(q), J'_P, {}^0P_{1,G} or theta_12."""
+    latex = key_as_latex(key)
+    probe = Reader(lambda _key: True, reader.words)
+    try:
+        node = probe.read_expression(latex)
+    except ReadError as error:
+        raise DocumentError(say(Kind.NO_NAME_BECAUSE, name=key, problem=finding_of(error))) from None
+    if isinstance(node, n.Name):
+        return node.key
+    if isinstance(node, n.Call) and node.function == "name":
+        return call_key(node)
+    raise DocumentError(say(Kind.NO_NAME, name=key))
