@@ -38,7 +38,7 @@ class Matrix:
     @property
     def places(self) -> Iterator[tuple[int, int]]:
         """The row and the column (from 0) of each of its cells."""
-        return product(*map(range, self.shape))
+        return product(range(self.shape[0]), range(self.shape[1]))
 
     def map(self, function: Callable[[Cell], Cell]) -> Matrix:
         """Apply a function to every entry."""
