@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 from armproof.models.errors import together
@@ -41,6 +41,37 @@ WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
+@dataclass
+class _Display:
+    """A display whose statements are taken one after the other.
+
+    Attributes:
+        latex: in which the nodes have their places.
+        equation, index: the number of the next equation, the place of the next statement.
+        links: of a chain of arrows: what stands before the arrow at hand has been concluded.
+    """
+
+    statements: list[n.Statement]
+    line: int
+    define: bool
+    latex: str
+    outcomes: list[Outcome] = field(default_factory=list)
+    counterexample: dict[str, float] = field(default_factory=dict)
+    equation: int = 1
+    index: int = 0
+    links: list[Implication] = field(default_factory=list)
+
+    @cached_property
+    def asked(self) -> list[n.Statement]:
+        """The statements, with what is asked for as an equation."""
+        return [_asked(statement) for statement in self.statements]
+
+    @cached_property
+    def is_connected(self) -> bool:
+        """Whether a connective stands among the statements."""
+        return any(isinstance(statement, n.Connective) for statement in self.statements)
+
+
 class Statements:
     """Checks the statements of displays; one that begins with a relation goes on about the subject of the one before."""
 
@@ -72,62 +103,65 @@ class Statements:
             for statement in self._without_for_all(statements)
             for part in _without_vanishing_end(self._resolve_subject(statement))
         ]
-        asked = [_asked(statement) for statement in statements]
-        connected = any(isinstance(statement, n.Connective) for statement in statements)
-        outcomes: list[Outcome] = []
-        extra: dict[str, float] = {}
-        equation = 1
-        index = 0
-        links: list[Implication] = []  # of a chain of arrows: what stands before the arrow at hand has been concluded
-        while index < len(statements):
-            statement = statements[index]
+        display = _Display(statements, line, define, latex)
+        while display.index < len(statements):
             self.ring.budget.check()
-            implication = find_implication(asked, index) if connected else None
-            if isinstance(statement, n.Connective) and implication is None:
-                index += 1
-                continue
-            given = dict(self.names.state.configuration)
-            if implication is None:
-                assert isinstance(statement, n.Chain)
-                alternative = _is_alternative(statements, index)
-                found = self._chain(statement, equation, line, define and not alternative)
-                found = [_left_open_beside_or(outcome) for outcome in found] if alternative else found
-                if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
-                    self.names.state.configuration = given  # what is concluded is no data
-                outcomes.extend(with_role(outcome, statement, self.names) for outcome in found)
-                self._tell_what_is_left_out(statement, statements, found, latex)
-                equation += len(statement.relations)
-                index += 1
-                continue
-            implication = implication.with_each(self.checker.rows.choose)
-            self.checker.redefinitions.enabled = False
-            steps = [self._chain(chain, equation, line, define) for chain in implication.premises]
-            self.checker.redefinitions.enabled = True
-            self._begin()
-            judged = self._implication(implication, [o for found in steps for o in found], equation, links)
-            if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
-                outcomes.extend(
-                    with_role(o, chain, self.names)
-                    for chain, found in zip(implication.premises, steps, strict=True)
-                    for o in found
-                )
-                equation += sum(len(chain.relations) for chain in implication.premises)
-                links = []
-                index += len(implication.premises) + connectives_among(statements, index, len(implication.premises))
-                continue
-            self.names.state.configuration = given  # a premise holds in its implication alone
-            read_as = dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains)))
-            judged_so = replace(judged[0], role=Role.CONDITION, uses=self._consulted(), read_as=together(read_as))
-            outcomes.append(judged_so)
-            extra.update(judged[1])
-            links = [*links, implication] if _goes_on(statements, implication) else []
-            equation += sum(len(chain.relations) for chain in (implication.premises if links else implication.chains))
-            index = implication.behind_at if links else implication.after
-        _tell_words_that_change(statements, outcomes)
+            self._take_next(display)
+        _tell_words_that_change(statements, display.outcomes)
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
-        return outcomes, extra
+        return display.outcomes, display.counterexample
+
+    def _take_next(self, display: _Display) -> None:
+        statement = display.statements[display.index]
+        if (
+            implication := find_implication(display.asked, display.index) if display.is_connected else None
+        ) is not None:
+            self._take_implication(display, implication)
+        elif isinstance(statement, n.Chain):
+            self._take_chain(display, statement)
+        else:
+            display.index += 1
+
+    def _take_chain(self, display: _Display, chain: n.Chain) -> None:
+        statements, index = display.statements, display.index
+        given = dict(self.names.state.configuration)
+        alternative = _is_alternative(statements, index)
+        found = self._chain(chain, display.equation, display.line, display.define and not alternative)
+        found = [_left_open_beside_or(outcome) for outcome in found] if alternative else found
+        if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
+            self.names.state.configuration = given  # what is concluded is no data
+        display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
+        self._tell_what_is_left_out(chain, statements, found, display.latex)
+        display.equation += len(chain.relations)
+        display.index += 1
+
+    def _take_implication(self, display: _Display, implication: Implication) -> None:
+        given = dict(self.names.state.configuration)
+        implication = implication.with_each(self.checker.rows.choose)
+        premises = implication.premises
+        self.checker.redefinitions.enabled = False
+        steps = [self._chain(chain, display.equation, display.line, display.define) for chain in premises]
+        self.checker.redefinitions.enabled = True
+        self._begin()
+        judged = self._implication(implication, [o for found in steps for o in found], display.equation, display.links)
+        if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
+            for chain, found in zip(premises, steps, strict=True):
+                display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
+            display.equation += sum(len(chain.relations) for chain in premises)
+            display.links = []
+            display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+            return
+        self.names.state.configuration = given  # a premise holds in its implication alone
+        outcome, counterexample = judged
+        read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
+        display.outcomes.append(replace(outcome, role=Role.CONDITION, uses=self._consulted(), read_as=read_as))
+        display.counterexample.update(counterexample)
+        goes_on = _goes_on(display.statements, implication)
+        display.links = [*display.links, implication] if goes_on else []
+        display.equation += sum(len(chain.relations) for chain in (premises if goes_on else implication.chains))
+        display.index = implication.behind_at if goes_on else implication.after
 
     def _tell_what_is_left_out(
         self, statement: n.Statement, statements: list[n.Statement], outcomes: list[Outcome], latex: str
@@ -207,7 +241,7 @@ class Statements:
         if implication.kind != "if" and holds and not any(is_rank_condition(chain) for chain in premises):
             return None  # what holds everywhere is no premise: what follows is a claim itself
         with self.ring.budget.paused():  # few documents hold one: the import is none of its time
-            from armproof.verification.conditions.entailment import check_implication, check_value, states_condition
+            from armproof.verification.conditions.judgement import check_implication, check_value, states_condition
 
         if implication.kind == "if":
             has_value = check_value(self.checker, implication, equation)

@@ -6,8 +6,7 @@ from typing import Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError
-from armproof.verification.cli.application import Language, Lock, Tip, give_up, load
+from armproof.verification.cli.application import Language, Lock, Tip, ending, load
 from armproof.verification.report.text import write_lines
 
 ArmName = Annotated[str, typer.Argument(metavar="ARM", help="An arm, or a path to a model file.", show_default=False)]
@@ -34,7 +33,5 @@ def view(arm: ArmName, browser: Browser = True, tip: Tip = None, lock: Lock = No
     from armproof.models.showing.viewer import view_arm
 
     loaded = load(arm, tip, lock)
-    try:
+    with ending():
         view_arm(loaded, browser=browser)
-    except ArmproofError as error:
-        give_up(error)

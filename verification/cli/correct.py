@@ -10,18 +10,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError, written
+from armproof.models.errors import written
 from armproof.models.language import look_up, noted
-from armproof.verification.cli.application import (
-    CANNOT_RUN,
-    FAILS,
-    INTERRUPTED,
-    PASSES,
-    Language,
-    complain,
-    give_up,
-    tell,
-)
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, tell
 
 if TYPE_CHECKING:
     from armproof.verification.running.corrected_copy import CorrectedCopy
@@ -46,14 +37,11 @@ def correct(
         tell(problem)
         raise typer.Exit(CANNOT_RUN)
     try:
-        copy = correct_file(path)
-        target = path if in_place else output
-        if target is not None:
-            save(copy, target)
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
-    except ArmproofError as error:
-        give_up(error)
+        with ending():
+            copy = correct_file(path)
+            target = path if in_place else output
+            if target is not None:
+                save(copy, target)
     except OSError as error:
         tell("{path}: cannot be written: {reason}", path=output or path, reason=error.strerror)
         raise typer.Exit(CANNOT_RUN) from None

@@ -11,7 +11,7 @@ import typer
 
 from armproof.models.errors import ArmproofError
 from armproof.models.language import of_programs
-from armproof.verification.cli.application import FAILS, Language, Lock, Tip, give_up, load
+from armproof.verification.cli.application import FAILS, Language, Lock, Tip, ending, load
 from armproof.verification.report.text import write_lines
 
 
@@ -49,12 +49,9 @@ def singularities(
     from armproof.verification.singularities.analysis import analyse_singularities
 
     model = load(arm, tip, lock)
-    try:
+    with ending(), of_programs() if report_format is Format.json else nullcontext():
         numbers = (read_numbers("--rows", rows), read_numbers("--columns", columns))
-        with of_programs() if report_format is Format.json else nullcontext():
-            analysis = analyse_singularities(model, frame, *numbers, axes)
-    except ArmproofError as error:
-        give_up(error)
+        analysis = analyse_singularities(model, frame, *numbers, axes)
     if report_format is Format.json:
         sys.stdout.write(singularity_json(analysis))
     else:

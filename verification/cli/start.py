@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from armproof.models.errors import ArmproofError
 from armproof.models.language import look_up
-from armproof.verification.cli.application import CANNOT_RUN, Language, give_up, tell
+from armproof.verification.cli.application import CANNOT_RUN, Language, ending, tell
 
 if TYPE_CHECKING:
     from armproof.verification.verdict import TakenArm
@@ -29,21 +28,20 @@ def start(path: Source, write: Write = False, lang: Language = "") -> None:
     from armproof.verification.running.atomic import write_atomically
 
     try:
-        text = read_bytes(path).decode("utf-8")
-        document = parse_document(path, text.removeprefix("\ufeff"))
-        if not {"arm", "arms"}.isdisjoint(document.front):
-            tell("{path}: its front matter names the arm already", path=path)
-            return
-        block = _inferred(path).front_matter
-        if write:
-            write_atomically(path, with_front_matter(document, text, block).encode("utf-8"))
-        else:
-            typer.echo(head_of(path.suffix, block), nl=False)
+        with ending():
+            text = read_bytes(path).decode("utf-8")
+            document = parse_document(path, text.removeprefix("\ufeff"))
+            if not {"arm", "arms"}.isdisjoint(document.front):
+                tell("{path}: its front matter names the arm already", path=path)
+                return
+            block = _inferred(path).front_matter
+            if write:
+                write_atomically(path, with_front_matter(document, text, block).encode("utf-8"))
+            else:
+                typer.echo(head_of(path.suffix, block), nl=False)
     except UnicodeDecodeError:
         tell("{path}: not UTF-8", path=path)
         raise typer.Exit(CANNOT_RUN) from None
-    except ArmproofError as error:
-        give_up(error)
     except OSError as error:
         tell("{path}: cannot be written: {reason}", path=path, reason=error.strerror)
         raise typer.Exit(CANNOT_RUN) from None

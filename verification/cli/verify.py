@@ -10,18 +10,8 @@ from typing import Annotated, NoReturn
 
 import typer
 
-from armproof.models.errors import ArmproofError
 from armproof.models.language import of_programs
-from armproof.verification.cli.application import (
-    CANNOT_RUN,
-    FAILS,
-    INTERRUPTED,
-    PASSES,
-    Language,
-    complain,
-    give_up,
-    tell,
-)
+from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, tell
 from armproof.verification.cli.documents import check_and_report, check_each_path, find_course, named_documents
 from armproof.verification.report.text import text_report, write_lines
 from armproof.verification.report.totals import Totals
@@ -84,7 +74,7 @@ def verify(
         _watch(documents, report_format, report or errata, strict)
     totals = Totals(strict)
     takers = [totals.add]
-    try:
+    with ending():  # what is wrong with a document is in its result: an error is of what is written
         if errata is not None:
             from armproof.verification.cli.errata import ErrataSheet
 
@@ -97,10 +87,6 @@ def verify(
         write_report(_taken(results, takers), report_format, strict, verbose)
         if errata is not None:
             sheet.write()
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
-    except ArmproofError as error:  # of what is written: what is wrong with a document is in its result
-        give_up(error)
     complain(totals.messages)
     raise typer.Exit(exit_code(totals))
 
@@ -124,11 +110,9 @@ def _watch(paths: Sequence[Path], report_format: Format, report: Path | None, st
         raise typer.Exit(CANNOT_RUN)
     from armproof.verification.cli.watching import watch_documents
 
-    try:
+    with ending():
         failures = [each for each in named_documents(paths) if isinstance(each, Failure)]
         results = watch_documents(lambda: _files(paths), failures, strict=strict)
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
     totals = Totals(strict)
     for result in results:
         totals.add(result)

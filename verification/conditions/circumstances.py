@@ -120,7 +120,7 @@ class Circumstances:
     def _follows(self, told: Told, outcome: Outcome) -> bool:
         """Whether an equation holds, or nobody can tell, under the conditions of the text."""
         with self.checker.exact.budget.paused():  # few documents need it: the import is none of its time
-            from armproof.verification.conditions.entailment import check_implication
+            from armproof.verification.conditions.judgement import check_implication
 
         assert outcome.true is not None and outcome.printed is not None
         claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))

@@ -152,10 +152,5 @@ def _is_constant(node: n.Node) -> bool:
 
 def connectives_among(statements: list[n.Statement], index: int, chains: int) -> int:
     """How many connectives stand among the next `chains` chains."""
-    seen = words = 0
-    while seen < chains:
-        if isinstance(statements[index + seen + words], n.Chain):
-            seen += 1
-        else:
-            words += 1
-    return words
+    places = [place for place, each in enumerate(statements[index:]) if isinstance(each, n.Chain)]
+    return places[chains - 1] - (chains - 1)

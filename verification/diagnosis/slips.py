@@ -6,15 +6,19 @@ test makes right entries wrong.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from itertools import combinations
+from typing import TypeGuard, TypeVar
 
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import SWAPPED, bare_head
+
+Change = tuple[n.Node, str, Finding]
+Item = TypeVar("Item")
 
 _FLIPPED = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
 
@@ -60,25 +64,35 @@ def _negated(node: n.Node) -> n.Node:
     return n.Sum((("-", node),), span=node.span)
 
 
-def _on_all(root: n.Node, rule: object) -> Iterator[Edit]:
+def _on_all(root: n.Node, rule: Callable[[n.Node], Iterator[Change]]) -> Iterator[Edit]:
     for node in n.walk(root):
-        for changed, kind, finding in rule(node):  # type: ignore[operator]
+        for changed, kind, finding in rule(node):
             yield Edit(n.substitute(root, node, changed), kind, finding)
 
 
-Change = tuple[n.Node, str, Finding]
+def _is_trigonometric(node: n.Node) -> TypeGuard[n.Call]:
+    return isinstance(node, n.Call) and node.function in ("cos", "sin")
+
+
+def _is_scalar_product(node: n.Node) -> TypeGuard[n.Product]:
+    return isinstance(node, n.Product) and "×" not in node.operators
+
+
+def _with(items: tuple[Item, ...], place: int, *new: Item) -> tuple[Item, ...]:
+    """Return items with others, or none, in place of one."""
+    return (*items[:place], *new, *items[place + 1 :])
 
 
 def _signs(node: n.Node) -> Iterator[Change]:
-    if not isinstance(node, n.Sum) or (len(node.terms) == 1):
+    if not isinstance(node, n.Sum) or len(node.terms) == 1:
         return
     for k, (sign, term) in enumerate(node.terms):
-        terms = (*node.terms[:k], (_FLIPPED[sign], term), *node.terms[k + 1 :])
+        terms = _with(node.terms, k, (_FLIPPED[sign], term))
         yield replace(node, terms=terms), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
 
 
 def _functions(node: n.Node) -> Iterator[Change]:
-    if isinstance(node, n.Call) and node.function in ("cos", "sin"):
+    if _is_trigonometric(node):
         other = "sin" if node.function == "cos" else "cos"
         finding = say(Kind.SINE_FOR_COSINE if node.function == "sin" else Kind.COSINE_FOR_SINE)
         yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", finding
@@ -86,7 +100,7 @@ def _functions(node: n.Node) -> Iterator[Change]:
 
 def _functions_throughout(root: n.Node) -> Iterator[Edit]:
     """Every sine for a cosine and the other way round, where there are several."""
-    calls = [node for node in n.walk(root) if isinstance(node, n.Call) and node.function in ("cos", "sin")]
+    calls = [node for node in n.walk(root) if _is_trigonometric(node)]
     if len(calls) < 2:
         return
     exchanged = root
@@ -98,16 +112,16 @@ def _functions_throughout(root: n.Node) -> Iterator[Edit]:
 
 def _products_of_functions(node: n.Node) -> Iterator[Change]:
     """C_1 C_2 for C_{12}, S_1 S_2 for S_{12}."""
-    if not isinstance(node, n.Product) or "×" in node.operators:
+    if not _is_scalar_product(node):
         return
-    calls = [(k, f) for k, f in enumerate(node.factors) if isinstance(f, n.Call) and f.function in ("cos", "sin")]
+    calls = [(k, f) for k, f in enumerate(node.factors) if _is_trigonometric(f)]
     for i, (k, one) in enumerate(calls):
         for m, other in calls[i + 1 :]:
             angle = _sum_of_angles(one.arguments[0], other.arguments[0])
             if one.function != other.function or angle is None:
                 continue
             joined = replace(one, arguments=(angle,))
-            factors = (*node.factors[:k], joined, *node.factors[k + 1 : m], *node.factors[m + 1 :])
+            factors = _with(_with(node.factors, m), k, joined)
             operators = (*node.operators[: m - 1], *node.operators[m:])
             grown = joined if len(factors) == 1 else replace(node, factors=factors, operators=operators)
             kind = Kind.PRODUCT_OF_COSINES if one.function == "cos" else Kind.PRODUCT_OF_SINES
@@ -127,15 +141,15 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
         return
     present = {index for _, index in node.terms}
     for k, (sign, index) in enumerate(node.terms):
-        rest = (*node.terms[:k], *node.terms[k + 1 :])
+        rest = _with(node.terms, k)
         for joint in letters.joints:
             if joint not in present:
-                terms = (*node.terms[:k], (sign, joint), *node.terms[k + 1 :])
+                terms = _with(node.terms, k, (sign, joint))
                 yield replace(node, terms=terms), "index", say(Kind.WRONG_INDEX, printed=index, correct=joint)
         if rest:
             yield replace(node, terms=rest), "index", say(Kind.EXTRA_INDEX, index=index)
             if k:
-                terms = (*node.terms[:k], (-sign, index), *node.terms[k + 1 :])
+                terms = _with(node.terms, k, (-sign, index))
                 yield replace(node, terms=terms), "index", say(Kind.WRONG_SIGN_OF_ANGLE, index=index)
     for joint in letters.joints:
         if joint not in present:
@@ -144,7 +158,7 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
 
 
 def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
-    if isinstance(node, n.Call) and node.function in ("cos", "sin"):
+    if _is_trigonometric(node):
         yield from _angle_sums(node, letters)
     if not isinstance(node, n.Name):
         return
@@ -188,10 +202,10 @@ def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
 
 
 def _dropped_factors(node: n.Node) -> Iterator[Change]:
-    if not isinstance(node, n.Product) or "×" in node.operators:
+    if not _is_scalar_product(node):
         return
     for k in range(len(node.factors)):
-        factors = (*node.factors[:k], *node.factors[k + 1 :])
+        factors = _with(node.factors, k)
         operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
         smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
         yield smaller, "factor", say(Kind.EXTRA_FACTOR, factor=k + 1)
@@ -201,7 +215,7 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
     if not isinstance(node, n.Sum) or len(node.terms) < 2:
         return
     for k in range(len(node.terms)):
-        terms = (*node.terms[:k], *node.terms[k + 1 :])
+        terms = _with(node.terms, k)
         yield replace(node, terms=terms), "term", say(Kind.EXTRA_TERM, term=k + 1)
 
 
@@ -225,9 +239,7 @@ def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """The square of a length, a sine or a cosine, where the first power stands."""
     lengths = {length.key for length in letters.lengths}
     for node in _formulas(root):
-        if (isinstance(node, n.Name) and node.key in lengths) or (
-            isinstance(node, n.Call) and node.function in ("cos", "sin")
-        ):
+        if (isinstance(node, n.Name) and node.key in lengths) or _is_trigonometric(node):
             square = n.Power(node, n.Number(Fraction(2), "2"), span=node.span)
             yield Edit(n.substitute(root, node, square), "number", say(Kind.MISSING_SQUARE))
 
@@ -255,7 +267,7 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
     factors: list[tuple[n.Node, Finding]] = [
         (length, say(Kind.MISSING_FACTOR, factor=_show(length))) for length in letters.lengths
     ]
-    style = next((b for b in n.walk(root) if isinstance(b, n.Call) and b.function in ("cos", "sin")), None)
+    style = next((b for b in n.walk(root) if _is_trigonometric(b)), None)
     factors += _functions_of(style, letters) if style is not None else []
     factors.append((n.Number(Fraction(2), "2"), say(Kind.MISSING_FACTOR, factor="2")))
     targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
@@ -263,8 +275,8 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
         targets.append(root)
     for target in targets:
         for factor, missing in factors:
-            before = target.factors if isinstance(target, n.Product) and "×" not in target.operators else (target,)
-            operators = target.operators if isinstance(target, n.Product) and len(before) > 1 else ()
+            before = target.factors if _is_scalar_product(target) else (target,)
+            operators = target.operators if _is_scalar_product(target) else ()
             grown = n.Product((factor, *before), ("", *operators), span=target.span)
             yield Edit(n.substitute(root, target, grown), "factor", missing)
 

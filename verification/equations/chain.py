@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -81,21 +81,8 @@ class ChainChecker:
         defined = self.redefinitions.before(chain) if is_again else None
         of_jacobian = self.members.speaks_of_jacobian(chain)
         chain = self.rows.choose(chain) if of_jacobian else chain
-        new = new_name(self.names, chain)
-        fresh = new_letters(self.names, chain)
-        members = [
-            Member(node, None, UnboundName(new))
-            if new is not None and bare_key(node) == new
-            else self.members.evaluate(node)
-            for node in chain.members
-        ]
+        members, fresh = self._evaluated(chain)
         branches = has_branches(chain) or bool(self.names.state.signs.read)
-        if fresh and len(members) > 1 and all(member.known for member in members):
-            members = [
-                Member(m.node, None, UnboundName(min(fresh))) if fresh & keys_alone(m.node) else m for m in members
-            ]
-        else:
-            fresh = frozenset()
         definitions = Definitions(self.readings, line, define, fresh)
         known = [member for member in members if member.known]
         members = [self.readings.part(member, known) for member in members] if known else members
@@ -111,32 +98,38 @@ class ChainChecker:
         true = max(known, key=lambda member: member.rank)  # the first of the highest
         outcomes: list[Outcome] = []
         for index, member in enumerate(members):
-            if member is true:
-                continue
             equation = first_equation + max(0, index - 1)
-            if member.known:
+            if member.known and member is not true:
                 compared = self.equality.compare(true, member, equation, branches)
                 outcomes.append(self.rows.kept(compared) if define and of_jacobian else compared)
-            else:
+            elif not member.known:
                 outcomes.append(definitions.define(true, member, equation))
         outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
+        check = partial(self.check, first_equation=first_equation, line=line)
         if defined is not None:
-            check = partial(self.check, first_equation=first_equation, line=line)
             outcomes = self.redefinitions.judge(chain, outcomes, defined, check)
         for outcome in outcomes:
             outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
-        doubt = self.readings.other_direction(
-            chain, outcomes, partial(self.check, first_equation=first_equation, line=line, define=False)
-        )
+        doubt = self.readings.other_direction(chain, outcomes, partial(check, define=False))
         outcomes = [outcome.left_open(doubt) for outcome in outcomes] if doubt else outcomes
-        for index, node in enumerate(chain.members):
-            for brace in n.walk(node):
-                if isinstance(brace, n.Labelled):
-                    outcomes.extend(definitions.label(brace, first_equation + max(0, index - 1)))
-        return outcomes
+        return [*outcomes, *_labels(chain, first_equation, definitions)]
+
+    def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:
+        """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
+        new, fresh = new_name(self.names, chain), new_letters(self.names, chain)
+        members = [
+            Member(node, None, UnboundName(new))
+            if new is not None and bare_key(node) == new
+            else self.members.evaluate(node)
+            for node in chain.members
+        ]
+        if not (fresh and len(members) > 1 and all(member.known for member in members)):
+            return members, frozenset()
+        unbound = UnboundName(min(fresh))
+        return [Member(m.node, None, unbound) if fresh & keys_alone(m.node) else m for m in members], fresh
 
     def _read_otherwise(self, chain: n.Chain, first: list[Outcome], check: Check) -> list[Outcome]:
         """Return the outcomes under another reading of the Jacobian where the first one refutes the chain."""
@@ -155,3 +148,11 @@ class ChainChecker:
         """Check another reading of a chain, without what its first reading defined."""
         self.names.state.definitions = before.copy()
         return self.check(chain, first_equation, line, define)
+
+
+def _labels(chain: n.Chain, first_equation: int, definitions: Definitions) -> Iterator[Outcome]:
+    """Yield what the braces of a chain say of what stands in them."""
+    for index, node in enumerate(chain.members):
+        for brace in n.walk(node):
+            if isinstance(brace, n.Labelled):
+                yield from definitions.label(brace, first_equation + max(0, index - 1))

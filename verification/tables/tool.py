@@ -35,9 +35,11 @@ def turned_tool(found: TableReading) -> Tool | None:
     at = product.block(range(3), [3])
     origins = (*extra, *reversed(numbered_frames(found.arm)))
     origin = next((frame for frame in origins if equal(at, _pose(found, frame).block(range(3), [3]))), None)
-    for frame in sorted([last, *extra], key=lambda one: one != origin) if origin is not None else []:
+    if origin is None:
+        return None
+    for frame in sorted([last, *extra], key=lambda one: one != origin):
         turn = product.block(range(3), range(3)).transpose @ _pose(found, frame).block(range(3), range(3))
-        if origin is not None and all(cell.as_fraction() is not None for cell in turn.cells):
+        if all(cell.as_fraction() is not None for cell in turn.cells):
             return Tool(frame, origin, turn)
     return None
 
