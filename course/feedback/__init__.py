@@ -9,9 +9,11 @@ from armproof.course.feedback.lesson import Lesson, lessons, open_lesson, result
 from armproof.course.feedback.outcome import Feedback, Outcome, Row
 from armproof.course.feedback.overview import course
 from armproof.course.feedback.own_numbers import drawn
+from armproof.course.feedback.placement import Placement
 from armproof.course.feedback.quantity import Quantity
 from armproof.course.feedback.table import Table
 from armproof.course.feedback.task import Task, Wrong
+from armproof.course.figures.facts.placing import Scheme
 
 __all__ = [
     "AnswerError",
@@ -24,8 +26,10 @@ __all__ = [
     "Line",
     "Number",
     "Outcome",
+    "Placement",
     "Quantity",
     "Row",
+    "Scheme",
     "Table",
     "Task",
     "WithSympy",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import re
 import sys
 import tempfile
@@ -21,6 +22,7 @@ from armproof.verification.report.html.sketch import sketch_style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+HALF = 4.0  # inches: two figures that are no wider stand side by side
 ENLARGED = 1.3  # on a screen, beside the size at which it is printed
 _SIZE = re.compile(r'\b(width|height)="([\d.]+)pt"')
 
@@ -72,15 +74,15 @@ class Shown:
 
 @dataclass(frozen=True)
 class Portrait:
-    """A picture of an arm with its caption."""
+    """Pictures of an arm side by side, each with its caption."""
 
-    figure: Picture
+    pictures: tuple[Picture, ...]
 
     def __repr__(self) -> str:
-        return f"[{self.figure.caption}]"
+        return " ".join(f"[{picture.caption}]" for picture in self.pictures)
 
     def _repr_html_(self) -> str:
-        return render("picture.html", "open", picture=self.figure)
+        return render("picture.html", "open", pictures=self.pictures)
 
 
 def show_figures() -> None:
@@ -97,3 +99,11 @@ def as_svg(figure: Figure) -> str:
     with tempfile.TemporaryDirectory() as folder:
         svg = save_figure(figure, Path(folder) / "figure.svg", trimmed=True).read_text(encoding="utf-8")
     return _SIZE.sub(lambda found: f'{found[1]}="{ENLARGED * float(found[2]):g}pt"', svg, count=2)
+
+
+def as_picture(figure: Figure, caption: str) -> Picture:
+    """Return a figure with its caption, an image of its own: two on one page share no names."""
+    data = base64.b64encode(as_svg(figure).encode()).decode()
+    wide = "ap-wide" if figure.get_figwidth() > HALF else ""
+    image = Markup('<img class="{}" alt="{}" src="data:image/svg+xml;base64,{}">')
+    return Picture(image.format(wide, caption, data), caption)

@@ -28,6 +28,7 @@ from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.returned import NotAttempted
 
 FEW = 8  # samples by which two answers are told apart
+NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
 NOTHING_YET = noted("`{task}`: no answer yet, nothing to draw.")
 _USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres
 
@@ -80,13 +81,15 @@ class Quantity:
         at = [dict(zip(self._symbols, row, strict=True)) for row in q.tolist()]
         return np.array([call_at(self.loaded, answer, each) for each in at])
 
-    def show(self, task: str, function: Callable[..., Any], at: Mapping[str, float]) -> Shown | Portrait:
+    def show(self, task: str, function: Any, at: Mapping[str, float]) -> Shown | Portrait:
         """Return what a function gives drawn over the arm, or a polite sentence why it is not.
 
         Args:
             task: what the answer is called.
             at: values of joints; every joint that is not named has one of its own, none of them zero.
         """
+        if not is_function(function):
+            return Shown(written(NOT_DRAWN, task=task))
         joints = {joint.symbol: joint for joint in self.loaded.joints}
         if unknown := sorted(set(at) - set(joints)):
             raise AnswerError("no joint '{joint}'; the joints are {joints}", joint=unknown[0], joints=list(joints))
@@ -104,7 +107,7 @@ class Quantity:
         figure = draw_answer(self.loaded, self.quantity, function, at)
         if figure is None:
             return Shown(written("`{task}`: this answer cannot be drawn: it is no pose, point or Jacobian in the base frame.", task=task))  # fmt: skip
-        return Portrait(figure)
+        return Portrait((figure,))
 
     def move(self, answer: Any, in_3d: bool, lang: str) -> HandsOn:
         """Return the arm with its sliders, and the answer, a function or a formula, over it."""

@@ -10,11 +10,14 @@ from typing import Any
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function, is_missing
+from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.models.errors import written
-from armproof.models.language import look_up
+from armproof.models.dh.table import read_table
+from armproof.models.errors import ArmproofError, written
+from armproof.models.language import look_up, spoken
+from armproof.models.loading.dh_plant import build_arm
 from armproof.verification.check import check_document
 from armproof.verification.document import Document
 from armproof.verification.document import Table as Printed
@@ -78,6 +81,23 @@ class Table:
         if record.verdict is Verdict.REFUTED:
             return Feedback(Outcome.WRONG, self._in_other_order(rows) or self._sentence(record))
         return Feedback(Outcome.ERROR, record.message or look_up("the table cannot be read"))
+
+    def show(self, task: str, answer: Any, at: Mapping[str, float]) -> Shown | Portrait:
+        """Return the arm that the answer's table describes, with the table, beside the true one, whose table shows when the answer is right."""
+        from armproof.course.figures.kinds.sketch import sketch  # and with it matplotlib
+
+        rows = self._rows(answer)
+        spec = {"dh": self.convention, "rows": [dict(zip(ORDER[self.convention], row, strict=True)) for row in rows]}
+        try:
+            yours = build_arm(read_table(spec), self.loaded.lengths)
+            drawn = sketch(yours, spoken())
+        except ArmproofError as problem:
+            return Shown(written("`{task}`: the answer cannot be drawn: {reason}", task=task, reason=str(problem)))
+        right = self.judge(answer).is_right
+        true = sketch(self.loaded, spoken(), table=right)
+        return Portrait(
+            (as_picture(drawn, look_up("The arm of your table")), as_picture(true, look_up("The arm as it is")))
+        )
 
     def signature(self, answer: Any) -> str:
         """Return a table as one text, by which two answers are told apart."""

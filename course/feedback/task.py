@@ -18,11 +18,9 @@ from armproof.course.feedback.derivation import Derivation
 from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
-from armproof.course.feedback.quantity import NOTHING_YET, Quantity
+from armproof.course.feedback.quantity import NOT_DRAWN, NOTHING_YET, Quantity
 from armproof.models.errors import ArmproofError, written
-from armproof.models.language import look_up, noted, number_text, separator, use
-
-NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
+from armproof.models.language import look_up, number_text, separator, use
 
 
 class Question(Hashable, Protocol):
@@ -164,9 +162,13 @@ class Task:
         with use(self.lang):
             if is_missing(answer):
                 return Shown(written(NOTHING_YET, task=self.name))
-            if not isinstance(self.asks, Quantity) or not is_function(answer):
+            if (show := getattr(self.asks, "show", None)) is None:
                 return Shown(written(NOT_DRAWN, task=self.name))
-            return self.asks.show(self.name, answer, at)
+            try:
+                shown: Shown | Portrait = show(self.name, answer, at)
+            except AnswerError as problem:
+                return Shown(written("`{task}`: the answer cannot be drawn: {reason}", task=self.name, reason=problem))
+            return shown
 
     def move(self, answer: Any = ..., *, in_3d: bool = False) -> Shown | HandsOn:
         """Return the arm with a slider a joint: the answer beside the truth, what the tool can do there, and det J.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from hashlib import sha256
 from itertools import count
 from math import pi
@@ -26,15 +27,19 @@ _LENGTHS = (0.431, 0.317, 0.283, 0.523, 0.229, 0.613, 0.367, 0.571, 0.271, 0.701
 _ANGLES = (0.41, 0.73, 1.13, 0.59, 0.97, 0.29, 1.31, 0.83)
 
 
-def build_arm(table: DHTable) -> Arm:
+def build_arm(table: DHTable, values: Mapping[str, float] = MappingProxyType({})) -> Arm:
     """Build the arm of a DH table.
 
     Link i carries the frame behind the i-th joint and what is fixed to it; a joint is named by its variable. Each length symbol is given a positive value
     (m) and each constant angle symbol a value (rad) of its own, always the same; they serve the plant of doubles only.
+
+    Args:
+        values: other values of lengths (m).
     """
     from pydrake.multibody.plant import MultibodyPlant
 
     lengths = dict(zip(table.length_symbols, _values(_LENGTHS), strict=False))
+    lengths |= {symbol: values[symbol] for symbol in lengths if symbol in values}
     angles = dict(zip(table.angle_symbols, _values(_ANGLES), strict=False))
     plant = MultibodyPlant(time_step=0.0)
     builder = _Builder(plant, {**lengths, **angles})

@@ -182,13 +182,13 @@ def _swept(rim: np.ndarray, half: np.ndarray) -> np.ndarray:
     return np.vstack([rim[: turn + 1] + end, rim[turn:] - end, rim[:1] - end])
 
 
-def draw_frames(scene: Scene, frames: Mapping[str, np.ndarray]) -> None:
+def draw_frames(scene: Scene, frames: Mapping[str, np.ndarray], letters: str = "xyz") -> None:
     """Draw frames, each a pose (4, 4), with the names of their axes.
 
     An arrow has the gid "frame 0 x", or "frame 0 x; frame 1 x" where two axes are one.
     """
     axes: dict[tuple[float, ...], list[tuple[str, str]]] = {}  # letter and frame, by the origin and the direction
-    for letter in "xyz":
+    for letter in letters:
         for name, X_0F in frames.items():
             place = np.round([*X_0F[:3, 3], *X_0F[:3, "xyz".index(letter)]], 7) + 0.0
             axes.setdefault(tuple(place), []).append((letter, name))

@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from armproof.course.figures.drawing.labels import form_tex
 from armproof.course.figures.drawing.style import INK, MM, TEXT, text_width
+from armproof.course.figures.facts.dh_rows import LinkRows
 
 _GAP = 3.0  # mm between columns
 LINE = 4.6  # mm a row
@@ -38,3 +40,15 @@ def draw_table(figure: Figure, rows: Sequence[Sequence[str]], *, left: float, to
 def table_height(rows: int) -> float:
     """Return the height of a table with so many rows, its head included, in mm."""
     return rows * LINE + 1.0
+
+
+def dh_texts(rows: LinkRows, lang: str) -> list[list[str]]:
+    """Return the DH table as texts, its head first; the order is that of the convention's authors."""
+    modified = rows.convention == "modified"
+    index = "{i-1}" if modified else "i"
+    texts = [["$i$", rf"$a_{index}$", rf"$\alpha_{index}$", "$d_i$", r"$\theta_i$"]]
+    for number, row in enumerate(rows.rows, start=1):
+        forms = (row.a, row.alpha, row.d, row.theta)
+        frame = row.frame if row.frame.isdigit() else str(number)
+        texts.append([f"${frame}$", *(f"${form_tex(form, lang)}$" for form in forms)])
+    return [[line[0], line[2], line[1], *line[3:]] for line in texts] if modified else texts

@@ -7,12 +7,12 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.dimensions import draw_angle, draw_lengths, draw_turn
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import form_tex, length, listed, math, say, values_text
+from armproof.course.figures.drawing.labels import length, listed, math, say, values_text
 from armproof.course.figures.drawing.layout import Layout
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import WIDTHS, new_figure, styled
 from armproof.course.figures.drawing.symbols import draw_arm, draw_frames
-from armproof.course.figures.drawing.table import draw_table, table_height
+from armproof.course.figures.drawing.table import dh_texts, draw_table, table_height
 from armproof.course.figures.facts.dh_rows import LinkRows, chain_frames, link_rows
 from armproof.course.figures.facts.lengths import frame_lengths
 from armproof.course.figures.facts.poses import showing_pose, zero_pose
@@ -69,7 +69,7 @@ def _page(arm: Arm, rows: LinkRows | None, q: np.ndarray, lang: str) -> tuple[Fi
     Planar arms take a column with the table below, others a page with the table on the right.
     """
     planar = choose_projection(arm).planar
-    table = [] if rows is None else _table(rows, lang)
+    table = [] if rows is None else dh_texts(rows, lang)
     below = table_height(len(table)) + 3.0 if planar and table else 0.0
     width = WIDTHS["column"] if planar else WIDTHS["page"] - (_TABLE if table else 0.0)
     fit = Fit(arm, q, margin=15.0 if planar else 18.0)
@@ -80,18 +80,6 @@ def _page(arm: Arm, rows: LinkRows | None, q: np.ndarray, lang: str) -> tuple[Fi
     elif table:
         draw_table(figure, table, left=width - 2.0, top=(height + table_height(len(table))) / 2, width=_TABLE)
     return figure, fit.scene(figure, (0.0, below, width, height))
-
-
-def _table(rows: LinkRows, lang: str) -> list[list[str]]:
-    """Return the DH table as texts, its head first; the order is that of the convention's authors."""
-    modified = rows.convention == "modified"
-    index = "{i-1}" if modified else "i"
-    texts = [["$i$", rf"$a_{index}$", rf"$\alpha_{index}$", "$d_i$", r"$\theta_i$"]]
-    for number, row in enumerate(rows.rows, start=1):
-        forms = (row.a, row.alpha, row.d, row.theta)
-        frame = row.frame if row.frame.isdigit() else str(number)
-        texts.append([f"${frame}$", *(f"${form_tex(form, lang)}$" for form in forms)])
-    return [[line[0], line[2], line[1], *line[3:]] for line in texts] if modified else texts
 
 
 def _draw_joint_variables(scene: Scene, arm: Arm, layout: Layout) -> None:
