@@ -57,9 +57,9 @@ class Exercise:
         return self.citation, look_up(_SAID[self.status]), words, ", ".join(self.sheets), ", ".join(self.tasks)
 
 
-def read_exercises(path: Path = EXERCISES) -> tuple[Exercise, ...]:
+def read_exercises() -> tuple[Exercise, ...]:
     """Return the rows of the table in their order."""
-    with path.open(encoding="utf-8", newline="") as file:
+    with EXERCISES.open(encoding="utf-8", newline="") as file:
         return tuple(map(_read, csv.DictReader(file)))
 
 

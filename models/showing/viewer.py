@@ -17,13 +17,12 @@ from armproof.models.showing.shapes import with_shapes
 _TRIADS_IN_REACH = 8  # a triad's axis is this part of the arm's reach
 
 
-def view_arm(arm: Arm, *, browser: bool = True, once: bool = False) -> None:
+def view_arm(arm: Arm, *, browser: bool = True) -> None:
     """Show an arm until the user stops it.
 
     Args:
         arm: an arm that was read from a model file.
         browser: open a browser window; without it, Drake logs the address.
-        once: return after one pass, for tests.
 
     Raises:
         ModelError: the arm was given by a DH table and has no shape to show.
@@ -33,7 +32,7 @@ def view_arm(arm: Arm, *, browser: bool = True, once: bool = False) -> None:
     _model_file(arm)
     visualizer = ModelVisualizer(browser_new=browser, publish_contacts=False)
     add_arm(visualizer.parser(), arm)
-    visualizer.Run(loop_once=once)
+    visualizer.Run()
 
 
 def add_arm(parser: Any, arm: Arm) -> None:

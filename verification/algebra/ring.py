@@ -166,9 +166,9 @@ class Ring:
         """The number of generators met so far."""
         return self.polynomials.size
 
-    def scalar(self, numerator: fmpq_mpoly, denominator: fmpq_mpoly | None = None) -> Scalar:
-        """Return numerator/denominator, both in normal form, as a scalar; the denominator is 1 unless given."""
-        return Scalar(self, numerator, self.polynomials.one if denominator is None else denominator)
+    def scalar(self, polynomial: fmpq_mpoly) -> Scalar:
+        """Return a polynomial in normal form as a scalar."""
+        return Scalar(self, polynomial, self.polynomials.one)
 
     def rational(self, value: int | Fraction) -> Scalar:
         """Return a rational constant."""

@@ -167,6 +167,7 @@ def _read_blocks(
     quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
     tokens = display_reader().parse(_UNSEEN.sub(lambda found: " " * len(found.group()), body))
     for index, token in enumerate(tokens):
+        line, erratum, content = first + (token.map[0] if token.map else 0), any(quotes), token.content
         if token.type == "heading_open":
             section = tokens[index + 1].content
         elif token.type == "blockquote_open":
@@ -174,31 +175,25 @@ def _read_blocks(
         elif token.type == "blockquote_close":
             quotes.pop()
         elif token.type in ("math_block", "math_block_label"):
-            line = first + (token.map[0] if token.map else 0)
-            displays.extend(_block_displays(token.content, line, any(quotes), cell, section))
+            displays.extend(_block_displays(content, line, erratum, cell, section))
         elif token.type == "amsmath":
-            line = first + (token.map[0] if token.map else 0)
-            displays.append(Display(line, token.content, any(quotes), cell, section, opening=AMS))
-        elif token.type == "html_block" and "$$" in _HTML_COMMENT.sub("", token.content):
-            line = first + (token.map[0] if token.map else 0) + token.content[: token.content.index("$$")].count("\n")
-            displays.append(
-                Display(line, token.content[token.content.index("$$") + 2 :], any(quotes), cell, section, closed=False)
-            )
-        elif token.type == "html_block" and "<table" in token.content:
-            line = first + (token.map[0] if token.map else 0)
-            for at, rows in read_html_tables(token.content):
-                tables.append(Table(line + at - 1, rows[0], rows[1:], any(quotes), cell, section))
+            displays.append(Display(line, content, erratum, cell, section, opening=AMS))
+        elif token.type == "html_block" and "$$" in _HTML_COMMENT.sub("", content):
+            above, _, latex = content.partition("$$")
+            displays.append(Display(line + above.count("\n"), latex, erratum, cell, section, closed=False))
+        elif token.type == "html_block" and "<table" in content:
+            for at, rows in read_html_tables(content):
+                tables.append(Table(line + at - 1, rows[0], rows[1:], erratum, cell, section))
         elif token.type == "inline":
-            displays.extend(_inline_displays(token, first, any(quotes), cell, section))
+            displays.extend(_inline_displays(token, first, erratum, cell, section))
         elif token.type == "table_open":
-            tables.append(_read_table(tokens, index, first, any(quotes), cell, section))
+            tables.append(_read_table(tokens, index, first, erratum, cell, section))
         elif token.type in ("fence", "colon_fence") and (inside := _DIRECTIVE.match(token.info)) is not None:
-            line = first + (token.map[0] if token.map else 0)
             if inside.group("name") == "math":
-                displays.extend(_math_directive(token, line, any(quotes), cell, section))
+                displays.extend(_math_directive(token, line, erratum, cell, section))
             elif token.type == "colon_fence" or inside.group("name") in ADMONITIONS:
-                erratum = any(quotes) or _ERRATUM.search(token.info) is not None or _begins_as_erratum(token.content)
-                more, more_tables = _read_blocks(token.content, line + 1, cell, section, erratum)
+                erratum = erratum or _ERRATUM.search(token.info) is not None or _begins_as_erratum(content)
+                more, more_tables = _read_blocks(content, line + 1, cell, section, erratum)
                 displays += more
                 tables += more_tables
     return displays, tables

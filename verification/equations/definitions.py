@@ -61,31 +61,33 @@ class Definitions:
             return Outcome(Verdict.REFUTED, (finding_of(member.problem),), equation, true, member)
         if _has_dots(member.node):
             return Outcome(Verdict.DEFINED, (say(Kind.PATTERN),), equation, true, member)
-        if isinstance(member.problem, UnboundName):
-            key = bare_key(member.node)
-            if key is not None:
-                if self.defines:
-                    self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
-                    if (decimals := self.members.decimals(true.node)) is not None:
-                        self.names.state.rounded[key] = decimals
-                    if isinstance(member.node, n.Name):
-                        self.names.add_frame(member.node)
-                return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=key),), equation, true, member, defines=(key,))
-            if (root := _squared_name(member.node)) is not None:
-                if self.defines:
-                    square_root = n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)
-                    self.names.define(root, self.members.meaning(square_root), self.line)
-                return Outcome(
-                    Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,)
-                )
-            pattern = self._define_entries(true, member, equation, self.defines)
-            if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
-                return pattern
-            slip = self.readings.slipped_index(true, member, equation)
-            if slip is not None or pattern is not None:
-                return slip or pattern  # type: ignore[return-value]
+        if (
+            isinstance(member.problem, UnboundName)
+            and (found := self._define_unbound(true, member, equation)) is not None
+        ):
+            return found
         assert member.problem is not None
         return Outcome(Verdict.UNCHECKED, (finding_of(member.problem),), equation, true, member)
+
+    def _define_unbound(self, true: Member, member: Member, equation: int) -> Outcome | None:
+        """A name alone, its square, a matrix of names; or an index that slipped."""
+        if (key := bare_key(member.node)) is not None:
+            if self.defines:
+                self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
+                if (decimals := self.members.decimals(true.node)) is not None:
+                    self.names.state.rounded[key] = decimals
+                if isinstance(member.node, n.Name):
+                    self.names.add_frame(member.node)
+            return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=key),), equation, true, member, defines=(key,))
+        if (root := _squared_name(member.node)) is not None:
+            if self.defines:
+                square_root = n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)
+                self.names.define(root, self.members.meaning(square_root), self.line)
+            return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,))
+        pattern = self._define_entries(true, member, equation, self.defines)
+        if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
+            return pattern
+        return self.readings.slipped_index(true, member, equation) or pattern
 
     def _define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
@@ -115,19 +117,13 @@ class Definitions:
                 if defines:
                     self.names.define(key, self.members.meaning(true.node, block), self.line, by_place=True)
         if wrong:
-            pair = Pair(value, value) if len(blocks) == len(value.rows) * len(value.rows[0]) else None
+            pair = Pair(value, value) if len(blocks) == len(value.cells) else None
             findings = () if pair else (say(Kind.WRONG_BLOCK),)
             return Outcome(Verdict.REFUTED, findings, equation, true, member, pair, wrong)
         if unknown is not None:
             return Outcome(Verdict.UNCHECKED, (finding_of(unknown),), equation, true, member)
-        return Outcome(
-            Verdict.DEFINED,
-            (say(Kind.DEFINES_ENTRIES, names=list(first)),),
-            equation,
-            true,
-            member,
-            defines=tuple(first),
-        )
+        said = say(Kind.DEFINES_ENTRIES, names=list(first))
+        return Outcome(Verdict.DEFINED, (said,), equation, true, member, defines=tuple(first))
 
     def label(self, brace: n.Labelled, equation: int) -> Iterator[Outcome]:
         """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim."""

@@ -28,9 +28,9 @@ Polynomial = Any  # flint.fmpq_mpoly of the context of one HalfAngles
 class HalfAngles:
     """ℚ[t, u of each angle; lengths, prismatic variables, roots], made for the generators that some scalars hold."""
 
-    def __init__(self, ring: Ring, values: Iterable[Scalar], extra: Iterable[Generator] = ()) -> None:
+    def __init__(self, ring: Ring, values: Iterable[Scalar]) -> None:
         self.ring, self.parts = ring, dict(ring.parts)
-        found = set(extra)
+        found: set[Generator] = set()
         for value in values:
             ring.budget.check()
             found |= value.generators

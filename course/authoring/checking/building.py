@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from armproof.course.errors import AuthoringError
@@ -69,13 +69,13 @@ def _was_run(path: Path) -> bool:
         return False
 
 
-def write_stale(files: Files, write: Callable[[Path, bytes], None] = write_atomically) -> list[Path]:
+def write_stale(files: Files) -> list[Path]:
     """Write those files that are missing or hold something else, each as a whole or not at all; return them."""
     written = stale(files)
     for path in written:
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            write(path, files[path])
+            write_atomically(path, files[path])
         except OSError as error:
             raise AuthoringError("{path}: cannot be written: {reason}", path=path, reason=error.strerror) from None
     return written

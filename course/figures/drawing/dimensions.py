@@ -100,12 +100,10 @@ def draw_angle(
     scene.label(text, middle, middle - scene.paper(centre), gap=0.4, colour=colour, also=list(flat[4:-4:8]))
 
 
-def draw_turn(
-    scene: Scene, centre: np.ndarray, axis: np.ndarray, text: str, *, radius: float = 4.0, gid: str = ""
-) -> None:
+def draw_turn(scene: Scene, centre: np.ndarray, axis: np.ndarray, text: str, *, gid: str = "") -> None:
     """Draw the sense in which a joint turns: most of a circle about its axis, open at the back, with an arrow."""
     away = -scene.projection.toward - (-scene.projection.toward @ axis) * axis
     start = away / np.linalg.norm(away) if np.linalg.norm(away) > 1e-6 else scene.projection.right
     cosine, sine = np.cos(np.radians(55)), np.sin(np.radians(55))
     first = cosine * start + sine * np.cross(axis, start)
-    draw_angle(scene, centre, first, axis, np.radians(250), text, radius=radius, ray=False, gid=gid)
+    draw_angle(scene, centre, first, axis, np.radians(250), text, radius=4.0, ray=False, gid=gid)

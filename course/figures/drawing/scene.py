@@ -88,7 +88,6 @@ class Scene:
         width: float = 0.9,
         gid: str = "",
         zorder: float = 6,
-        head: float = 1.0,
         double: bool = False,
         **style: Any,
     ) -> np.ndarray:
@@ -102,17 +101,17 @@ class Scene:
         if np.linalg.norm(tip - foot) < self.metres(_SHORT):
             self._point_at_reader(foot, self.projection.along(np.asarray(vector)) > 0, colour, zorder)
             return foot
-        self._head(foot, tip, colour, zorder, head)
+        self._head(foot, tip, colour, zorder)
         if double:
-            back = self.metres(_HEAD[0] * head) * (tip - foot) / np.linalg.norm(tip - foot)
-            self._head(foot, tip - back, colour, zorder, head)
+            back = self.metres(_HEAD[0]) * (tip - foot) / np.linalg.norm(tip - foot)
+            self._head(foot, tip - back, colour, zorder)
         line.set_solid_capstyle("butt")
         return tip
 
-    def _head(self, foot: np.ndarray, tip: np.ndarray, colour: str, zorder: float, head: float) -> None:
+    def _head(self, foot: np.ndarray, tip: np.ndarray, colour: str, zorder: float) -> None:
         way = (tip - foot) / np.linalg.norm(tip - foot)
         across = np.array([-way[1], way[0]])
-        size = min(head, float(np.linalg.norm(tip - foot)) / self.metres(_HEAD[0]))
+        size = min(1.0, float(np.linalg.norm(tip - foot)) / self.metres(_HEAD[0]))
         back, side = (self.metres(part * size) for part in _HEAD)
         corners = np.array(
             [tip, tip - back * way + side * across, tip - 0.75 * back * way, tip - back * way - side * across]

@@ -110,9 +110,9 @@ def mm_axes(figure: Figure, left: float, bottom: float, width: float, height: fl
     return figure.add_axes((left / wide, bottom / high, width / wide, height / high))
 
 
-def text_width(figure: Figure, text: str, size: float = TEXT) -> float:
+def text_width(figure: Figure, text: str) -> float:
     """Return the width of a text in mm."""
-    probe = figure.text(0, 0, text, fontsize=size)
+    probe = figure.text(0, 0, text, fontsize=TEXT)
     width = probe.get_window_extent(figure.canvas.get_renderer()).width / figure.dpi / MM
     probe.remove()
     return float(width)

@@ -60,11 +60,9 @@ class Sketch:
         a, b = self._project(start), self._project(end)
         self.shapes.append(("arrow", [a, b], kind, words))
 
-    def frame(self, pose: np.ndarray, kind: str, index: str = "", axes: str = "xyz") -> None:
+    def frame(self, pose: np.ndarray, kind: str, index: str = "") -> None:
         """Draw the axes of a pose, each with its letter."""
         for k, letter in enumerate("xyz"):
-            if letter not in axes:
-                continue
             label = f"{letter}{index.translate(_SUBSCRIPTS)}" if index else ""
             tip = pose[:3, 3] + self.triad * pose[:3, k]
             self.arrow(pose[:3, 3], tip, f"{kind} axis-{letter}", label)
