@@ -16,7 +16,9 @@ _CANDIDATES = 4
 _PARTS = (0.37, 0.61, 0.23, 0.53, 0.41, 0.31, 0.59)  # of the range of each joint
 
 
-def sample(arm: Arm, count: int = 1000, rng: np.random.Generator | None = None) -> tuple[np.ndarray, np.ndarray]:
+def sample(
+    arm: Arm, count: int = 1000, rng: np.random.Generator | None = None, *, near_singular: bool = True
+) -> tuple[np.ndarray, np.ndarray]:
     """Draw configurations of the six families in equal shares.
 
     generic: within the joint limits. zero: all joints at 0. tiny: within ±1e-7. quarter turns: within 1e-6 of multiples
@@ -26,15 +28,16 @@ def sample(arm: Arm, count: int = 1000, rng: np.random.Generator | None = None) 
     Args:
         count: how many, in all; the first families get the remainder.
         rng: the random generator; without one, a new generator of seed 0.
+        near_singular: whether the last family is drawn too, which takes longer than all the others; its share is left out.
 
     Returns:
         q, a (count, n) array (rad, m), base to tool; and the family of each row, a (count,) array of indices in FAMILIES.
     """
     rng = np.random.default_rng(0) if rng is None else rng
     shares = [len(part) for part in np.array_split(np.arange(count), len(FAMILIES))]
-    draw = (_generic, _zero, _tiny, _quarter_turns, _wide, _near_singular)
-    q = np.concatenate([family(arm, share, rng) for family, share in zip(draw, shares, strict=True)])
-    return q, np.repeat(np.arange(len(FAMILIES)), shares)
+    draw = (_generic, _zero, _tiny, _quarter_turns, _wide, *([_near_singular] if near_singular else []))
+    q = np.concatenate([family(arm, share, rng) for family, share in zip(draw, shares, strict=False)])
+    return q, np.repeat(np.arange(len(draw)), shares[: len(draw)])
 
 
 def _generic(arm: Arm, count: int, rng: np.random.Generator) -> np.ndarray:

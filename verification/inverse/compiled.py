@@ -101,7 +101,7 @@ class Compiled:
     @cached_property
     def seeds(self) -> np.ndarray:
         """Targets of configurations within the joint limits."""
-        q, _ = sample(self.arm, 6 * SAMPLES, np.random.default_rng(SEED))
+        q, _ = sample(self.arm, 6 * SAMPLES, np.random.default_rng(SEED), near_singular=False)
         return self.forward(q[:SAMPLES])
 
     @cached_property

@@ -47,7 +47,7 @@ def try_branches(compiled: Compiled, *, by_plant: bool = True) -> Trial:
         by_plant: whether the plant gives the targets; the arm's exact trace does for other lengths than the plant has.
     """
     arm, derivation = compiled.arm, compiled.derivation
-    q, family = sample(arm, SAMPLES * len(FAMILIES) // len(DRAWN), np.random.default_rng(SEED))
+    q, family = sample(arm, SAMPLES * len(FAMILIES) // len(DRAWN), np.random.default_rng(SEED), near_singular=False)
     q = q[np.isin(family, [FAMILIES.index(name) for name in DRAWN])]
     targets_of = partial(plant_targets, compiled) if by_plant else compiled.forward
     targets = targets_of(q)

@@ -112,6 +112,9 @@ def test_samples_repeat_with_the_seed() -> None:
     first, second = (sample(arm, 60, np.random.default_rng(8))[0] for _ in range(2))
     np.testing.assert_array_equal(first, second)
     assert (first != sample(arm, 60, np.random.default_rng(9))[0]).any()
+    fewer, family = sample(arm, 60, np.random.default_rng(8), near_singular=False)
+    np.testing.assert_array_equal(fewer, first[:50])
+    assert len(family) == 50 and family.max() == FAMILIES.index("near-singular") - 1
     np.testing.assert_array_equal(sample(arm)[0], sample(arm, 1000)[0])
 
 
