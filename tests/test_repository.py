@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 from pydrake.common.deprecation import DrakeDeprecationWarning
 
+from tests.forked import armproof
 from tests.sources import nodes_in
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -261,8 +262,8 @@ def test_the_readme_names_every_make_target():
 def test_the_example_of_the_readme_has_one_wrong_sign(tmp_path: Path):
     example = re.search(r"^```markdown\n(---\n.*?)^```$", (ROOT / "README.md").read_text(), re.MULTILINE | re.DOTALL)[1]
     (tmp_path / "planar-2r.md").write_text(example, encoding="utf-8")
-    command = [Path(sys.executable).with_name("armproof"), "verify", tmp_path / "planar-2r.md", "--format", "json"]
-    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60)
+    document = tmp_path / "planar-2r.md"
+    run = armproof("verify", document, "--format", "json", folder=ROOT, environment=os.environ)
     assert run.returncode == 1, run.stderr
     [document] = json.loads(run.stdout)["documents"]
     assert [record["verdict"] for record in document["equations"]] == ["proved", "refuted", "proved"]

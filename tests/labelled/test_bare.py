@@ -9,8 +9,10 @@ import pytest
 
 from tests.labelled.bare import Bare, load
 from tests.labelled.cases import DECIDED, PASSES
+from tests.laws import SWEEP
 
 DOCUMENTS = load()
+MISTAKEN = DOCUMENTS if SWEEP else DOCUMENTS[::2]  # `python -m tests.labelled.bare` makes all mistakes of all documents
 
 
 @lru_cache
@@ -23,9 +25,9 @@ def test_nothing_true_is_refuted(document: Bare):
     assert "refuted" not in [verdict for _, verdict in verdicts(document)]
 
 
-@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda one: one.path.name)
+@pytest.mark.parametrize("document", MISTAKEN, ids=lambda one: one.path.name)
 def test_a_mistake_does_not_pass(document: Bare):
-    number, line, _ = list(document.mistakes)[-1]  # `python -m tests.labelled.bare` makes them all
+    number, line, _ = list(document.mistakes)[-1]
     found = {record.verdict.value for record in document.verify(number).equations if record.line == line}
     assert found and not found & set(PASSES)
 

@@ -1,4 +1,7 @@
-"""Our verdicts against the labels; what is not yet right stands in not_yet.txt, which can only shrink."""
+"""Our verdicts against the labels; what is not yet right stands in not_yet.txt, which can only shrink.
+
+Of the displays every other one of each kind and label is judged; `make sweep` and `python -m tests.labelled` judge them all.
+"""
 
 from __future__ import annotations
 
@@ -7,16 +10,18 @@ from functools import cache
 
 import pytest
 
-from tests.labelled.cases import ALLOWED, FALSE_PASS, FALSE_REFUTATION, UNDECIDED, Case, load_cases
+from tests.labelled.cases import ALLOWED, FALSE_PASS, FALSE_REFUTATION, UNDECIDED, Case, drawn, load_cases
 from tests.labelled.faults import Fault, faults_among, faults_of_pages, mended, read_not_yet, unexpected
 from tests.labelled.judging import judge_all
 from tests.labelled.pages import load_pages
+
+DRAWN = drawn(load_cases("displays.yaml"), 2)
 
 
 @cache
 def all_faults() -> tuple[Fault, ...]:
     """Return those of the displays and pages; the spellings have a file of their own, for another worker."""
-    return (*faults_among(judge_all(load_cases("displays.yaml"))), *faults_of_pages())
+    return (*faults_among(judge_all(DRAWN)), *faults_of_pages())
 
 
 def test_no_verdict_is_wrong_that_is_not_on_the_list():
@@ -25,9 +30,15 @@ def test_no_verdict_is_wrong_that_is_not_on_the_list():
 
 
 def test_what_is_mended_has_left_the_list():
-    spelt = {case.key for case in load_cases("spellings.yaml")}
-    found = mended(all_faults(), {key: kind for key, kind in read_not_yet().items() if key not in spelt})
+    left = {case.key for case in load_cases()} - {case.key for case in DRAWN}
+    found = mended(all_faults(), {key: kind for key, kind in read_not_yet().items() if key not in left})
     assert not found, f"mended: {', '.join(found)}; `python -m tests.labelled --update` takes them out"
+
+
+def test_what_is_drawn_has_each_label_of_each_kind_of_trap():
+    kinds = [{(case.about, case.front, case.label) for case in cases} for cases in (DRAWN, load_cases("displays.yaml"))]
+    assert kinds[0] == kinds[1] and len(kinds[0]) > 100
+    assert len(DRAWN) >= 500
 
 
 def test_a_fault_that_is_not_listed_or_worse_than_listed_is_noticed():

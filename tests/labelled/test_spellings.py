@@ -4,26 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import yaml
 
-from tests.labelled.cases import HERE, expand, load_cases
+from tests.labelled.cases import drawn, expand, load_cases, read_table
 from tests.labelled.evaluator import evaluate
 from tests.labelled.faults import faults_among, mended, read_not_yet, unexpected
 from tests.labelled.judging import judge_all
 from tests.labelled.plant_truth import PlantTruth
-from tests.laws import SWEEP
 
-TABLE = yaml.safe_load((HERE / "spellings.yaml").read_text("utf-8"))
+TABLE = read_table("spellings.yaml")
 ENTRIES = [(group, entry) for group in TABLE["groups"] for entry in group["cases"] if "truth" in entry]
 SPELT = load_cases("spellings.yaml")
-DRAWN = SPELT if SWEEP else SPELT[::2]  # every other name of each value: `python -m tests.labelled` judges them all
+DRAWN = drawn(SPELT, 3)  # one in three names of each value: `python -m tests.labelled` judges them all
 
 
 def test_no_verdict_is_wrong_that_is_not_on_the_list_nor_one_on_it_mended():
-    drawn = {case.key for case in DRAWN}
+    keys = {case.key for case in DRAWN}
     faults, listed = faults_among(judge_all(DRAWN)), read_not_yet()
     assert not unexpected(faults, listed)
-    assert not mended(faults, {key: kind for key, kind in listed.items() if key in drawn})
+    assert not mended(faults, {key: kind for key, kind in listed.items() if key in keys})
 
 
 def test_what_is_drawn_has_right_and_wrong_values_of_each_group():

@@ -204,7 +204,9 @@ def test_what_cannot_be_judged_says_what_is_expected(asks: Any, answer: Any, wor
     assert words in feedback.message
 
 
-def test_a_loop_without_end_is_stopped() -> None:
+def test_a_loop_without_end_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("armproof.course.feedback.formula.SECONDS", 0.3)
+
     def loop(x: float, y: float, a: float, b: float) -> float:
         while True:
             x += 1

@@ -70,7 +70,6 @@ def test_the_rx90_has_its_elbow_and_shoulder_curves_and_a_million_configurations
     assert [arm.joints[k].symbol for k in found.joints] == ["theta_2", "theta_3"]
     curves = {family.latex for family in shown_families(found) if family_lines(found, family)}
     assert curves == {r"a_3 C_2 - d_3 S_{23} = 0", r"\theta_3 = -\frac{\pi}{2}"}
-    joint_map.cache_clear()
     manipulability_figure(arm)
     joint_map.cache_clear()
     start = time.process_time()
