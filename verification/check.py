@@ -26,7 +26,7 @@ from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.reading import read_names, spelling_of
-from armproof.verification.naming.state import settle_definitions
+from armproof.verification.naming.state import Stated, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -36,6 +36,7 @@ from armproof.verification.tables.arms import (
     links_that_explain,
     scopes,
     settle_data,
+    stated_lengths,
     table_of_named,
 )
 from armproof.verification.verdict import DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
@@ -157,6 +158,8 @@ class DocumentChecker:
         self.samples = samples
         self.direction = self.direction_in(document)
         self.names.state.transforms = self.direction[0]
+        self.lengths = self.lengths_in(document)
+        self.names.state.configuration.update(self.lengths)
 
     def direction_in(self, document: Document) -> tuple[str, int]:
         """Return which index names the reference, as a document's first link matrix shows it, and its line; else ("", 0)."""
@@ -166,6 +169,11 @@ class DocumentChecker:
                 return (shown_direction(self.checker, displays) if displays else None) or ("", 0)
         except TooComplex:
             return "", 0
+
+    def lengths_in(self, document: Document) -> dict[str, Stated]:
+        """Return the values that a document's DH tables give lengths beside their letters."""
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            return stated_lengths(document, self.names, self.exact)
 
     def sampled(self) -> SampledAlgebra:
         """The double plant at the configurations of the six families; raises NotSampled where none may be taken."""

@@ -47,7 +47,10 @@ class Circumstances:
         in_words = False
         for latex in said if self.names.arm is not None else ():
             try:
-                chains = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+                found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+                chains = [chain for chain in found if not self.given.repeats(chain)]
+                if found and not chains:
+                    continue
             except ReadError:
                 names |= {*self.given.joints, *self.given.lengths}
                 chains = []

@@ -57,11 +57,12 @@ class StatedValues:
         if not self.enabled:
             return self._without_lengths(outcome)
         arm = self.names.arm
-        if arm is None or outcome.states_values:
+        if outcome.states_values:
             return None
+        one, other = (symbols_in(side.cells) for side in (pairs[0].true, pairs[0].printed))
+        if arm is None:  # numbers beside letters are those of a configuration that nobody can tell
+            return None if bool(one) is bool(other) else outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
-        sides = [[symbols_in(side.cells) for side in (pair.true, pair.printed)] for pair in pairs]
-        one, other = sides[0]
         if not (one and other) and of_arm & (one | other):
             numbers = _sides(outcome)[bool(one)]
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))

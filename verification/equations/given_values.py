@@ -62,6 +62,15 @@ class GivenValues:
             if (value := self._number(node)) is not None:
                 before[name] = Stated(node, value, line, self.names.state.section)
 
+    def repeats(self, chain: n.Chain) -> bool:
+        """Whether an equation gives a length the value that it has."""
+        values = self.values(*chain.members) if chain.relations == ("=",) else None
+        stated = self.names.state.configuration
+        return bool(values) and all(
+            name in self.lengths and name in stated and stated[name].value == self._number(node)
+            for name, node in (values or {}).items()
+        )
+
     @property
     def joints(self) -> list[str]:
         """The symbols of the arm's joints."""

@@ -30,15 +30,15 @@ def length_values(differences: Iterable[Scalar], lengths: Mapping[str, float]) -
 
 
 def _coefficients(difference: Scalar, lengths: set[str]) -> list[Scalar]:
-    """The coefficients, polynomials in lengths, of the products of all other generators."""
+    """The coefficients, polynomials in lengths, π and roots of numbers, of the products of all other generators."""
     ring = difference.ring
     found: dict[tuple[tuple[Generator, int], ...], Scalar] = {}
     for powers, number in ring.terms(difference.numerator):
-        rest = tuple(sorted(item for item in powers.items() if item[0] not in {("symbol", name) for name in lengths}))
+        fixed = {generator for generator in powers if generator[0] in ("sqrt", "pi") or generator[1] in lengths}
+        rest = tuple(sorted(item for item in powers.items() if item[0] not in fixed))
         term = ring.rational(number)
-        for generator, power in powers.items():
-            if generator[0] == "symbol" and generator[1] in lengths:
-                term = term * ring.generator(generator) ** power
+        for generator in fixed:
+            term = term * ring.generator(generator) ** powers[generator]
         found[rest] = found.get(rest, ring.zero) + term
     return [each for each in found.values() if not each.is_zero()]
 

@@ -54,8 +54,10 @@ class IncrementalChecker:
         fresh = checker is None or bool(checker.ring.parts) or (document.front, document.lines) != self._front
         if checker is not None and spelling_of(document, checker.names.reader.words) != checker.names.reader.spelling:
             fresh = True
-        if checker is not None and not fresh and checker.direction_in(document) != checker.direction:
-            fresh = True
+        if checker is not None and not fresh:
+            fresh = (
+                checker.direction_in(document) != checker.direction or checker.lengths_in(document) != checker.lengths
+            )
         self.result = None
         if fresh:
             self._begin(document)

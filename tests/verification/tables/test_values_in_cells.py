@@ -61,3 +61,45 @@ def test_a_value_beside_a_letter_of_the_front_matter_is_data() -> None:
     assert verdict("l_2 = 0.45", "l_1 = 300 mm") == "refuted"
     assert verdict("450 mm", "l_2") == "unchecked"  # no number to compare it with
     assert verdict("0", "l_2") == "refuted"
+
+
+PLACE = "$$ \\theta_1 = 30^\\circ, \\quad \\theta_2 = 60^\\circ $$\n\n"
+
+
+@pytest.mark.parametrize("front", ["", FRONT])
+@pytest.mark.parametrize(
+    ("cells", "claim", "verdict"),
+    [
+        (("$l_1 = 0.45$", "l_2 (250 mm)"), r"\det J = 0.0974", "confirmed"),
+        (("$l_1 = 0.45$", "l_2 (250 mm)"), r"\det J = 0.0974 + 0.02", "refuted"),
+        (("$l_1 = 0.45$", "$l_2$"), r"\det J = 0.0974", "unchecked"),  # some length makes it right
+        (("$l_1$", "$l_2$"), r"\det J = 0.0974", "unchecked"),
+        (("$l_1$", "$l_2$"), r"\det J = 0.0974 \sqrt{3}", "unchecked"),
+        (("$l_1$", "$l_2$"), r"\det J = \frac{\sqrt{3}}{2} l_1 l_2", "confirmed"),
+        (("$l_1 = 0.45$", "$l_2 = 0.25$"), r"x = \frac{9}{20} c_1 + \frac{1}{4} c_{12}", "confirmed"),
+        (("$l_1 = 0.45$", "$l_2 = 0.25$"), r"x = \frac{1}{4} c_1 + \frac{9}{20} c_{12}", "unchecked"),
+    ],
+)
+def test_numbers_below_are_decided_with_the_lengths_of_the_table(
+    cells: tuple[str, str], claim: str, verdict: str, front: str
+) -> None:
+    text = front + TABLE.format(*cells) + SHOWN.format("l_1", "l_2", "l_1", "l_2") + f"\n{PLACE}$$ {claim} $$\n"
+    found = verdicts(text)[-1]
+    assert (found == "refuted") is (verdict == "refuted") and (found in ("proved", "confirmed")) is (
+        verdict == "confirmed"
+    )
+
+
+def test_two_values_of_one_length_tell_none() -> None:
+    text = TABLE.format("$l_1 = 0.45$", "$l_2 = 0.25$") + SHOWN.format("l_1", "l_2", "l_1", "l_2")
+    other = TABLE.format("$l_1 = 0.35$", "$l_2 = 0.25$")
+    claims = f"\n{PLACE}$$ \\det J = 0.0974 $$\n"
+    assert verdicts(text + "\n" + other + claims)[-1] == "unchecked"
+
+
+def test_numbers_beside_letters_are_no_slip_where_no_arm_is_given() -> None:
+    text = "$$ x = l_1 c_1 + l_2 c_{12} $$\n\n$$ y = l_1 s_1 - l_2 s_{12} $$\n\n"  # of no arm
+    column = r"$$ \begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} A \\ B \end{bmatrix} $$"
+    assert verdicts(text + column.replace("A", "0.39").replace("B", "0.48"))[-1] == "unchecked"
+    letters = column.replace("A", "l_1 c_1 + l_2 c_{12}").replace("B", "l_1 s_1 + l_2 s_{12}")
+    assert verdicts(text + letters)[-1] == "refuted"

@@ -4,6 +4,7 @@ from armproof.verification.tables.arms.catalogue import difference, table_of_nam
 from armproof.verification.tables.arms.inference import infer_arm
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.support import Inference, links_of, links_that_explain, settle_data
+from armproof.verification.tables.arms.values import stated_lengths
 
 __all__ = [
     "Inference",
@@ -13,5 +14,6 @@ __all__ = [
     "links_that_explain",
     "scopes",
     "settle_data",
+    "stated_lengths",
     "table_of_named",
 ]

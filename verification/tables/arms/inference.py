@@ -64,12 +64,12 @@ def arms_of(document: Document, table: Table) -> list[Candidate] | Finding:
     """Return the arms that a DH table can mean, or why it gives none."""
     try:
         columns = read_columns(table.header)
-        return list(candidates(table, columns, plain_names(document), _in_metres(document, table)))  # type: ignore[arg-type]
+        return list(candidates(table, columns, plain_names(document), in_metres(document, table)))  # type: ignore[arg-type]
     except (EvaluationError, ReadError, RecursionError) as error:
         return finding_of(error)
 
 
-def _in_metres(document: Document, table: Table) -> bool:
+def in_metres(document: Document, table: Table) -> bool:
     """Whether a document calculates in metres, whatever the unit of its table: else a number of it stands in a display."""
     numbers = {number for row in table.rows for cell in row for number in _NUMBER.findall(cell) if len(number) > 1}
     numbers -= {"90", "180", "45", "60", "30", "120", "135", "270", "360"}

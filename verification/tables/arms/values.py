@@ -1,0 +1,50 @@
+"""The values that a DH table gives lengths beside their letters: a = l_1 (450 mm), d = l_2 = 0.3."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from fractions import Fraction
+
+from armproof.verification.document import Document, Table
+from armproof.verification.equations.decimals import is_number
+from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.state import Stated
+from armproof.verification.tables.arms.inference import dh_tables, in_metres
+from armproof.verification.tables.cells import Cell, read_cell
+from armproof.verification.tables.columns import read_columns
+from armproof.verification.tables.row import SCALES
+
+
+def stated_lengths(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Stated]:
+    """Return the lengths of an arm to which the document's DH tables give one value each."""
+    found: dict[str, set[Fraction]] = {}
+    for table in dh_tables(document) if names.arm is not None else ():
+        for symbol, value in _values(table, names, algebra, in_metres(document, table)):
+            found.setdefault(symbol, set()).add(value)
+    one_each = {symbol: values.pop() for symbol, values in found.items() if len(values) == 1}
+    return {symbol: Stated(n.Number(value, str(value)), float(value)) for symbol, value in one_each.items()}
+
+
+def _values(table: Table, names: Names, algebra: ExactAlgebra, metres: bool) -> Iterator[tuple[str, Fraction]]:
+    columns = read_columns(table.header)
+    used = sorted({column for pair in columns.lengths for column in pair}) if columns is not None else []
+    for number, texts in enumerate(table.rows, 1):
+        for column in used if len(texts) == len(table.header) else ():
+            with suppress(ReadError, EvaluationError):
+                cell = read_cell(names, texts[column], number, column, metres)
+                scale = SCALES.get(columns.headers[column].unit, 1) if columns and metres and not cell.has_unit else 1
+                yield from _value(cell, names, algebra, Fraction(scale))
+
+
+def _value(cell: Cell, names: Names, algebra: ExactAlgebra, scale: Fraction) -> Iterator[tuple[str, Fraction]]:
+    """Yield the length of a cell that is one letter, and its value."""
+    letters = [tree for tree in cell.trees if isinstance(tree, n.Name)]
+    numbers = [value for tree, value in zip(cell.trees, cell.values(names, algebra), strict=True) if is_number(tree)]
+    symbol = names.known_symbol(letters[0].key) if len(letters) == len(numbers) == 1 == len(cell.trees) - 1 else None
+    value = numbers[0].as_fraction() if numbers else None
+    if symbol is not None and value is not None and names.arm is not None and symbol in names.arm.lengths:
+        yield symbol, value * scale
