@@ -61,7 +61,9 @@ class StatedValues:
             return None
         one, other = (symbols_in(side.cells) for side in (pairs[0].true, pairs[0].printed))
         if arm is None:  # numbers beside letters are those of a configuration that nobody can tell
-            return None if bool(one) is bool(other) else outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
+            numbers = pairs[0].printed if one else pairs[0].true
+            is_number = bool(one) is not bool(other) and not all(cell.is_zero() for cell in numbers.cells)
+            return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE)) if is_number else None
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
         if not (one and other) and of_arm & (one | other):
             numbers = _sides(outcome)[bool(one)]
