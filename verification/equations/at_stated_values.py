@@ -61,9 +61,9 @@ class StatedValues:
             return None
         one, other = (symbols_in(side.cells) for side in (pairs[0].true, pairs[0].printed))
         if arm is None:  # numbers beside letters are those of a configuration that nobody can tell
-            numbers = pairs[0].printed if one else pairs[0].true
-            is_number = bool(one) is not bool(other) and not all(cell.is_zero() for cell in numbers.cells)
-            return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE)) if is_number else None
+            values = (pairs[0].printed if one else pairs[0].true).cells
+            is_there = bool(one) is not bool(other) and not all(value.is_zero() for value in values)
+            return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE)) if is_there else None
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
         if not (one and other) and of_arm & (one | other):
             numbers = _sides(outcome)[bool(one)]
