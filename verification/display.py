@@ -329,31 +329,40 @@ class Statements:
         return outcomes
 
     def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if (said := self._stated(chain, equation, line, define)) is not None:
+            return [said]
+        if any(relation != "=" for relation in chain.relations):
+            parts = [(equation + at, part) for at, part in parts_of(chain)]
+            return [outcome for number, part in parts for outcome in self._related(part, number, line, define)]
+        if any(isinstance(member, n.Cases) for member in chain.members):
+            return self._cases(chain, equation, line, define)
+        return self._claimed(chain, equation, line, define)
+
+    def _stated(self, chain: n.Chain, equation: int, line: int, define: bool) -> Outcome | None:
+        """Return what becomes of a chain that claims nothing: a sign, a configuration, a condition, a doubt; else None."""
         sign = named_sign(chain)
         if sign is not None and self.names.defines_sign(sign):
             if define:
                 self.names.state.signs.name(sign, line)
-            return [Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))]
+            return Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))
         if any(relation != "=" for relation in chain.relations):
-            return [
-                outcome
-                for at, part in parts_of(chain)
-                for outcome in (
-                    self._clear_chain(part, equation + at, line, define)
-                    if part.relations[0] == "="
-                    else [check_relation(self.checker, part, equation + at)]
-                )
-            ]
+            return None
         if (doubt := counted(chain, self.names)) is not None:
-            return [Outcome(Verdict.UNCHECKED, (doubt,), equation)]
+            return Outcome(Verdict.UNCHECKED, (doubt,), equation)
         if (given := self.given.read(chain, line, define)) is not None:
-            return [Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)]
-        if self.given.is_condition(chain):
-            if define:
-                self.circumstances.of_display(chain)
-            return [Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)]
-        if any(isinstance(member, n.Cases) for member in chain.members):
-            return self._cases(chain, equation, line, define)
+            return Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)
+        if not self.given.is_condition(chain):
+            return None
+        if define:
+            self.circumstances.of_display(chain)
+        return Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
+
+    def _related(self, part: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if part.relations[0] == "=":
+            return self._clear_chain(part, equation, line, define)
+        return [check_relation(self.checker, part, equation)]
+
+    def _claimed(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in chain.members)
         found = self.general.check(chain, equation, line, define) if is_general else None
         for outcome in found or ():
@@ -363,13 +372,13 @@ class Statements:
             self.given.remember(outcome.gives, line)
         if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
             self.circumstances.of_display(chain)
-        outcomes = [
-            without_misreading(o, chain, self.names, not define) if o.verdict is Verdict.REFUTED else o
-            for o in outcomes
-        ]
-        if self.names.state.told == Told():
-            return outcomes
-        return [self.circumstances.judge(o) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        return [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+
+    def _understood(self, outcome: Outcome, chain: n.Chain, define: bool) -> Outcome:
+        """Return a refuted outcome, left open where the chain or what the text says may be meant otherwise."""
+        outcome = without_misreading(outcome, chain, self.names, not define)
+        speaks = self.names.state.told != Told() and outcome.verdict is Verdict.REFUTED
+        return self.circumstances.judge(outcome) if speaks else outcome
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         outcomes = self.checker.check(chain, equation, line, define)

@@ -79,12 +79,13 @@ class Equality:
                 return self.route.confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
                 best = (pair, wrong)
-        if not branches and (there := self.stated.read(outcome, pairs)) is not None:
+        rounded = self.members.decimals(true.node, printed.node, least=1) is not None
+        may_be_at_values = not branches and (self.stated.enabled or rounded)
+        if may_be_at_values and (there := self.stated.read(outcome, pairs)) is not None:
             return there
         assert best is not None
         outcome.pair, outcome.wrong = best
         outcome.findings = _noted(best[0])
-        rounded = self.members.decimals(true.node, printed.node, least=1) is not None
         if rounded and holds_to_its_decimals(self.route, outcome, branches):
             return outcome
         return self.route.doubt(outcome, branches)
