@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
@@ -141,6 +141,11 @@ class Correction:
 
 
 Rows = tuple[tuple[float, ...], ...]
+
+
+def as_rows(matrix: Iterable[Iterable[float]]) -> Rows:
+    """Return the numbers of a matrix as data."""
+    return tuple(tuple(map(float, row)) for row in matrix)
 
 
 @dataclass(frozen=True)

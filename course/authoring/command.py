@@ -11,7 +11,17 @@ from armproof.course.authoring import options as o
 from armproof.course.site.command import site
 from armproof.models.errors import written
 from armproof.models.language import ENGLISH, look_up, spoken
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, tell
+from armproof.verification.cli.application import (
+    CANNOT_RUN,
+    FAILS,
+    PASSES,
+    Format,
+    Language,
+    ReportFormat,
+    complain,
+    ending,
+    tell,
+)
 from armproof.verification.running.processes import MOST_WORKERS, cores
 
 if TYPE_CHECKING:
@@ -102,7 +112,7 @@ def build(
 
 @lesson.command("check")
 def check_command(
-    names: o.Names = None, jobs: o.Jobs = None, report_format: o.ReportFormat = o.Format.text, folder: o.Folder = None
+    names: o.Names = None, jobs: o.Jobs = None, report_format: ReportFormat = Format.text, folder: o.Folder = None
 ) -> None:
     """Check lessons: every task proved in the solved source and not attempted in the student's notebook, every equation, every answer.
 
@@ -216,12 +226,12 @@ def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out
     return (nbgrader_files if nbgrader else instructor_files)(out, place.named(names), lang)
 
 
-def _check(place: Place, sources: list[Path], processes: int, report_format: o.Format) -> int:
+def _check(place: Place, sources: list[Path], processes: int, report_format: Format) -> int:
     """Write the reports as they come; return the exit code."""
     from armproof.course.authoring.checking.lessons import check_lessons
     from armproof.course.authoring.checking.report import write_json, write_text
 
-    write = write_json if report_format is o.Format.json else write_text
+    write = write_json if report_format is Format.json else write_text
     reports = write(check_lessons(place, sources, processes), sources)
     if any(report.cannot_run for report in reports):
         return CANNOT_RUN

@@ -2,19 +2,10 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
-
-
-class Format(StrEnum):
-    """The formats of a report."""
-
-    text = "text"
-    json = "json"
-
 
 Names = Annotated[
     list[str] | None, typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all.")
@@ -42,7 +33,6 @@ Jobs = Annotated[
     int | None,
     typer.Option("--jobs", "-j", min=1, max=64, metavar="N", help="Processes; by default one a core, at most 4."),
 ]
-ReportFormat = Annotated[Format, typer.Option("--format", help="text for people, json for programs.")]
 Name = Annotated[str, typer.Argument(metavar="NAME", help="The lesson's name, such as my_arm_jacobian.")]
 OfArm = Annotated[str | None, typer.Option("--arm", metavar="ARM", help="An arm of `armproof arms`.")]
 OfDocument = Annotated[

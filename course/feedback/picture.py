@@ -16,7 +16,7 @@ from armproof.verification.functions.asked import read_asked
 from armproof.verification.functions.guarded_call import Guard
 from armproof.verification.functions.returned import NotAttempted, fit, read_returned
 from armproof.verification.report.html.figures import Figure, painter_of
-from armproof.verification.verdict import Discrepancy, Drawn, Record, Rows, Verdict
+from armproof.verification.verdict import Discrepancy, Drawn, Record, Verdict, as_rows
 
 SECONDS = 0.5
 
@@ -60,7 +60,7 @@ def drawn_at(arm: Arm, asked: Mapping[str, Any], obtained: np.ndarray, at: Mappi
         if quantity.kind == "pose" or len(flat) < len(rows) or max(rows) > 2:
             return None
         claimed[rows, 3] = flat[: len(rows)]
-    return Drawn("pose", quantity.frame, _rows(pose), _rows(claimed))
+    return Drawn("pose", quantity.frame, as_rows(pose), as_rows(claimed))
 
 
 def _velocity(quantity: Any, true: np.ndarray, obtained: np.ndarray) -> Drawn | None:
@@ -72,7 +72,7 @@ def _velocity(quantity: Any, true: np.ndarray, obtained: np.ndarray) -> Drawn | 
     column, row = wrong[0] if len(wrong) else (quantity.columns[0] - 1 if quantity.columns else 0, 0)
     part = slice(0, 3) if row < 3 else slice(3, 6)
     kind = "velocity" if row < 3 else "angular velocity"
-    sides = _rows(true[part, column][:, None]), _rows(claimed[part, column][:, None])
+    sides = as_rows(true[part, column][:, None]), as_rows(claimed[part, column][:, None])
     return Drawn(kind, quantity.frame, *sides, joint=int(column) + 1)
 
 
@@ -101,7 +101,3 @@ def call_at(arm: Arm, function: Callable[..., Any], at: Mapping[str, float]) -> 
         raise AnswerError(call.error.message)
     (obtained,) = read_returned(call.value, 1)
     return obtained
-
-
-def _rows(matrix: np.ndarray) -> Rows:
-    return tuple(tuple(float(cell) for cell in row) for row in matrix)

@@ -110,6 +110,11 @@ def _replacement(ring: Ring, generator: Generator, replacements: Mapping[Generat
     return ring.generator(generator)
 
 
+def angles_in(value: Scalar) -> set[str]:
+    """Return the angles of which a value has the cosine or the sine."""
+    return {name for kind, name in value.generators if kind in ("cos", "sin")}
+
+
 def symbols_in(values: Iterable[Scalar]) -> set[str]:
     """Return the symbols that occur in values: as such, in angles, under roots, in arc functions."""
     found: set[str] = set()

@@ -12,6 +12,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from enum import StrEnum
 from functools import partial
 from importlib.metadata import EntryPoint, entry_points
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
@@ -31,6 +32,13 @@ if TYPE_CHECKING:
 GROUP = "armproof.commands"
 UsageError: Any = typer.BadParameter.__base__  # of the click that this typer brings
 PASSES, FAILS, CANNOT_RUN, INTERRUPTED = 0, 1, 2, 130
+
+
+class Format(StrEnum):
+    """The formats of a report."""
+
+    text = "text"
+    json = "json"
 
 
 def commands() -> dict[str, EntryPoint]:
@@ -131,6 +139,7 @@ Language = Annotated[
         help="The language, en or fr; by default the document's, else that of LANG.",
     ),
 ]
+ReportFormat = Annotated[Format, typer.Option("--format", help="text for people, json for programs.")]
 Version = Annotated[bool, typer.Option("--version", help="Show the version.")]
 
 

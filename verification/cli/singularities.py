@@ -4,30 +4,20 @@ from __future__ import annotations
 
 import sys
 from contextlib import nullcontext
-from enum import StrEnum
 from typing import Annotated
 
 import typer
 
 from armproof.models.errors import ArmproofError
 from armproof.models.language import of_programs
-from armproof.verification.cli.application import FAILS, Language, Lock, Tip, ending, load
+from armproof.verification.cli.application import FAILS, Format, Language, Lock, ReportFormat, Tip, ending, load
 from armproof.verification.report.text import write_lines
-
-
-class Format(StrEnum):
-    """The formats of the report."""
-
-    text = "text"
-    json = "json"
-
 
 OneArm = Annotated[str, typer.Argument(metavar="ARM", help="An arm, or a path to a model file.", show_default=False)]
 Frame = Annotated[str | None, typer.Option(metavar="FRAME", help="Whose velocity J gives; by default the tool's.")]
 Axes = Annotated[str | None, typer.Option("--in", metavar="FRAME", help="In whose axes; by default the base's.")]
 Rows = Annotated[str | None, typer.Option(metavar="1,2,…", help="Rows of [v; ω]; by default those of the arm's task.")]
 Columns = Annotated[str | None, typer.Option(metavar="1,2,…", help="Columns, base to tool; by default all.")]
-ReportFormat = Annotated[Format, typer.Option("--format", help="text for people, json for programs.")]
 
 
 def singularities(

@@ -17,7 +17,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding
-from armproof.verification.verdict import Discrepancy, Drawn, Rows
+from armproof.verification.verdict import Discrepancy, Drawn, as_rows
 
 _TOLERANCE = 1e-9  # of two poses that are the same at every probe
 
@@ -79,7 +79,7 @@ class _Drawing:
         else:
             return None
         X_0R = self._at(quantity.reference)
-        return Drawn("pose", quantity.frame, _rows(X_0R @ X_RF), _rows(X_0R @ claimed))
+        return Drawn("pose", quantity.frame, as_rows(X_0R @ X_RF), as_rows(X_0R @ claimed))
 
     def _vector(self, quantity: Quantity, true: np.ndarray, printed: np.ndarray) -> Drawn | None:
         rows = self._rows(quantity, printed)
@@ -92,7 +92,7 @@ class _Drawing:
         claimed[rows] = printed[: len(rows), 0]
         R_0R = self._at(quantity.reference)[:3, :3]
         frame = quantity.start if quantity.kind == "difference" else quantity.frame
-        return Drawn(quantity.kind, frame, _rows((R_0R @ whole)[:, None]), _rows((R_0R @ claimed)[:, None]))
+        return Drawn(quantity.kind, frame, as_rows((R_0R @ whole)[:, None]), as_rows((R_0R @ claimed)[:, None]))
 
     def _velocity(self, quantity: Quantity, outcome: Outcome, printed: np.ndarray) -> Drawn | None:
         """The velocity that the joint of the first wrong column gives, linear or angular as its first wrong row is."""
@@ -109,7 +109,7 @@ class _Drawing:
         claimed[rows] = printed[:, column]
         R_0R = self._at(quantity.reference)[:3, :3]
         kind = "velocity" if rows[first] < 3 else "angular velocity"
-        true, given = (_rows((R_0R @ side[list(part)])[:, None]) for side in (whole, claimed))
+        true, given = (as_rows((R_0R @ side[list(part)])[:, None]) for side in (whole, claimed))
         return Drawn(kind, quantity.frame, true, given, joint=columns[column] + 1)
 
     def _rows(self, quantity: Quantity, printed: np.ndarray) -> list[int] | None:
@@ -149,10 +149,6 @@ class _Drawing:
     def _at(self, frame: str, reference: str | None = None) -> np.ndarray:
         assert self.kinematics is not None
         return np.array(self.kinematics.pose(frame, reference)[self.sample])
-
-
-def _rows(matrix: np.ndarray) -> Rows:
-    return tuple(tuple(float(cell) for cell in row) for row in matrix)
 
 
 class BySamples:

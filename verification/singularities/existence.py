@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import prod
 
 from armproof.models.arm import Joint
-from armproof.verification.algebra.calculus import derivative
+from armproof.verification.algebra.calculus import angles_in, derivative
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.roots import sqrt
 from armproof.verification.algebra.written import write_scalar
@@ -111,7 +111,7 @@ def _solvable(form: _Linear) -> str | None:
     """Write the lengths for which C² ≤ max (A² + B²) over the other joints; None where that is not plain."""
     if form.c.is_zero():
         return ""
-    if _angles(form.c):
+    if angles_in(form.c):
         return None
     greatest = _greatest(form.a * form.a + form.b * form.b)
     if greatest is None:
@@ -131,13 +131,9 @@ def _magnitude(value: Scalar) -> str:
     return f"\\left|{_write(value)}\\right|"
 
 
-def _angles(value: Scalar) -> set[str]:
-    return {name for kind, name in value.generators if kind in ("cos", "sin")}
-
-
 def _greatest(value: Scalar) -> tuple[Scalar, Scalar | None] | None:
     """Return the greatest value of P + Q cos φ + S sin φ, P + √(Q² + S²), and its root where that is u + v; None if no such form."""
-    angles = _angles(value)
+    angles = angles_in(value)
     if not angles:
         return value, sqrt(value) if len(value.numerator) == 1 else None
     if len(angles) > 1:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
+from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
 from armproof.verification.errors import EvaluationError
@@ -63,7 +63,7 @@ def _coordinates(
         evaluated = value_in_letters(bare(chain.members[1]), names, algebra) if match is not None else None
         if match is not None and evaluated is not None and isinstance(evaluated[0], Scalar):
             axis, value = (match[1] or match[2]).lower(), evaluated[0].normal()
-            if axis == "z" or _turning(value) or any(map(_SLIDE.fullmatch, symbols_in([value]))):
+            if axis == "z" or angles_in(value) or any(map(_SLIDE.fullmatch, symbols_in([value]))):
                 letters.update({name.key: name for name in evaluated[1]})
                 yield axis, value
 
@@ -72,11 +72,6 @@ def _rates(document: Document) -> set[str]:
     """Return the letters, as keys, of which a display has the rate: those of joints."""
     found = (m for d in document.displays for m in re.findall(r"\\dot\s*\{?\s*\\?([A-Za-z]+)(?:_\{?(\d+))?", d.latex))
     return {f"{letter}_{index}" if index else letter for letter, index in found}
-
-
-def _turning(value: Scalar) -> set[str]:
-    """Return the letters of which a value has the cosine or the sine."""
-    return {name for kind, name in value.generators if kind in ("cos", "sin")}
 
 
 def _index(letter: str) -> int:
@@ -103,7 +98,7 @@ class _ClosedForm:
     def moves(self) -> Moves | None:
         """Return the chain that has these coordinates, or None."""
         x, y, z = (self.values.get(axis, self.algebra.ring.zero) for axis in "xyz")
-        angles, above = sorted(_turning(x) | _turning(y), key=_index), _turning(z)
+        angles, above = sorted(angles_in(x) | angles_in(y), key=_index), angles_in(z)
         slides = self._slides(angles, strictly=bool(above))
         if not all(map(_ANGLE.fullmatch, angles)) or len(angles) + len(slides) < 2:
             return None
@@ -140,8 +135,8 @@ class _ClosedForm:
         self, x: Scalar, y: Scalar, z: Scalar, angles: Sequence[str], slides: Sequence[str]
     ) -> list[Step] | None:
         """A chain in an upright plane that a first joint turns: x = cos θ_1 (l_2 c_2 + l_3 c_23), z = l_1 + …."""
-        first, *others = sorted(angles, key=lambda angle: angle in _turning(z))
-        if first in _turning(z) or set(others) != _turning(z):
+        first, *others = sorted(angles, key=lambda angle: angle in angles_in(z))
+        if first in angles_in(z) or set(others) != angles_in(z):
             return None
         ring, zero = self.algebra.ring, self.algebra.ring.zero
         cosine, sine = self.algebra.cos_sin(ring.symbol(first))
@@ -172,7 +167,8 @@ class _ClosedForm:
         before = [
             (axis, value, self._slide_in(value, slides)) for axis, value in (("x", u), ("y", v)) if not value.is_zero()
         ]
-        if _turning(u) or _turning(v) or any(slide is None or (axis == "y" and not slide) for axis, _, slide in before):
+        unclear = any(slide is None or (axis == "y" and not slide) for axis, _, slide in before)
+        if unclear or angles_in(u) or angles_in(v):
             return None
         return [*((axis if slide else "a", value, str(slide)) for axis, value, slide in before), *links]
 
