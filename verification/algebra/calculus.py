@@ -90,24 +90,25 @@ def _replaced(value: Scalar, replacements: Mapping[Generator, Scalar]) -> Scalar
 
 
 def _replace(ring: Ring, polynomial: fmpq_mpoly, replacements: Mapping[Generator, Scalar]) -> Scalar:
-    terms = (
-        prod((_replacement(ring, g, replacements) ** power for g, power in powers.items()), start=ring.rational(factor))
-        for powers, factor in ring.terms(polynomial)
+    held = [g for _, g in ring.generators_of(polynomial) if g in replacements or g[0] in ("radical", "arc")]
+    parts = ring.polynomials.split(polynomial, held)
+    new = {generator: _replacement(ring, generator, replacements) for generator in held}
+    products = (
+        prod((new[generator] ** power for generator, power in powers.items()), start=ring.scalar(rest))
+        for powers, rest in parts
     )
-    return sum(terms, ring.zero)
+    return sum(products, ring.zero)
 
 
 def _replacement(ring: Ring, generator: Generator, replacements: Mapping[Generator, Scalar]) -> Scalar:
-    """Return what a generator becomes; a root is taken anew, by its own rule."""
+    """Return what a generator that does not stay becomes; a root is taken anew, by its own rule."""
     kind, name = generator
     if generator in replacements:
         return replacements[generator]
     if kind == "radical":
         radical = ring.radicals[name]
         return radical.rule(_replace(ring, radical.square.numerator, replacements))
-    if kind == "arc":
-        return arc(*(_replaced(ring.lift(part), replacements) for part in ring.arcs[name]))
-    return ring.generator(generator)
+    return arc(*(_replaced(ring.lift(part), replacements) for part in ring.arcs[name]))
 
 
 def angles_in(value: Scalar) -> set[str]:

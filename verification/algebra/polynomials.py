@@ -147,6 +147,26 @@ class Polynomials:
             powers = {generator: int(exponents[k]) for k, generator in present if exponents[k]}
             yield powers, Fraction(int(coefficient.p), int(coefficient.q))
 
+    def split(
+        self, polynomial: fmpq_mpoly, apart: Collection[Generator]
+    ) -> list[tuple[dict[Generator, int], fmpq_mpoly]]:
+        """Return the powers of the generators that are set apart, each product with the polynomial in the others behind it."""
+        polynomial = self.lift(polynomial)
+        places = [(k, generator) for k, generator in self.generators_of(polynomial) if generator in apart]
+        alike: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
+        for exponents, coefficient in polynomial.terms():
+            rest = list(exponents)
+            for k, _ in places:
+                rest[k] = 0
+            alike.setdefault(tuple(int(exponents[k]) for k, _ in places), {})[tuple(rest)] = coefficient
+        return [
+            (
+                {generator: power for (_, generator), power in zip(places, powers, strict=True) if power},
+                self.context.from_dict(rest),
+            )
+            for powers, rest in alike.items()
+        ]
+
     def generators_of(self, polynomial: fmpq_mpoly) -> list[tuple[int, Generator]]:
         """Return the generators that a polynomial holds, each with its place among the exponents of a term."""
         last = self._slots - 1

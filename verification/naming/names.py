@@ -106,11 +106,9 @@ class Names:
 
         Beside q_i, θ_i is that angle; else an equation tells which of them the joint's letter means.
         """
-        row = self.offset_joints.get(symbol)
-        is_told = self.reader.spelling.variables and self.state.angles != "loose"
-        if row is not None and key and is_told and not symbol.startswith("theta"):
-            return row if key.startswith("theta") else None
-        return row if self.state.angles == "table" else None
+        if key and self.reader.spelling.variables and self.state.angles != "loose" and not symbol.startswith("theta"):
+            return self.offset_joints.get(symbol) if key.startswith("theta") else None
+        return self.offset_joints.get(symbol) if self.state.angles == "table" else None
 
     def turn_of(self, symbol: str, key: str) -> int:
         """Return -1 where a joint's letter means the table's angle, and that is turned against the variable; else 1."""

@@ -451,6 +451,16 @@ def test_substitution_is_evaluation_at_other_points(tree: Tree, angle: tuple[int
     np.testing.assert_allclose(evaluated(value), numeric(tree, moved), rtol=1e-8, atol=1e-8)
 
 
+def test_a_polynomial_is_the_sum_of_the_products_into_which_it_is_split() -> None:
+    ring = Ring()
+    a, b, c = (ring.symbol(name) for name in "abc")
+    value = (a * a + b) * (c + 3) - a * 2
+    parts = ring.polynomials.split(value.numerator, [("symbol", "a"), ("symbol", "d")])
+    assert sorted(len(powers) for powers, _ in parts) == [0, 1, 1]
+    products = [ring.scalar(rest) * a ** powers.get(("symbol", "a"), 0) for powers, rest in parts]
+    assert (sum(products, ring.zero) - value).is_zero() and not (sum(products[1:], ring.zero) - value).is_zero()
+
+
 def test_substitution_reaches_under_roots_and_into_arc_functions() -> None:
     x = Letters()
     at = {"a": x.one * 3, "theta_1": x.pi / 2}
