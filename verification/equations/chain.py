@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.catalogue import Catalogue
 from armproof.verification.equations.conventional import Conventions
-from armproof.verification.equations.definitions import Definitions, Redefinitions
+from armproof.verification.equations.definitions import Definitions, Redefinitions, letters_meant_anew
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
@@ -109,6 +109,11 @@ class ChainChecker:
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
         check = partial(self.check, first_equation=first_equation, line=line)
+        if define and (letters := letters_meant_anew(outcomes)):
+            self.names.forget(letters)
+            outcomes = check(chain)
+            self.names.leave_unknown(letters, line)
+            return outcomes
         if defined is not None:
             outcomes = self.redefinitions.judge(chain, outcomes, defined, check)
         for outcome in outcomes:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.equations.alignment import Pair, is_constant, is_near
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.given_values import keys_alone
+from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
@@ -21,6 +22,7 @@ from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import Role, Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
+FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
 
 
 @dataclass(frozen=True)
@@ -255,3 +257,14 @@ def _is_another_meaning(outcome: Outcome) -> bool:
     numbers = [is_constant(value) for value in (pair.true, pair.printed)] if pair is not None else []
     near = pair is not None and is_near(pair)
     return outcome.verdict is Verdict.REFUTED and not near and len(set(numbers)) < 2
+
+
+def letters_meant_anew(outcomes: Iterable[Outcome]) -> frozenset[str]:
+    """Return the letters of a matrix of letters that a name is equated to, where they had another meaning: R_3^6 = [r_ij]."""
+    for outcome in outcomes:
+        sides = [side for side in (outcome.true, outcome.printed) if side is not None and side.known]
+        letters = [keys_alone(side.node) for side in sides]
+        is_named = any(bare_key(side.node) is not None for side in sides)
+        if len(sides) == 2 and outcome.verdict not in HOLDS and is_named and max(map(len, letters)) >= FEWEST_LETTERS:
+            return max(letters, key=len)
+    return frozenset()

@@ -132,21 +132,34 @@ def _decimal(number: re.Match[str]) -> str:
     return f"{value:f}"
 
 
+_SCRIPT = r"\s*(?:\{[^{}]*\}|\w)\s*"
+PRE_SCRIPTS = re.compile(
+    rf"(?<![A-Za-z}}])(\{{\s*\}}\s*)([_^])({_SCRIPT})([_^])(?=({_SCRIPT})\{{*\s*(?:\\[a-z]+\s*\{{?\s*)?[A-Za-z])"
+)
+
+
 @dataclass(frozen=True)
 class Spelling:
-    """How a document spells: its names of several letters, letters that it tells apart, its decimal comma."""
+    """How a document spells: its names of several letters, letters that it tells apart, its decimal comma, its {}_0^1T."""
 
     words: frozenset[str] = frozenset()
     told_apart: frozenset[str] = frozenset()
     decimal_comma: bool = False
     variables: str = ""  # "both" where it has q_i beside θ_i, "told" where it says what θ_i is by q_i
+    reference_below: bool = False  # {}_0^1T is the pose of frame 1 in frame 0
+
+
+def _turned(found: re.Match[str]) -> str:
+    """Return scripts before a letter with the one below above, and the other way round."""
+    empty, one, script, other = found.groups()[:4]
+    return f"{empty}{other}{script}{one}" if one != other else found[0]
 
 
 class _Scanner:
     """One pass over a display: the state that a token's meaning may depend on."""
 
     def __init__(self, text: str, spelling: Spelling) -> None:
-        self.text = text
+        self.text = PRE_SCRIPTS.sub(_turned, text) if spelling.reference_below else text
         self.words = spelling.words
         self.spelling = spelling
         self.accent = ""  # that the next letter carries

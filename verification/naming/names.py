@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import pairwise
@@ -15,7 +15,7 @@ from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import EvaluationError
-from armproof.verification.findings import Finding
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
@@ -229,11 +229,21 @@ class Names:
     def leave_open(self, key: str, doubt: Finding) -> None:
         """Let nothing be decided by a name's definition, of which nobody can tell whether it is meant so."""
 
-        def evaluate(_: Algebra) -> Value:
-            raise EvaluationError(doubt)
-
         if key in self.state.definitions:
-            self.state.definitions[key] = replace(self.state.definitions[key], evaluate=evaluate)
+            self.state.definitions[key] = replace(self.state.definitions[key], evaluate=_raises(doubt))
+
+    def forget(self, keys: Iterable[str]) -> None:
+        """Take back what names have meant so far."""
+        for key in keys:
+            self.state.inferred.pop(key, None)
+            self.state.definitions.pop(key, None)
+            self.state.conventional.discard(key)
+
+    def leave_unknown(self, keys: Iterable[str], line: int) -> None:
+        """Let names without a meaning have none by convention either: a display gave them one that is not known."""
+        for key in keys:
+            if key not in self.state.definitions and key not in self.state.inferred:
+                self.define(key, _raises(say(Kind.SECOND_MEANING, name=key, line=line)), line)
 
     def define(
         self,
@@ -250,3 +260,12 @@ class Names:
             evaluate, line, self.state.section, by_place, node, self.state.exercise, in_text=in_text
         )
         self.state.definitions.setdefault(key, definition)
+
+
+def _raises(doubt: Finding) -> Callable[[Algebra], Value]:
+    """Return what evaluates a name of which nobody can tell what it means."""
+
+    def evaluate(_: Algebra) -> Value:
+        raise EvaluationError(doubt)
+
+    return evaluate

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Any
 
 from armproof.models.arm import Arm
@@ -14,7 +15,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.latex.reader import Reader, key_as_latex
-from armproof.verification.latex.tokens import Spelling
+from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import read_quantity
@@ -28,6 +29,9 @@ READ_ALREADY = frozenset(
     ]
 )
 FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
+_BETWEEN = re.compile(
+    r"[\s{]*(?:\\[a-z]+\s*\{?\s*)?[TAHR][\s}]*(?:_\s*(?:\{[^{}]*\}|\w))?(?:[\s}*.]|\\(?:times|cdot|[,;:!])|\\dot\{\})*"
+)
 _TOLD = re.compile(
     r"theta_(\d+)=(?!q_\1(?:[^\d+-]|$))[^=,;]*q_\1(?!\d)|(?<![A-Za-z])q_(\d+)=(?!\\?theta_\2(?:[^\d+-]|$))[^=,;]*theta_\2(?!\d)"
 )
@@ -76,7 +80,21 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     both = all(re.search(rf"{letter}\s*_\s*\{{?\s*\d", said) for letter in (r"theta", r"(?<![A-Za-z])q"))
     variables = ("told" if _TOLD.search(re.sub(r"[\s{}&]", "", said)) else "both") if both else ""
     comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
-    return Spelling(words, frozenset(apart), comma, variables)
+    return Spelling(words, frozenset(apart), comma, variables, _refers_below(text))
+
+
+def _refers_below(text: str) -> bool:
+    """Whether the products of a document show that the script below, before a letter, names the reference: {}_0^1T {}_1^2T."""
+    found = [_scripts(one) for one in PRE_SCRIPTS.finditer(text)]
+    joined = [(a, b) for a, b in pairwise(found) if _BETWEEN.fullmatch(text[a[2] : b[3]])]
+    return any(a[1] == b[0] for a, b in joined) and not any(a[0] == b[1] for a, b in joined)
+
+
+def _scripts(found: re.Match[str]) -> tuple[str, str, int, int]:
+    """Return the scripts below and above, and where the last of them ends and the first begins."""
+    one, other = (re.sub(r"[{}\s]", "", found[group]) for group in (3, 5))
+    below, above = (one, other) if found[2] == "_" else (other, one)
+    return below, above, found.end(5), found.start()
 
 
 def _scalars(arm: Arm) -> list[str]:

@@ -8,8 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from armproof.verification.check import check_document
 from armproof.verification.cli.documents import check_paths
+from armproof.verification.document import parse_document
 from armproof.verification.findings import Kind, say
+from armproof.verification.report.html.page import render_page
 from armproof.verification.report.html.site import INDEX, VERDICTS, page_names, render_index
 from armproof.verification.report.html.templating import versions
 from armproof.verification.verdict import DocumentResult, Failure
@@ -213,3 +216,11 @@ def test_what_no_page_was_asked_for_is_checked_as_before(tmp_path: Path) -> None
     (result,) = check_paths([tmp_path])
     assert isinstance(result, DocumentResult) and result.passed
     assert [path.name for path in tmp_path.iterdir()] == ["page.md"]
+
+
+def test_a_page_shows_the_remarks_on_its_document() -> None:
+    text = "---\nlayout: post\narm: planar_2r\n---\n\n$$ \\det J = l_1 l_2 s_2 $$\n"
+    for written, told in ((text, True), (text.replace("layout: post\n", ""), False)):
+        document = parse_document(Path("page.md"), written)
+        page = render_page(document, check_document(document))
+        assert ("front-matter keys of other tools are left alone: layout" in page) is told

@@ -68,6 +68,7 @@ def _rendered(document: Document, result: DocumentResult, index: str, strict: bo
         path=name,
         index=index,
         result=result,
+        remarks=[prose.message([remark], read) for remark in result.remarks],
         totals=Totals.of([result], strict),
         counts=counts,
         states=STATES,
