@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -187,10 +187,7 @@ class Claim:
         if any(isinstance(part, n.Sum) and {"±", "∓"} & set(_signs(part)) for part in n.walk(node)):
             return look_up("an answer has one value: which of the two signs?")
         self._refuse_unknown(latex, node)
-        axes = _axes(node)
-        for name in n.walk(node):
-            if not isinstance(name, n.Name) or id(name) in axes:
-                continue
+        for name in _names_in(node):
             if name.key == "Xi" or (not self.names and self._is_of_the_arm(name)):
                 shown = latex[name.span[0] : name.span[1]]
                 raise AnswerError("work the entries out: the answer may not name {shown} of the arm itself", shown=shown)  # fmt: skip
@@ -207,15 +204,9 @@ class Claim:
     def _refuse_unknown(self, latex: str, node: n.Node) -> None:
         """Refuse a letter that would be free in a general document, and is none of the task's."""
         names = self._checker.names
-        axes = _axes(node)
-        for name in n.walk(node):
-            if (
-                not isinstance(name, n.Name)
-                or id(name) in axes
-                or name.key in (*self.letters, *names.state.definitions)
-            ):
-                continue
-            if names.is_free(name) or name.key in self.front.get("symbols", {}):
+        known = (*self.letters, *names.state.definitions)
+        for name in _names_in(node):
+            if name.key not in known and (names.is_free(name) or name.key in self.front.get("symbols", {})):
                 shown = latex[name.span[0] : name.span[1]]
                 raise AnswerError("{shown} is no letter of this task; {letters}", shown=shown, letters=self._letters())
 
@@ -228,11 +219,9 @@ class Claim:
         if not all(side.known and isinstance(side.value, Matrix | Scalar) for side in sides):
             return ""
         asked, given = (side.value.size if isinstance(side.value, Matrix) else look_up("a scalar") for side in sides)
-        return (
-            ""
-            if asked == given
-            else written("the result is {given}, what is asked is {asked}", given=given, asked=asked)
-        )
+        if asked == given:
+            return ""
+        return written("the result is {given}, what is asked is {asked}", given=given, asked=asked)
 
     @property
     def _budget(self) -> Budget:
@@ -255,15 +244,12 @@ class Claim:
         """Return the entries that are wrong at the first case that tells them, and that case."""
         for case in self.cases:
             true, obtained = (self.values_at(each, case) for each in (ASKED, latex))
-            if (
-                wrong := []
-                if true.shape != obtained.shape
-                else np.argwhere(~(np.abs(true - obtained) < _NEAR)).tolist()
-            ):
-                cells = [(r, c, place(r + 1, c + 1) if true.size > 1 else place(None, None)) for r, c in wrong]
-                return tuple(
-                    Row(at, float(true[r, c]), float(obtained[r, c]), self.unit(r, c)) for r, c, at in cells
-                ), case
+            if true.shape != obtained.shape:
+                continue
+            if wrong := np.argwhere(~(np.abs(true - obtained) < _NEAR)).tolist():
+                places = [place(r + 1, c + 1) if true.size > 1 else place(None, None) for r, c in wrong]
+                values = [(float(true[r, c]), float(obtained[r, c]), self.unit(r, c)) for r, c in wrong]
+                return tuple(Row(at, *value) for at, value in zip(places, values, strict=True)), case
         return None
 
     def _is_measured(self, latex: str) -> bool:
@@ -301,7 +287,8 @@ def _signs(node: n.Sum) -> list[str]:
     return [sign for sign, _ in node.terms]
 
 
-def _axes(node: n.Node) -> list[int]:
-    """The z of Rot_z, which is no letter."""
+def _names_in(node: n.Node) -> Iterator[n.Name]:
+    """Yield the names in a tree, without the z of Rot_z, which is no letter."""
     calls = [call for call in n.walk(node) if isinstance(call, n.Call) and call.function in ("Rot", "Trans")]
-    return [id(call.arguments[0]) for call in calls]
+    axes = [id(call.arguments[0]) for call in calls]
+    yield from (name for name in n.walk(node) if isinstance(name, n.Name) and id(name) not in axes)

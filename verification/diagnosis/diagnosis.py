@@ -123,18 +123,15 @@ class Diagnostician:
     def _entries(self, latex: str, outcome: Outcome, notation: Notation) -> list[WrongEntry]:
         pair = outcome.pair
         assert pair is not None and outcome.printed is not None
-        wrong = outcome.wrong
         entries: list[WrongEntry] = []
-        mend = len(wrong) <= MAX_MENDED and not outcome.sampled_only
-        for row, column in wrong:
+        mend = len(outcome.wrong) <= MAX_MENDED and not outcome.sampled_only
+        for row, column in outcome.wrong:
             true = pair.true.rows[row][column]
-            cell = None if pair.is_scalar else find_cell(outcome.printed.node, row, column, outcome.printed.value)
-            if cell is None and pair.is_scalar:
-                cell = outcome.printed.node
-                if (
-                    isinstance(cell, n.At) and cell.span == cell.inner.span
-                ):  # the condition of a case, printed elsewhere
-                    cell = cell.inner
+            cell: n.Node | None = outcome.printed.node
+            if not pair.is_scalar:
+                cell = find_cell(outcome.printed.node, row, column, outcome.printed.value)
+            elif isinstance(cell, n.At) and cell.span == cell.inner.span:  # the condition of a case, printed elsewhere
+                cell = cell.inner
             printed = (
                 latex[cell.span[0] : cell.span[1]].strip()
                 if cell is not None
@@ -146,8 +143,7 @@ class Diagnostician:
             if not correct and outcome.sampled_only and pair.is_scalar and outcome.true is not None:
                 start, end = outcome.true.node.span  # exactly, the two sides differ by no more than a sign or a branch
                 correct = latex[start:end].strip()
-            if not correct:
-                correct = write_bounded(true, notation)
+            correct = correct or write_bounded(true, notation)
             if change is None and not pair.is_scalar and mend:
                 change = moved_cell(pair, row, column)
             place = (None, None) if pair.is_scalar else (row + 1, column + 1)
@@ -178,7 +174,7 @@ def find_cell(node: n.Node, row: int, column: int, value: Value = None) -> n.Nod
         return node.items[index] if index < len(node.items) else None
     if not isinstance(node, n.Matrix):
         return None
-    if any(isinstance(below, n.Matrix) for cells in node.rows for below in cells):
+    if any(isinstance(below, n.Matrix) for below in node.cells):
         return _cell_of_blocks(node, row, column)
     if isinstance(value, Matrix) and (len(node.rows), *{len(cells) for cells in node.rows}) != value.shape:
         return None
@@ -212,8 +208,7 @@ def moved_cell(pair: Pair, row: int, column: int) -> Finding | None:
     printed = pair.printed.rows[row][column]
     if not isinstance(printed, Scalar) or printed.as_fraction() is not None:
         return None
-    for r, cells in enumerate(pair.true.rows):
-        for c, true in enumerate(cells):
-            if (r, c) != (row, column) and exactly_equal(true, printed):
-                return say(Kind.OF_ANOTHER_ENTRY, other_row=r + 1, other_column=c + 1)
+    for (r, c), true, _ in pair.entries():
+        if (r, c) != (row, column) and exactly_equal(true, printed):
+            return say(Kind.OF_ANOTHER_ENTRY, other_row=r + 1, other_column=c + 1)
     return None
