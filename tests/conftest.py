@@ -1,5 +1,6 @@
 """What `make test` runs: laws that are swept over every document or arm are shown on a few; `make sweep` shows them on all."""
 
+import atexit
 import gc
 import os
 import re
@@ -15,6 +16,8 @@ TESTS = Path(__file__).parent
 gc.set_threshold(
     100_000, 50, 100
 )  # of thousands of tests and modules nothing is garbage: to look through them took a sixth of the time
+if "PYTEST_XDIST_WORKER" in os.environ:
+    atexit.register(os._exit, 0)  # the reports are sent: to take all that was loaded apart would take seconds
 DOCUMENTS = ("scara-000", "dh-modified-001", "spherical-wrist-inverse")
 ARMS = ("planar_2r", "scara", "rx90")
 OTHERS = ("odd table", "puma table", "slanted")  # arms of tests/course/figures that are not of the catalogue

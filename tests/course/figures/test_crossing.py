@@ -11,7 +11,7 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.models.showing.projection import choose_projection
-from tests.course.figures.test_sketch import TOLERANCE, drawn
+from tests.course.figures.test_sketch import TOLERANCE, drawn, figure_of
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def crossing_arm(arm: Arm) -> Arm:
 
 
 def rates_of(arm: Arm, name: str) -> np.ndarray:
-    lines, scales = drawn(crossing_figure(arm)), rate_scales(arm)[0]
+    lines, scales = drawn(figure_of(crossing_figure, arm)), rate_scales(arm)[0]
     return np.column_stack([lines[f"rate {name} {joint.symbol}"][:, 1] for joint in arm.joints]) / scales
 
 
@@ -58,7 +58,7 @@ def test_the_damped_rates_are_those_of_the_formula_and_bounded(crossing_arm: Arm
 
 
 def test_paths_are_where_the_plant_has_the_tool(crossing_arm: Arm) -> None:
-    found, lines = near_singular(crossing_arm), drawn(crossing_figure(crossing_arm))
+    found, lines = near_singular(crossing_arm), drawn(figure_of(crossing_figure, crossing_arm))
     assert found is not None
     projection = choose_projection(crossing_arm)
     for name, q in (("pseudo", found.q), ("damped", found.q_damped)):

@@ -20,7 +20,7 @@ from armproof.course.figures.kinds.manipulability import caption, manipulability
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
-from tests.course.figures.test_sketch import drawn
+from tests.course.figures.test_sketch import drawn, figure_of
 
 
 def volume(found, q: np.ndarray) -> np.ndarray:
@@ -30,7 +30,7 @@ def volume(found, q: np.ndarray) -> np.ndarray:
 
 def test_the_map_is_that_of_the_double_plant(arm: Arm) -> None:
     found = joint_map(arm)
-    figure = manipulability_figure(arm)
+    figure = figure_of(manipulability_figure, arm)
     rng = np.random.default_rng(1)
     if len(found.joints) == 2:
         assert found.w.shape == (SIDE, SIDE)
@@ -48,7 +48,7 @@ def test_the_map_is_that_of_the_double_plant(arm: Arm) -> None:
 
 def test_the_curves_are_singular_and_nothing_beside_them(arm: Arm) -> None:
     found = joint_map(arm)
-    lines = drawn(manipulability_figure(arm))
+    lines = drawn(figure_of(manipulability_figure, arm))
     scales = joint_scales(arm)[list(found.joints)]
     for family in shown_families(found):
         points = lines.get(f"singular {family.latex}")

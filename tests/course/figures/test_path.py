@@ -11,11 +11,11 @@ from armproof.models.catalogue import load_arm
 from armproof.models.motion.limits import read_rate_limits
 from armproof.models.motion.samples import sample_motion
 from armproof.models.showing.projection import choose_projection
-from tests.course.figures.test_sketch import TOLERANCE, drawn
+from tests.course.figures.test_sketch import TOLERANCE, drawn, figure_of
 
 
 def test_paths_and_snapshots_are_where_the_plant_has_them(arm: Arm) -> None:
-    lines, projection = drawn(path_figure(arm)), choose_projection(arm)
+    lines, projection = drawn(figure_of(path_figure, arm)), choose_projection(arm)
     for name, trajectory in tool_motions(motion_of(arm)).items():
         q = sample_motion(trajectory, np.linspace(0, trajectory.end_time(), 121)).q
         points = projection.points(tool_points(arm, q))
@@ -46,7 +46,7 @@ def test_the_straight_line_is_straight_and_joins_the_ends_of_the_other(arm: Arm)
 def test_rates_are_parts_of_the_limits() -> None:
     arm = load_arm("rx90")
     motion, limits = motion_of(arm), read_rate_limits(arm).velocity
-    lines = drawn(path_figure(arm))
+    lines = drawn(figure_of(path_figure, arm))
     samples = sample_motion(motion.trajectory, np.linspace(0, motion.duration, 121))
     for k, joint in enumerate(arm.joints):
         assert lines[f"rate joint {joint.symbol}"][:, 1] == pytest.approx(100 * samples.v[:, k] / limits[k], abs=1e-9)

@@ -10,12 +10,12 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
 from armproof.models.motion.limits import extremes, read_rate_limits
-from tests.course.figures.test_sketch import drawn
+from tests.course.figures.test_sketch import drawn, figure_of
 
 
 def test_the_curves_are_the_trajectory_and_the_marks_its_extremes(arm: Arm) -> None:
     motion = motion_of(arm)
-    lines, scales = drawn(quintic_figure(arm)), joint_scales(arm)
+    lines, scales = drawn(figure_of(quintic_figure, arm)), joint_scales(arm)
     for order, name in enumerate("qvw"):
         derivative = motion.trajectory.derivative(order) if order else motion.trajectory
         lowest, highest = extremes(motion.trajectory, order)

@@ -10,7 +10,7 @@ from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
 from armproof.models.numeric.plant import NumericKinematics
-from tests.course.figures.test_sketch import drawn
+from tests.course.figures.test_sketch import drawn, figure_of
 from tests.models.showing.test_rendering import TABLE, renders
 
 PIXEL = 1e-6
@@ -22,7 +22,7 @@ def test_frames_are_drawn_where_the_plant_has_them(name: str) -> None:
     arm = load_arm(name)
     q = showing_pose(arm)
     _, camera = rendered(arm, tuple(q.tolist()))
-    lines = drawn(rendering_figure(arm))
+    lines = drawn(figure_of(rendering_figure, arm))
     numeric = NumericKinematics(arm, q[None])
     for frame in arm.frames:
         X = numeric.pose(frame)[0]

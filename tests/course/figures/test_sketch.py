@@ -1,6 +1,8 @@
 """Sketches: what is drawn is where the double plant has it, and the DH tables are those of the arms."""
 
 import re
+from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 import pytest
@@ -18,6 +20,12 @@ from armproof.models.showing.projection import choose_projection
 TOLERANCE = 1e-9  # m
 MODIFIED = ("rx90", "scara_modified")
 NOT_DH = ("kr210", "polar_rp", "slanted")
+
+
+@lru_cache(maxsize=32)
+def figure_of(draw: Callable[[Arm], Figure], arm: Arm) -> Figure:
+    """Draw a figure once for all tests that look at it."""
+    return draw(arm)
 
 
 def drawn(figure: Figure) -> dict[str, np.ndarray]:
@@ -47,7 +55,7 @@ def frame_errors(arm: Arm, lines: dict[str, np.ndarray], q: np.ndarray) -> np.nd
 
 
 def test_frames_are_drawn_where_the_plant_has_them(arm: Arm) -> None:
-    lines, q = drawn(sketch(arm)), sketch_pose(arm)
+    lines, q = drawn(figure_of(sketch, arm)), sketch_pose(arm)
     assert frame_errors(arm, lines, q).max() <= TOLERANCE
     assert frame_errors(arm, lines, q + 1e-3).max() > 1e-5  # at another pose they would not be
 
@@ -57,7 +65,7 @@ def test_symbols_stand_on_the_axes_that_the_plant_has(arm: Arm) -> None:
     rows = link_rows(arm)
     if rows is None:
         pytest.skip("no DH frames")
-    lines, q = drawn(sketch(arm)), sketch_pose(arm)
+    lines, q = drawn(figure_of(sketch, arm)), sketch_pose(arm)
     projection, off = choose_projection(arm), []
     for row in rows.rows:
         X = NumericKinematics(arm, q[None]).pose(row.previous if rows.convention == "classic" else row.frame)[0]
@@ -70,7 +78,7 @@ def test_symbols_stand_on_the_axes_that_the_plant_has(arm: Arm) -> None:
 def test_the_tool_ends_the_last_link_of_planar_arms(arm: Arm) -> None:
     if not choose_projection(arm).planar:
         pytest.skip("its gripper may be drawn further out")
-    lines, q = drawn(sketch(arm)), sketch_pose(arm)
+    lines, q = drawn(figure_of(sketch, arm)), sketch_pose(arm)
     end = choose_projection(arm).points(NumericKinematics(arm, q[None]).pose(arm.frames[-1])[0, :3, 3])
     assert np.abs(lines[f"link {len(arm.joints)}"][-1] - end).max() <= TOLERANCE
 
@@ -104,7 +112,7 @@ def test_lengths_lead_from_frame_to_frame(arm: Arm) -> None:
 
 @pytest.mark.parametrize("arm", ["rx90"], indirect=True)
 def test_a_length_is_as_long_as_it_says(arm: Arm) -> None:
-    lines, projection = drawn(sketch(arm)), choose_projection(arm)
+    lines, projection = drawn(figure_of(sketch, arm)), choose_projection(arm)
     for gid, symbol, frames in (("length 2 3", "a_3", ("2", "3")), ("length 3 4", "d_3", ("3", "4"))):
         poses = [NumericKinematics(arm, sketch_pose(arm)[None]).pose(frame)[0, :3, 3] for frame in frames]
         assert np.linalg.norm(poses[1] - poses[0]) == pytest.approx(arm.lengths[symbol])

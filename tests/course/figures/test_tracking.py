@@ -10,7 +10,7 @@ from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.models.catalogue import load_arm
 from armproof.models.motion.pose_error import pose_error
 from armproof.models.numeric.plant import NumericKinematics
-from tests.course.figures.test_sketch import drawn
+from tests.course.figures.test_sketch import drawn, figure_of
 
 ARMS = ("planar_2r", "polar_rp", "scara", "rx90", "spherical_wrist")
 
@@ -18,7 +18,7 @@ ARMS = ("planar_2r", "polar_rp", "scara", "rx90", "spherical_wrist")
 @pytest.mark.parametrize("name", ARMS)
 def test_the_error_drawn_is_that_of_the_tool_on_the_plant(name: str) -> None:
     arm = load_arm(name)
-    found, lines = tracked(arm), drawn(tracking_figure(arm))
+    found, lines = tracked(arm), drawn(figure_of(tracking_figure, arm))
     frame, part = task_of(arm).frame, slice(3, 6) if task_of(arm).turns_only else slice(0, 3)
     scale = 180 / np.pi if task_of(arm).turns_only else 1000
     for key, log in (("right", found.right), ("wrong", found.wrong)):
@@ -33,7 +33,7 @@ def test_the_error_drawn_is_that_of_the_tool_on_the_plant(name: str) -> None:
 @pytest.mark.parametrize("name", ARMS)
 def test_wrong_masses_are_worse_and_joint_errors_are_drawn(name: str) -> None:
     arm = load_arm(name)
-    found, lines = tracked(arm), drawn(tracking_figure(arm))
+    found, lines = tracked(arm), drawn(figure_of(tracking_figure, arm))
     assert tool_error(arm, found.wrong).max() > 20 * tool_error(arm, found.right).max()
     for k, joint in enumerate(arm.joints):
         desired = np.array([motion_of(arm).trajectory.value(time)[k, 0] for time in found.wrong.times])

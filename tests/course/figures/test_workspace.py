@@ -16,7 +16,7 @@ from armproof.course.figures.kinds.workspace import (
 from armproof.course.figures.registry import draw_kind, figures_for, find_kind
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
-from tests.course.figures.test_sketch import TOLERANCE, drawn
+from tests.course.figures.test_sketch import TOLERANCE, drawn, figure_of
 
 ARMS = ("planar_2r", "planar_3r", "polar_rp", "scara", "spatial_rrr", "rx90", "kr210")
 SINGULAR = ("planar_2r", "planar_3r", "scara", "spatial_rrr", "rx90", "kr210")
@@ -53,7 +53,7 @@ def test_each_cell_holds_what_the_plant_has_there(name: str) -> None:
 def test_the_picture_is_the_map(name: str) -> None:
     arm = load_arm(name)
     found = workspace_of(arm)
-    figure = workspace_figure(arm)
+    figure = figure_of(workspace_figure, arm)
     image = next(image for axes in figure.axes for image in axes.images if image.get_gid() == "best")
     assert np.array_equal(np.ma.filled(image.get_array(), np.nan), found.best, equal_nan=True)
     stick = drawn(figure)["stick"]
@@ -64,7 +64,7 @@ def test_the_picture_is_the_map(name: str) -> None:
 @pytest.mark.parametrize("name", SINGULAR)
 def test_the_curves_drawn_are_images_of_singular_configurations(name: str) -> None:
     arm = load_arm(name)
-    found, lines = workspace_of(arm), drawn(workspace_figure(arm))
+    found, lines = workspace_of(arm), drawn(figure_of(workspace_figure, arm))
     assert found.curves
     for latex, q in found.curves.items():
         points = lines[f"singular {latex}"]
