@@ -14,8 +14,10 @@ from armproof.course.figures.drawing.labels import arm_title, say
 from armproof.course.figures.drawing.style import GREY, TEXT, new_figure, styled
 from armproof.models.arm import Arm
 
-# In the order in which a course meets them, each the KIND of the module of its name in course/figures/kinds/.
-KINDS = tuple("sketch singular postures workspace manipulability quintic path crossing tracking rendering".split())
+# In the order in which a course meets them; each is the KIND of the module of its name in course/figures/kinds/.
+KINDS = tuple(
+    "link axes gripper sketch columns singular postures elbow workspace manipulability quintic path crossing tracking rendering".split()
+)
 
 _LINE = 62  # characters on a line of a column
 
@@ -30,6 +32,7 @@ class Kind:
         draw: the figure of an arm in a language.
         caption: its caption behind the title, with the numbers that the figure shows; mathematics between dollars.
         empty: whether an arm without it gets a figure that says so, rather than none.
+        general: whether it explains a word and shows no arm in particular; a document without an arm may have it.
     """
 
     name: str
@@ -37,6 +40,7 @@ class Kind:
     draw: Callable[[Arm, str], Figure]
     caption: Callable[[Arm, str], str]
     empty: bool = False
+    general: bool = False
 
     def title(self, lang: str) -> str:
         """Return what the kind is called."""
@@ -58,7 +62,7 @@ def find_kind(name: str) -> Kind:
 def figures_for(arm: Arm) -> tuple[Kind, ...]:
     """Return the kinds of which an arm has a figure, one that says that there is nothing to show included."""
     kinds = (find_kind(name) for name in KINDS)
-    return tuple(kind for kind in kinds if kind.empty or kind.applies(arm, "en") is None)
+    return tuple(kind for kind in kinds if not kind.general and (kind.empty or kind.applies(arm, "en") is None))
 
 
 def draw_kind(kind: Kind, arm: Arm, lang: str = "") -> Figure:
@@ -83,4 +87,8 @@ def empty_figure(kind: Kind, arm: Arm, reason: str, lang: str = "") -> Figure:
 
 
 def _title(kind: Kind, arm: Arm, lang: str) -> str:
-    return say("figure_of", lang, title=kind.title(lang), arm=arm_title(arm, lang))
+    return (
+        f"{kind.title(lang)}."
+        if kind.general
+        else say("figure_of", lang, title=kind.title(lang), arm=arm_title(arm, lang))
+    )

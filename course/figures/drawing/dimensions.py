@@ -25,11 +25,13 @@ def draw_lengths(scene: Scene, lengths: Sequence[FrameLength], lang: str) -> Non
     ink = Ink(scene.axes.figure)
     for each in lengths:
         text = f"${form_tex(each.form, lang)}$"
-        _draw_length(scene, ink, each.start, each.end, text, f"length {each.previous} {each.frame}")
+        draw_length(scene, np.array([each.start, each.end]), text, f"length {each.previous} {each.frame}", ink)
 
 
-def _draw_length(scene: Scene, ink: Ink, start: np.ndarray, end: np.ndarray, text: str, gid: str) -> None:
-    ends = scene.paper(np.array([start, end]))
+def draw_length(scene: Scene, way: np.ndarray, text: str, gid: str, ink: Ink | None = None) -> None:
+    """Dimension a way (2, 3) between two points, beside it where the page is emptiest; ink: what is on it, if known."""
+    ink = ink or Ink(scene.axes.figure)
+    ends = scene.paper(way)
     way = ends[1] - ends[0]
     size = float(np.linalg.norm(way))
     if size < scene.metres(_INVISIBLE):

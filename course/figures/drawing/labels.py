@@ -40,7 +40,7 @@ def number(value: float, lang: str, digits: int = 3, *, in_math: bool = False) -
     lang = existing_language(lang)
     if value == 0 or abs(value) < 1e-12:
         return "0"
-    text = f"{value:.{digits}g}"
+    text = f"{float(f'{value:.12g}'):.{digits}g}"  # two ways to one value end in other last digits, and round alike
     if "e" in text:
         mantissa, _, power = text.partition("e")
         exponent = str(int(power))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -37,6 +39,21 @@ def plot_axes(
     if grid:
         axes.grid(color=PALE, linewidth=0.4)
     return axes
+
+
+def axes_by_unit(axes: Axes, labels: Mapping[str, str], lang: str) -> dict[str, Axes]:
+    """Return the axes of each kind of curve by its label: what has another unit has its own axis, on the right."""
+    first, *others = dict.fromkeys(labels.values())
+    axes.set_ylabel(first, labelpad=3)
+    found = {first: axes}
+    for label in others:  # two units at most: of angles, and of lengths
+        found[label] = axes.twinx()
+        found[label].spines[["top", "left"]].set_visible(False)
+        found[label].yaxis.set_major_formatter(tick_numbers(lang))
+        found[label].yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
+        found[label].set_ylabel(label, labelpad=3)
+        found[label].tick_params(pad=2)
+    return {kind: found[label] for kind, label in labels.items()}
 
 
 def at_peak(axes: Axes, text: str, x: np.ndarray, y: np.ndarray, stroke: Stroke, beside: float = 0.0) -> Label:

@@ -154,7 +154,7 @@ def draw_gripper(scene: Scene, at: np.ndarray, way: np.ndarray, look: Look) -> N
 
 def axis_name(letter: str, frame: str) -> str:
     """Return the name of an axis of a frame: $x_{4}$; a frame with a name of many letters has it upright."""
-    index = frame if len(frame) < 3 else rf"\mathrm{{{frame.replace('_', '-')}}}"
+    index = frame if len(frame) < 3 or frame == "i-1" else rf"\mathrm{{{frame.replace('_', '-')}}}"
     return f"${letter}_{{{index}}}$"
 
 

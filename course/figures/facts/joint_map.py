@@ -8,6 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from armproof.course.figures.facts.families import families_of
+from armproof.course.figures.facts.highest import climb
 from armproof.course.figures.facts.task import Task, joint_ranges, task_of
 from armproof.models.arm import Arm
 from armproof.verification.singularities.families import Family
@@ -16,7 +17,6 @@ SIDE = 1000  # a million configurations
 _DRAWN = 600
 _SCANNED = 73
 _STEP = np.radians(5)
-_ZOOMS, _ZOOMED = 5, 41
 _SEED = 17
 _DEPENDS = 1e-9
 
@@ -145,19 +145,8 @@ def _polished(found: JointMap, family: Family, line: np.ndarray) -> np.ndarray:
 
 def highest_near(found: JointMap, place: tuple[int, ...]) -> tuple[np.ndarray, float]:
     """Return the configuration (n,) near a place on the map, its indices joint by joint, at which w is highest, and w there."""
-    steps = [axis[1] - axis[0] for axis in found.axes]
-    at = [float(axis[k]) for axis, k in zip(found.axes, place, strict=True)]
-    for _ in range(_ZOOMS):
-        around = [
-            np.clip(centre + np.linspace(-step, step, _ZOOMED), axis[0], axis[-1])
-            for centre, step, axis in zip(at, steps, found.axes, strict=True)
-        ]
-        q = found.configurations(*(part.ravel() for part in np.meshgrid(*around)))
-        w = found.task.manipulability(q)
-        best = q[int(np.argmax(w))]
-        at = [float(best[k]) for k in found.joints]
-        steps = [4 * step / _ZOOMED for step in steps]
-    return best, float(w.max())
+    at = found.configurations(*(axis[[k]] for axis, k in zip(found.axes, place, strict=True)))[0]
+    return climb(found.task.manipulability, at, found.joints, found.axes)
 
 
 def family_zeros(found: JointMap, family: Family) -> np.ndarray:

@@ -7,10 +7,19 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import Fit
-from armproof.course.figures.drawing.labels import axis_label, joint_unit, listed, math, number, say, with_unit
+from armproof.course.figures.drawing.labels import (
+    axis_label,
+    joint_unit,
+    listed,
+    math,
+    number,
+    same_unit,
+    say,
+    with_unit,
+)
 from armproof.course.figures.drawing.maps import plain_condition
 from armproof.course.figures.drawing.placement import Label
-from armproof.course.figures.drawing.plots import at_peak, plot_axes
+from armproof.course.figures.drawing.plots import at_peak, axes_by_unit, plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import GREY, STROKES, Box, new_figure, stroke_of, styled
 from armproof.course.figures.drawing.symbols import Look, draw_arm
@@ -23,7 +32,7 @@ from armproof.models.motion.limits import read_rate_limits
 SNAPSHOTS = 5
 _SIZE = 0.8  # of the symbols
 _SCENE = (0.0, 2.0, 74.0, 92.0)  # mm
-_LEFT, _WIDTH, _PANEL, _GAP, _BOTTOM = 90.0, 72.0, 23.0, 6.5, 9.0
+_LEFT, _WIDTH, _PANEL, _GAP, _BOTTOM = 90.0, 68.0, 23.0, 6.5, 9.0
 _EXACT, _DAMPED = STROKES[0], STROKES[1]
 
 
@@ -57,13 +66,14 @@ def _scene(figure: Figure, found: NearSingular) -> Scene:
     return scene
 
 
-def rate_scales(arm: Arm) -> tuple[np.ndarray, str]:
-    """Return what joint rates are multiplied by for a plot, (n,), and the label of it: % of their limits, or 1/s where there are none."""
+def rate_scales(arm: Arm) -> tuple[np.ndarray, dict[str, str]]:
+    """Return what joint rates are multiplied by for a plot, (n,), and its label by the kind of joint: % of limits, or rad/s, m/s."""
+    kinds = [kind for kind, _ in same_unit(arm)]
     limits = read_rate_limits(arm).velocity
     if np.isfinite(limits).all():
-        return 100 / limits, axis_label("", "%", r"\dot{q}/k_v")
-    units = sorted({joint_unit(joint.kind, 1).replace("°", "rad") for joint in arm.joints}, reverse=True)
-    return np.ones(len(limits)), axis_label("", ", ".join(units), r"\dot{q}")
+        return 100 / limits, dict.fromkeys(kinds, axis_label("", "%", r"\dot{q}/k_v"))
+    units = {kind: joint_unit(kind, 1).replace("°", "rad") for kind in kinds}
+    return np.ones(len(limits)), {kind: axis_label("", unit, r"\dot{q}") for kind, unit in units.items()}
 
 
 def _box(place: int) -> Box:
@@ -73,19 +83,24 @@ def _box(place: int) -> Box:
 def _rates(figure: Figure, found: NearSingular, place: int, name: str, rates: np.ndarray, lang: str) -> list[Label]:
     """Plot the rates of all joints; returns the names of the fastest ones, at their peaks."""
     arm = found.task.arm
-    scales, label = rate_scales(arm)
+    scales, names = rate_scales(arm)
     title = say(f"{name}_inverse", lang, damping=number(found.damping, lang, in_math=True))
-    axes = plot_axes(figure, _box(place), lang, "", label, title=title)
-    most = 1.25 * float(np.abs(scales * found.rates).max())
-    axes.set(xlim=(0, DURATION), ylim=(-most, most))
+    axes = plot_axes(figure, _box(place), lang, title=title)
+    sides = axes_by_unit(axes, names, lang)
+    for kind, places in same_unit(arm):
+        most = 1.25 * float(
+            np.abs(scales * found.rates)[:, places if len(set(names.values())) > 1 else slice(None)].max()
+        )
+        sides[kind].set(xlim=(0, DURATION), ylim=(-most, most))
     _mark_nearest(axes, found)
     labels = []
     peaks = np.abs(scales * found.rates).max(axis=0)
     for k, joint in enumerate(arm.joints):
         stroke, values = stroke_of(k), scales[k] * rates[:, k]
-        axes.plot(found.times, values, linewidth=1.0, gid=f"rate {name} {joint.symbol}", **stroke.line)
+        side = sides[joint.kind]
+        side.plot(found.times, values, linewidth=1.0, gid=f"rate {name} {joint.symbol}", **stroke.line)
         if peaks[k] > 0.25 * peaks.max():
-            labels.append(at_peak(axes, math(joint.symbol), found.times, values, stroke, _beside(found)))
+            labels.append(at_peak(side, math(joint.symbol), found.times, values, stroke, _beside(found)))
     return labels
 
 
@@ -109,16 +124,16 @@ def error_parts(found: NearSingular) -> list[tuple[str, float, np.ndarray]]:
 def _errors(figure: Figure, found: NearSingular, lang: str) -> list[Label]:
     """Plot how far the tool is from where it ought to be with the damped inverse."""
     parts = error_parts(found)
-    units = ", ".join(unit for unit, _, _ in parts)
     time, title = axis_label(say("time", lang), "s", "t"), say("damped_error", lang)
-    axes = plot_axes(figure, _box(2), lang, time, axis_label("", units, "e"), title=title)
+    axes = plot_axes(figure, _box(2), lang, time, title=title)
+    sides = axes_by_unit(axes, {unit: axis_label("", unit, "e") for unit, _, _ in parts}, lang)
     _mark_nearest(axes, found)
     labels = []
     for (unit, scale, error), stroke in zip(parts, (STROKES[1], STROKES[3]), strict=False):
-        axes.plot(found.times, scale * error, linewidth=1.0, gid=f"error {unit}", **stroke.line)
+        sides[unit].plot(found.times, scale * error, linewidth=1.0, gid=f"error {unit}", **stroke.line)
+        sides[unit].set(xlim=(0, DURATION), ylim=(0, 1.3 * max(scale * float(error.max()), 1e-12)))
         text = with_unit(scale * float(error.max()), unit, lang)
-        labels.append(at_peak(axes, text, found.times, scale * error, stroke, _beside(found)))
-    axes.set(xlim=(0, DURATION), ylim=(0, 1.3 * max(scale * float(error.max()) for _, scale, error in parts)))
+        labels.append(at_peak(sides[unit], text, found.times, scale * error, stroke, _beside(found)))
     return labels
 
 

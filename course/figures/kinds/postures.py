@@ -7,12 +7,13 @@ from matplotlib.figure import Figure
 
 from armproof.course.figures.drawing.fitting import Fit
 from armproof.course.figures.drawing.labels import joint_texts, joint_value, length, math, say, values_text
-from armproof.course.figures.drawing.layout import lay_out
+from armproof.course.figures.drawing.layout import Layout, lay_out
 from armproof.course.figures.drawing.panels import PanelTitle, columns_of, make_panels
 from armproof.course.figures.drawing.scene import Scene, finish
-from armproof.course.figures.drawing.style import GREY, PALE, TEXT, WIDTHS, new_figure, stroke_of, styled
-from armproof.course.figures.drawing.symbols import Look, draw_arm
+from armproof.course.figures.drawing.style import GREY, PALE, SMALL, TEXT, WIDTHS, new_figure, stroke_of, styled
+from armproof.course.figures.drawing.symbols import AXIS_COLOURS, Look, draw_arm
 from armproof.course.figures.drawing.table import draw_table, table_height
+from armproof.course.figures.facts.branches import branch_of, corners_of
 from armproof.course.figures.facts.solutions import STARTS, Postures, is_square, postures_of
 from armproof.course.figures.facts.task import task_of
 from armproof.course.figures.registry import Kind
@@ -25,6 +26,7 @@ _MOST = 8  # that have a panel each
 _MARGIN = 11.0  # mm
 _LOWEST, _HIGHEST = 40.0, 62.0  # mm, of a panel
 _SIZE = 0.7
+_TRIAD = 6.0  # mm, of the axes of the tool
 
 
 @styled()
@@ -66,9 +68,12 @@ def _draw_panels(arm: Arm, found: Postures, lang: str) -> Figure:
         facts = joint_texts(arm, q, lang)
         if not found.within_limits[number - 1]:
             facts.append(say("beyond_limits", lang))
-        titles.append(PanelTitle(f"{say('posture', lang)} {number}", facts))
+        named = ", ".join(say(key, lang) for key in branch_of(arm, q))
+        titles.append(PanelTitle(f"{number}) {named}" if named else f"{say('posture', lang)} {number}", facts))
     width = WIDTHS["page"] / columns_of(len(titles))
-    fit = _fit(arm, shown, _SIZE)
+    fit = Fit(
+        arm, shown, margin=_MARGIN, size=_SIZE
+    )  # from the side: seen along parallel axes, turned wrists look alike
     height = fit.height(width, (_LOWEST, _HIGHEST))
     figure, panels = make_panels(titles, height)
     view = fit.view(width, height)
@@ -77,7 +82,9 @@ def _draw_panels(arm: Arm, found: Postures, lang: str) -> Figure:
         _draw_posture(scenes[0], arm, q, k, symbols=False, size=_SIZE)
         for pale in shown:
             _draw_pale(scenes[k + 1], arm, pale)
-        _draw_posture(scenes[k + 1], arm, q, k, symbols=True, size=_SIZE)
+        layout = _draw_posture(scenes[k + 1], arm, q, k, symbols=True, size=_SIZE)
+        _draw_tool(scenes[k + 1], layout.frames[task_of(arm).frame])
+        _name_corners(scenes[k + 1], arm, q)
     _draw_target(scenes[0], arm, found, lang)
     return finish(figure, *scenes)
 
@@ -89,13 +96,28 @@ def _fit(arm: Arm, q: np.ndarray, size: float) -> Fit:
 
 def _draw_posture(
     scene: Scene, arm: Arm, q: np.ndarray, k: int, *, symbols: bool, size: float, number: bool = False
-) -> None:
+) -> Layout:
     stroke = stroke_of(k)
     look = Look(stroke.colour, 1.0, 1.6, symbols=symbols, linestyle=stroke.linestyle, size=size)
     layout = draw_arm(scene, arm, q, look, name=f"posture {k + 1} ")
     if number:  # beside the link that starts highest, where the postures are apart
         middle = np.mean(layout.links[1][:2], axis=0)
         scene.label(str(k + 1), middle, colour=stroke.colour, gap=1.0)
+    return layout
+
+
+def _draw_tool(scene: Scene, pose: np.ndarray) -> None:
+    """Draw the axes of the tool, which are the same in all postures."""
+    for k, (letter, colour) in enumerate(AXIS_COLOURS.items()):
+        scene.arrow(
+            pose[:3, 3], scene.metres(_TRIAD) * pose[:3, k], colour=colour, width=0.7, gid=f"tool {letter}", head=0.7
+        )
+
+
+def _name_corners(scene: Scene, arm: Arm, q: np.ndarray) -> None:
+    """Name shoulder, elbow and wrist of an arm whose last three axes meet."""
+    for key, at in corners_of(arm, q).items():
+        scene.label(key[0].upper(), at, gap=2.0, size=SMALL, colour=GREY)
 
 
 def _draw_pale(scene: Scene, arm: Arm, q: np.ndarray) -> None:
@@ -132,6 +154,8 @@ def caption(arm: Arm, lang: str = "") -> str:
         say("postures_caption", lang, count=len(found.q), target=target),
         say("by_formula", lang) if found.found == "formula" else say("by_iteration", lang, starts=STARTS),
     ]
+    if corners_of(arm, found.target):
+        parts.append(say("corners_are", lang))
     for number, q in enumerate(found.q, start=1):
         parts.append(say("posture_caption", lang, number=number, pose=values_text(arm, q, lang)))
     return " ".join(parts)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -9,9 +10,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from armproof.course.figures.drawing.labels import axis_label, math, number, say, with_unit
+from armproof.course.figures.drawing.labels import axis_label, math, number, same_unit, say, with_unit
 from armproof.course.figures.drawing.placement import Label, place_labels
-from armproof.course.figures.drawing.plots import at_peak, plot_axes
+from armproof.course.figures.drawing.plots import at_peak, axes_by_unit, plot_axes
 from armproof.course.figures.drawing.style import GREY, STROKES, new_figure, stroke_of, styled
 from armproof.course.figures.facts.motions import motion_of
 from armproof.course.figures.facts.task import task_of
@@ -23,7 +24,8 @@ from armproof.models.motion.tracking import BANDWIDTH, TrackingLog, track
 
 PERIOD = 2e-3  # s, of the controller
 WRONG = 0.8  # times the masses
-_LEFT, _WIDTH, _PANEL, _GAP, _BOTTOM = 14.0, 62.0, 25.0, 7.0, 9.0  # mm
+_LEFT, _WIDTH, _PANEL, _GAP, _BOTTOM = 14.0, 57.0, 25.0, 7.0, 9.0  # mm
+_THOUSANDTHS = {"revolute": "mrad", "prismatic": "mm"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,10 +58,11 @@ def tracking_figure(arm: Arm, lang: str = "") -> Figure:
     found = tracked(arm)
     figure = new_figure("column", 3 * _PANEL + 2 * _GAP + _BOTTOM + 6)
     labels = _tool_error(_panel(figure, 0, "tool_error", axis_label("", _tool(arm)[0], "e"), lang), found, lang)
-    axes = _panel(figure, 1, "joint_error", axis_label("", joint_error_unit(arm), "q_d - q"), lang)
-    labels += _curves(axes, found, 1000 * (found.wrong.q_desired - found.wrong.q), "error")
-    axes = _panel(figure, 2, "effort", _effort_label(arm), lang)
-    labels += _curves(axes, found, effort_scales(arm) * found.wrong.torques, "effort")
+    errors = {kind: axis_label("", unit, "q_d - q") for kind, unit in _THOUSANDTHS.items()}
+    axes = _panel(figure, 1, "joint_error", "", lang)
+    labels += _curves(axes, found, 1000 * (found.wrong.q_desired - found.wrong.q), "error", errors, lang)
+    axes = _panel(figure, 2, "effort", "", lang)
+    labels += _curves(axes, found, effort_scales(arm) * found.wrong.torques, "effort", _effort_labels(arm), lang)
     place_labels(figure, labels)
     return figure
 
@@ -93,15 +96,10 @@ def _tool_error(axes: Axes, found: TrackedMotion, lang: str) -> list[Label]:
     return labels
 
 
-def joint_error_unit(arm: Arm) -> str:
-    """Return the unit of the joint errors: thousandths of rad, of m."""
-    kinds = {joint.kind for joint in arm.joints}
-    return ", ".join(unit for kind, unit in (("revolute", "mrad"), ("prismatic", "mm")) if kind in kinds)
-
-
-def _effort_label(arm: Arm) -> str:
-    limited = np.isfinite(read_rate_limits(arm).effort).all()
-    return axis_label("", "%", r"\tau/\tau_\mathrm{max}") if limited else axis_label("", "N m, N", r"\tau")
+def _effort_labels(arm: Arm) -> dict[str, str]:
+    if np.isfinite(read_rate_limits(arm).effort).all():
+        return dict.fromkeys(_THOUSANDTHS, axis_label("", "%", r"\tau/\tau_\mathrm{max}"))
+    return {"revolute": axis_label("", "N m", r"\tau"), "prismatic": axis_label("", "N", r"\tau")}
 
 
 def effort_scales(arm: Arm) -> np.ndarray:
@@ -110,19 +108,25 @@ def effort_scales(arm: Arm) -> np.ndarray:
     return 100 / limits if np.isfinite(limits).all() else np.ones(len(limits))
 
 
-def _curves(axes: Axes, found: TrackedMotion, values: np.ndarray, gid: str) -> list[Label]:
-    """Plot a curve a joint; returns their names, those of small ones left out."""
-    labels = []
-    largest = float(np.abs(values).max())
-    for k, joint in enumerate(found.arm.joints):
-        times, curve = found.wrong.times, values[:, k]
-        axes.plot(times, curve, linewidth=0.9, gid=f"{gid} {joint.symbol}", **stroke_of(k).line)
-        if np.abs(curve).max() > 0.12 * largest:
-            labels.append(at_peak(axes, math(joint.symbol), times, curve, stroke_of(k), 0.2))
+def _curves(
+    axes: Axes, found: TrackedMotion, values: np.ndarray, gid: str, names: Mapping[str, str], lang: str
+) -> list[Label]:
+    """Plot a curve a joint, each unit on its own axis; returns their names, those of small ones left out."""
+    labels, arm, times = [], found.arm, found.wrong.times
+    groups = same_unit(arm)
+    sides = axes_by_unit(axes, {kind: names[kind] for kind, _ in groups}, lang)
+    if len(set(sides.values())) == 1:
+        groups = [(groups[0][0], [k for _, places in groups for k in places])]
+    for kind, places in groups:
+        side, largest = sides[kind], float(np.abs(values[:, places]).max())
+        for k in places:
+            symbol, curve = arm.joints[k].symbol, values[:, k]
+            side.plot(times, curve, linewidth=0.9, gid=f"{gid} {symbol}", **stroke_of(k).line)
+            if np.abs(curve).max() > 0.12 * largest:
+                labels.append(at_peak(side, math(symbol), times, curve, stroke_of(k), 0.2))
+        most = 1.35 * largest
+        side.set(xlim=(0, times[-1]), ylim=(-most, most))  # 0 at one height on both sides
     axes.axhline(0, color=GREY, linewidth=0.4, zorder=1)
-    axes.set_xlim(0, found.wrong.times[-1])
-    low, high = float(values.min()), float(values.max())
-    axes.set_ylim(low - 0.22 * (high - low), high + 0.22 * (high - low))
     return labels
 
 

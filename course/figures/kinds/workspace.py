@@ -15,7 +15,9 @@ from armproof.course.figures.drawing.placement import Label
 from armproof.course.figures.drawing.plots import plot_axes
 from armproof.course.figures.drawing.scene import Scene, finish
 from armproof.course.figures.drawing.style import INK, PAPER, Box, new_figure, styled
+from armproof.course.figures.facts.boundary import boundary
 from armproof.course.figures.facts.curves import family_curve
+from armproof.course.figures.facts.highest import climb
 from armproof.course.figures.facts.positioning import Positioning, position_singularities, positioning_of
 from armproof.course.figures.facts.task import joint_ranges, volume_unit
 from armproof.course.figures.registry import Kind
@@ -41,6 +43,8 @@ class Workspace:
         best: (len(y), len(x)), the highest manipulability in each cell, NaN where no configuration is.
         winners: (len(y), len(x), n), the configuration of each cell that has it, NaN where none is.
         reach: the smallest and the largest distance from the origin of the map (m).
+        highest: the highest manipulability of all (in its unit), at a configuration between those drawn.
+        boundary: points (M, 2) along the boundary of what is reached; NaN parts its pieces.
         curves: configurations (M, n) along the image of each singular family that has some, by its LaTeX.
     """
 
@@ -50,6 +54,8 @@ class Workspace:
     best: np.ndarray
     winners: np.ndarray
     reach: tuple[float, float]
+    highest: float
+    boundary: np.ndarray
     curves: dict[str, np.ndarray]
 
 
@@ -76,10 +82,19 @@ def workspace_of(arm: Arm) -> Workspace:
     distances = np.linalg.norm(points, axis=1)
     analysis = position_singularities(arm)
     curves = {family.latex: family_curve(positioning, family) for family in analysis.families} if analysis else {}
+    reached = winner >= 0
     return Workspace(
-        positioning, x, y, np.where(winner < 0, np.nan, w[winner]), np.where(winner[..., None] < 0, np.nan, q[winner]),
-        (float(distances.min()), float(distances.max())), {latex: curve for latex, curve in curves.items() if len(curve)},
+        positioning, x, y, np.where(reached, w[winner], np.nan), np.where(reached[..., None], q[winner], np.nan),
+        (float(distances.min()), float(distances.max())), _highest(positioning, q[order[-1]]),
+        boundary(positioning, x, y, reached), {latex: curve for latex, curve in curves.items() if len(curve)},
     )  # fmt: skip
+
+
+def _highest(positioning: Positioning, q: np.ndarray) -> float:
+    """Return the highest manipulability, near the best configuration of those drawn."""
+    places = [column - 1 for column in positioning.free]
+    axes = [np.linspace(*joint_ranges(positioning.arm)[k], _CELLS) for k in places]
+    return climb(positioning.manipulability, q, places, axes)[1]
 
 
 @styled()
@@ -98,6 +113,7 @@ def workspace_figure(arm: Arm, lang: str = "") -> Figure:
     axes = plot_axes(figure, box, lang, axis_label("", "m", names[0]), axis_label("", "m", names[1]), grid=False)
     axes.set(xlim=window[:2], ylim=window[2:])
     _draw_map(figure, axes, box, found, extent, lang)
+    axes.plot(*found.boundary.T, gid="boundary", color=INK, linewidth=1.3, zorder=4.5)
     labels = _draw_curves(axes, found)
     scene = Scene(axes, found.positioning.projection, metre)
     _draw_stick(scene, stick_points(arm, shown_configuration(found), found.positioning.frame))
@@ -109,8 +125,10 @@ def _draw_map(figure: Figure, axes: Axes, box: Box, found: Workspace, extent: np
     lined = smooth(found.best) if len(positioning.free) > 2 else found.best
     unit = volume_unit(positioning.arm, positioning.rows, positioning.columns)
     label, scale = axis_label(say("manipulability_word", lang), unit, "w"), (_LEFT + _WIDEST + 3, box[1], 3.0, box[3])
-    best, highest = found.best, float(np.nanmax(found.best))
-    draw_map(figure, axes, scale, found.x, found.y, best, highest, label, lang, "best", extent=extent, lined=lined)
+    best = found.best
+    draw_map(
+        figure, axes, scale, found.x, found.y, best, found.highest, label, lang, "best", extent=extent, lined=lined
+    )
 
 
 def _draw_curves(axes: Axes, found: Workspace) -> list[Label]:
@@ -147,11 +165,12 @@ def caption(arm: Arm, lang: str = "") -> str:
     positioning = found.positioning
     point = say("wrist_centre" if positioning.wrist else "tool_point", lang)
     unit = volume_unit(arm, positioning.rows, positioning.columns)
-    best = f"{number(float(np.nanmax(found.best)), lang)} {unit}".strip()
+    best = f"{number(found.highest, lang)} {unit}".strip()
     near, far = (length(distance, lang) for distance in found.reach)
     parts = [say("workspace_is", lang, point=point, count=say("million", lang), best=best)]
     if not positioning.about:
         parts.append(say("workspace_reach", lang, near=near, far=far))
+    parts.append(say("boundary_is", lang))
     if found.curves:
         curves = ", ".join(f"${plain_condition(latex)}$" for latex in found.curves)
         parts.append(say("singular_curves", lang, curves=curves))

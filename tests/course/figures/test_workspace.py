@@ -13,7 +13,7 @@ from armproof.course.figures.kinds.workspace import (
     workspace_figure,
     workspace_of,
 )
-from armproof.course.figures.registry import draw_kind, figures_for, find_kind
+from armproof.course.figures.registry import caption_kind, draw_kind, figures_for, find_kind
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
 from tests.course.figures.test_sketch import TOLERANCE, drawn, figure_of
@@ -104,3 +104,45 @@ def test_a_wrist_has_no_map_and_says_why() -> None:
     assert "neither in a plane" in str(applies(arm, "en")) and "ni dans un plan" in str(applies(arm, "fr"))
     assert kind not in figures_for(arm)
     assert draw_kind(kind, arm).texts
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_boundary_is_reached_and_has_nothing_beyond_it(name: str) -> None:
+    """From a point of it one can go to a place that no configuration reaches, and to one that some do."""
+    found = workspace_of(load_arm(name))
+    cell = found.x[1] - found.x[0]
+    points = found.boundary[~np.isnan(found.boundary[:, 0])]
+    reached = np.argwhere(~np.isnan(found.best))[:, ::-1] * cell + [found.x[0], found.y[0]]
+    empty = np.pad(np.isnan(found.best), 3, constant_values=True)
+    empties = (np.argwhere(empty)[:, ::-1] - 3) * cell + [found.x[0], found.y[0]]
+    for point in points[:: max(len(points) // 150, 1)]:
+        assert np.linalg.norm(reached - point, axis=1).min() <= 2.5 * cell
+        assert np.linalg.norm(empties - point, axis=1).min() <= 5 * cell
+    inside = found.positioning.projection.points(
+        NumericKinematics(found.positioning.arm, shown_configuration(found)[None]).pose(found.positioning.frame)[
+            0, :3, 3
+        ]
+    )
+    if name != "polar_rp":  # at its best with the slide drawn out
+        assert np.linalg.norm(points - inside, axis=1).min() > 3 * cell  # the negative control
+
+
+def test_joint_limits_bound_a_planar_arm_where_no_configuration_is_singular() -> None:
+    """The polar arm: two arcs of the slide's ends, two sides of the angle's; a circle less a wedge."""
+    arm = load_arm("polar_rp")
+    points = workspace_of(arm).boundary
+    points = points[~np.isnan(points[:, 0])]
+    angle, slide = (np.array([joint.lower, joint.upper]) for joint in arm.joints)
+    r, theta = np.linalg.norm(points, axis=1), np.arctan2(points[:, 1], points[:, 0])
+    at_end = np.abs(r[:, None] - slide).min(axis=1) < 1e-9
+    at_side = np.abs(np.angle(np.exp(1j * (theta[:, None] - angle)))).min(axis=1) < 1e-9
+    assert (at_end | at_side).all() and at_end.any() and at_side.any()
+
+
+def test_the_highest_manipulability_is_the_same_wherever_it_is_told() -> None:
+    """l_1 l_2 = 0.1575 m² of the planar 2R arm, printed as 0.158 by the workspace, the map and its caption."""
+    arm = load_arm("planar_2r")
+    exact = arm.lengths["l_1"] * arm.lengths["l_2"]
+    found = workspace_of(arm)
+    assert found.highest == pytest.approx(exact, rel=1e-9) and np.nanmax(found.best) < exact
+    assert all("0.158 m²" in caption_kind(find_kind(kind), arm) for kind in ("workspace", "manipulability"))
