@@ -59,7 +59,7 @@ SWEPT = {
     "course/figures/test_legibility.py": ("scara",),
     "course/figures/": ("scara", "slanted"),
     "course/test_words_decide_nothing.py": ("scara-004", "scara_jacobian"),
-    "course/translation/test_french.py::test_a_french": ("scara-000", "12_proofread"),
+    "course/translation/test_french.py::test_a_french": ("scara-000", "16_proofread"),
     "course/printing/test_handouts.py": ("scara-000", "spherical-wrist-inverse"),
     **{
         f"course/tasks/test_tasks.py::test_every_wrong_answer_gets_its_own_message[{task}]": ()

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 Names = Annotated[
-    list[str] | None, typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all.")
+    list[str] | None, typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 12; by default all.")
 ]
 Folder = Annotated[
     Path | None,

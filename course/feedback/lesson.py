@@ -7,7 +7,8 @@ import importlib.util
 import pkgutil
 import re
 import sys
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
 from pathlib import Path
 
@@ -15,9 +16,10 @@ from armproof.course.errors import LessonError
 from armproof.course.feedback.notebook import bar, render, show_figures
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.progress import keep_progress, reached, read_progress
+from armproof.course.feedback.slope import REVIEW, Stage, stages
 from armproof.course.feedback.task import Task
 from armproof.course.feedback.translation import changed_task
-from armproof.models.errors import counted, existing_language
+from armproof.models.errors import counted, existing_language, written
 from armproof.models.language import ENGLISH, asked, known_language, language_of_environment, speak, spoken, use
 from armproof.verification.document.catalogue import translated_sentence, translation_of
 
@@ -36,6 +38,7 @@ class Lesson:
         objectives: three lines.
         tasks: in their order.
         source: what it was taken from.
+        stage: its place on the slope of the course; none for a teacher's own.
         lang: the language it is in; empty: that which is spoken.
     """
 
@@ -46,6 +49,7 @@ class Lesson:
     tasks: tuple[Task, ...]
     source: str = ""
     lang: str = ""
+    stage: Stage | None = None
     _results: dict[str, Feedback] = field(default_factory=dict, repr=False)
     _reached: dict[str, Outcome] = field(default_factory=dict, repr=False)
 
@@ -97,7 +101,13 @@ class Lesson:
 
     def __repr__(self) -> str:
         states = self.progress()
-        lines = [f"{self.number} · {self.title}", *(f"  – {line}" for line in self.objectives), "", self._solved()]
+        lines = [
+            f"{self.number} · {self.title}",
+            *(f"  – {line}" for line in self.objectives),
+            "",
+            *filter(None, [self.effort]),
+            self._solved(),
+        ]
         width = max(map(len, states), default=0)
         lines += [f"  {states[task.name].mark} {task.name.ljust(width)}  {task.title}" for task in self.tasks]
         return "\n".join(lines)
@@ -106,6 +116,18 @@ class Lesson:
         states = self.progress()
         with use(self.lang):
             return render("lesson.html", "open", lesson=self, states=states, solved=self._solved())
+
+    @property
+    def effort(self) -> str:
+        """How long the lesson takes, and the lessons that come before it."""
+        if self.stage is None:
+            return ""
+        with use(self.lang):
+            minutes = written("About {minutes} minutes", minutes=self.stage.minutes)
+            if not (before := [str(stages()[name].number) for name in self.stage.before]):
+                return minutes
+            after = counted("after lesson {lessons}", "after lessons {lessons}", len(before), lessons=", ".join(before))
+            return f"{minutes} · {after}"
 
     def _solved(self) -> str:
         solved, count = self.points, len(self.tasks)
@@ -154,17 +176,33 @@ def _read(name: str) -> Lesson:
 
 def _in_language(lesson: Lesson, folder: str | Path | None, lang: str, seed: str) -> Lesson:
     """Return a lesson whose tasks speak a language, with its words from the catalogue of its source, and the numbers of a seed."""
-    source = (Path(folder) if folder is not None else COURSE) / "lessons" / f"{lesson.number:02}_{lesson.name}.py"
-    change = partial(translated_sentence, translate=translation_of(source, lang))
+    change = _words_of(lesson, Path(folder) if folder is not None else COURSE, lang)
+    stage = stages().get(lesson.name) if folder is None else None
+    tasks = [changed_task(task.own(seed) if seed and task.own else task, change) for task in lesson.tasks]
     return Lesson(
         lesson.number,
         lesson.name,
         change(lesson.title),
         tuple(map(change, lesson.objectives)),
-        tuple(changed_task(task.own(seed) if seed and task.own else task, change) for task in lesson.tasks),
+        (*tasks, *_returning(stage, lang)),
         change(lesson.source),
         lang,
+        stage,
     )
+
+
+def _words_of(lesson: Lesson, folder: Path, lang: str) -> Callable[[str], str]:
+    """Return what puts the words of a lesson into a language, by the catalogue of its source."""
+    source = folder / "lessons" / f"{lesson.number:02}_{lesson.name}.py"
+    return partial(translated_sentence, translate=translation_of(source, lang))
+
+
+def _returning(stage: Stage | None, lang: str) -> Iterator[Task]:
+    """Yield the task of an earlier lesson that returns, for a point of its own."""
+    if stage is not None and stage.review:
+        name, _, task = stage.review.partition(".")
+        lesson = _read(name)
+        yield replace(changed_task(getattr(lesson, task), _words_of(lesson, COURSE, lang)), name=REVIEW)
 
 
 def lessons() -> tuple[Lesson, ...]:

@@ -22,7 +22,10 @@ class Overview:
         return sum(lesson.points for lesson in self.lessons), sum(len(lesson.tasks) for lesson in self.lessons)
 
     def __repr__(self) -> str:
-        rows = [f"{bar(each.points, len(each.tasks))}  {each.number:2} · {each.title}" for each in self.lessons]
+        rows = [
+            f"{bar(each.points, len(each.tasks))}  {each.number:2} · {each.title} ({each.effort})"
+            for each in self.lessons
+        ]
         points = self.points
         return "\n".join([*rows, "", f"{bar(*points)}  {_total(*points)}"])
 

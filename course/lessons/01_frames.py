@@ -260,4 +260,4 @@ lesson.freedom.check(independent)
 #
 # - Drake's page on multibody notation explains `X_AB`, `R_AB`, `p_AB`; `CONVENTIONS.md` maps them to the documents.
 # - Sheet `dh-modified-001.md` has all four elementary transforms and the errata of the slide.
-# - Lesson 2 makes one link matrix of four of these steps, in two conventions.
+# - Lesson 3 makes one link matrix of four of these steps, in two conventions.

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from armproof.course.site.order import Built
 
 Names = Annotated[
-    list[str] | None, typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 8; by default all.")
+    list[str] | None, typer.Argument(metavar="[NAME]...", help="Lessons, such as scara_jacobian or 12; by default all.")
 ]
 Folder = Annotated[
     Path | None, typer.Option("--folder", metavar="DIR", help="Lessons of your own: DIR/lessons and DIR/tasks.")

@@ -29,6 +29,7 @@ class Row:
     title: Markup
     objectives: tuple[Markup, ...]
     tasks: int
+    effort: str
     arm: str
     source: Markup
     page: str
@@ -69,4 +70,14 @@ def _row(lesson: Lesson, files: Neighbour, arm: Arm | None) -> Row:
     read, name = read_names(arm, {}).reader.read, look_up(arm.title) if arm is not None else ""
     objectives = tuple(title(line, read) for line in lesson.objectives)
     source, tasks = title(lesson.source, read), len(lesson.tasks)
-    return Row(lesson.number, title(lesson.title, read), objectives, tasks, name, source, files.page, files.notebook)
+    return Row(
+        lesson.number,
+        title(lesson.title, read),
+        objectives,
+        tasks,
+        lesson.effort,
+        name,
+        source,
+        files.page,
+        files.notebook,
+    )

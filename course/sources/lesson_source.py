@@ -100,7 +100,7 @@ def read_lesson_source(path: Path, lang: str = ENGLISH) -> LessonSource:
     """Return a lesson's source in a language; raises SourceError, with file and line, where it is not what a lesson is."""
     found = FILE.fullmatch(path.name)
     if found is None:
-        raise SourceError(path, 1, "a lesson's file is called NN_name.py, such as 08_scara_jacobian.py")
+        raise SourceError(path, 1, "a lesson's file is called NN_name.py, such as 12_scara_jacobian.py")
     cells = read_cells(path, lang)
     _require_front_matter(path, cells)
     _refuse_solutions_in_text(path, cells)

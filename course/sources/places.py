@@ -55,7 +55,7 @@ class Place:
         """Return the sources of the lessons named, all where none is; raises AuthoringError where there is no such lesson."""
         sources = self.sources()
         if not sources:
-            raise AuthoringError("{lessons}: no lesson here; a lesson is a file such as 08_scara_jacobian.py", lessons=self.lessons)  # fmt: skip
+            raise AuthoringError("{lessons}: no lesson here; a lesson is a file such as 12_scara_jacobian.py", lessons=self.lessons)  # fmt: skip
         return [self._source(name, sources) for name in dict.fromkeys(names)] if names else sources
 
     def _source(self, name: str, sources: Sequence[Path]) -> Path:
@@ -68,7 +68,7 @@ class Place:
 
 
 def _spellings(source: Path) -> Iterator[str]:
-    """Yield what a lesson may be called: 08_scara_jacobian, scara_jacobian, 08, 8."""
+    """Yield what a lesson may be called: 12_scara_jacobian, scara_jacobian, 12."""
     number, _, name = source.stem.partition("_")
     yield from (source.stem, name, number, str(int(number)))
 

@@ -1,4 +1,4 @@
-"""Tasks of lesson 2, the two Denavit–Hartenberg conventions (MECA 953 Robotique, MMT5, 2022, document 001)."""
+"""Tasks of lesson 3, the two Denavit–Hartenberg conventions (MECA 953 Robotique, MMT5, 2022, document 001)."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def _other_convention(q, h, e):
 
 
 LESSON = Lesson(
-    number=2,
+    number=3,
     name="dh_conventions",
     title="The two Denavit–Hartenberg conventions",
     source="MECA 953 Robotique, MMT5, 2022 (document 001)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 9, inverse velocity kinematics of the polar and the planar 2R arm (document 002, section 3.3)."""
+"""Tasks of lesson 13, inverse velocity kinematics of the polar and the planar 2R arm (document 002, section 3.3)."""
 
 from __future__ import annotations
 
@@ -171,7 +171,7 @@ _FORMS = {
 }
 
 LESSON = Lesson(
-    number=9,
+    number=13,
     name="inverse_velocity",
     title="Inverse velocity: the inverse, the pseudo-inverses, and what happens at a singularity",
     source="Université de Constantine 1, Modélisation cinématique, section 3.3 (document 002)",

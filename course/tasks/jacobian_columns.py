@@ -1,4 +1,4 @@
-"""Tasks of lesson 15, Jacobian columns derived one by one (document 002, with the cross product of document 000)."""
+"""Tasks of lesson 9, Jacobian columns derived one by one (document 002, with the cross product of document 000)."""
 
 from __future__ import annotations
 
@@ -190,7 +190,7 @@ WHOLE = r"\begin{bmatrix} \cos\theta & -r\sin\theta \\ \sin\theta & r\cos\theta 
 
 
 LESSON = Lesson(
-    number=15,
+    number=9,
     name="jacobian_columns",
     title="Jacobian columns, one by one",
     source="Modélisation et commande des robots de manipulation, chapter 3, Université de Constantine 1 (document 002)",
@@ -391,7 +391,7 @@ LESSON = Lesson(
         Task(
             name="axes",
             title="An axis as a third column",
-            text="The spatial arm of lesson 7 has $T_0^1 = \\begin{bmatrix} C_1 & 0 & S_1 & 0 \\\\ S_1 & 0 & -C_1 & 0 \\\\ 0 & 1 & 0 & l_1 \\\\ 0 & 0 & 0 & 1"
+            text="The spatial arm of lesson 11 has $T_0^1 = \\begin{bmatrix} C_1 & 0 & S_1 & 0 \\\\ S_1 & 0 & -C_1 & 0 \\\\ 0 & 1 & 0 & l_1 \\\\ 0 & 0 & 0 & 1"
             " \\end{bmatrix}$. Write $z_1$ (3 rows) in frame 0: the axis of joint 2.",
             asks=Quantity("spatial_rrr", {"axis": 1}),
             hints=(

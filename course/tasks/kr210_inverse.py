@@ -1,4 +1,4 @@
-"""Tasks of lesson 17, the inverse kinematics of the KUKA KR210: its wrist's centre first, then its wrist (document 001)."""
+"""Tasks of lesson 19, the inverse kinematics of the KUKA KR210: its wrist's centre first, then its wrist (document 001)."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def _wrist_with_the_row(r_11, r_12, r_13, r_21, r_31):
 
 
 LESSON = Lesson(
-    number=17,
+    number=19,
     name="kr210_inverse",
     title="The KUKA KR210: the inverse, wrist apart",
     source="Our own derivation, for the arm of MECA 953 Robotique, MMT5, 2022, table of joint offsets (document 001)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 5, from a URDF offset table to a Denavit–Hartenberg table: the KUKA KR210 (document 001)."""
+"""Tasks of lesson 8, from a URDF offset table to a Denavit–Hartenberg table: the KUKA KR210 (document 001)."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ def _urdf_link_sympy(sp):
 
 
 LESSON = Lesson(
-    number=5,
+    number=8,
     name="kr210_table",
     title="From a URDF offset table to DH: the KUKA KR210",
     source="MECA 953 Robotique, MMT5, 2022, table of joint offsets (document 001)",

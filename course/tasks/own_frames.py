@@ -201,7 +201,7 @@ def _transfer() -> Task:
 
 
 LESSON = Lesson(
-    number=18,
+    number=5,
     name="own_frames",
     title="Frames of your own",
     source="MECA 953 Robotique, MMT5, 2022 (document 001)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 13, placing the frames of an arm in eight steps (MECA 953 Robotique, MMT5, 2022, document 001)."""
+"""Tasks of lesson 4, placing the frames of an arm in eight steps (MECA 953 Robotique, MMT5, 2022, document 001)."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ def _changed(number, *row):
 
 
 LESSON = Lesson(
-    number=13,
+    number=4,
     name="placing_frames",
     title="Placing frames in eight steps",
     source="MECA 953 Robotique, MMT5, 2022 (document 001)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 6, the Jacobian of the planar 3R arm by cross products and by derivatives (document 002)."""
+"""Tasks of lesson 10, the Jacobian of the planar 3R arm by cross products and by derivatives (document 002)."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def _to_joint(q, l_1, l_2, l_3):
 
 
 LESSON = Lesson(
-    number=6,
+    number=10,
     name="planar_3r_jacobian",
     title="Planar 3R: the Jacobian by cross products and by derivatives",
     source="Modélisation et commande des robots de manipulation, chapter 3, Université de Constantine 1 (document 002)",

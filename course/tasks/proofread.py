@@ -1,4 +1,4 @@
-"""Tasks of lesson 12, proofreading a handout: a sheet on the planar 2R arm with planted errors, then any sheet."""
+"""Tasks of lesson 16, proofreading a handout: a sheet on the planar 2R arm with planted errors, then any sheet."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ _DISPLAYS = {
 }
 
 LESSON = Lesson(
-    number=12,
+    number=16,
     name="proofread",
     title="Proofread a handout",
     source="A sheet of our own; the first example is from document 002",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 11, the quintic joint trajectory (A. Beneult Lefaucheux, TD 1, 2014, section 3)."""
+"""Tasks of lesson 15, the quintic joint trajectory (A. Beneult Lefaucheux, TD 1, 2014, section 3)."""
 
 from __future__ import annotations
 
@@ -224,7 +224,7 @@ VELOCITY = r"\frac{30(q_f - q_0) t^2 (t_f - t)^2}{t_f^5}"
 DURATIONS = r"\begin{bmatrix} \frac{15 d}{8 k_v} \\ \frac{10 d}{\sqrt{3} k_a} \end{bmatrix}"
 
 LESSON = Lesson(
-    number=11,
+    number=15,
     name="quintic",
     title="Quintic trajectories: six conditions, peaks, limits",
     source="A. Beneult Lefaucheux, TD 1, Étude du robot Scara, 2014, section 3",

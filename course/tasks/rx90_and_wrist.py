@@ -1,4 +1,4 @@
-"""Tasks of lesson 4, the Stäubli RX-90 and the spherical wrist (MECA 953 Robotique, MMT5, 2022, document 001)."""
+"""Tasks of lesson 7, the Stäubli RX-90 and the spherical wrist (MECA 953 Robotique, MMT5, 2022, document 001)."""
 
 from __future__ import annotations
 
@@ -181,7 +181,7 @@ def _predict(a_3=0.45, d_3=0.42):
 
 
 LESSON = Lesson(
-    number=4,
+    number=7,
     name="rx90_and_wrist",
     title="Stäubli RX-90 and the spherical wrist",
     source="MECA 953 Robotique, MMT5, 2022 (document 001)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 16, the SCARA's exercises by hand (documents 000 and 004), and the inverse of document 001's SCARA."""
+"""Tasks of lesson 18, the SCARA's exercises by hand (documents 000 and 004), and the inverse of document 001's SCARA."""
 
 from __future__ import annotations
 
@@ -182,7 +182,7 @@ def _inverse_with_tangent(x, y, z, phi, a_2, a_3):
 
 
 LESSON = Lesson(
-    number=16,
+    number=18,
     name="scara_again",
     title="The SCARA's exercises by hand",
     source="F. Morbidi, TD 3, 2019 (document 000) and A. Beneult Lefaucheux, TD 1, 2014 (document 004)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 3, forward kinematics of the SCARA by modified DH (MECA 953 Robotique, MMT5, 2022, document 001)."""
+"""Tasks of lesson 6, forward kinematics of the SCARA by modified DH (MECA 953 Robotique, MMT5, 2022, document 001)."""
 
 from __future__ import annotations
 
@@ -162,7 +162,7 @@ def _predict(a_2=0.3, a_3=0.25):
 
 
 LESSON = Lesson(
-    number=3,
+    number=6,
     name="scara_forward",
     title="SCARA: forward kinematics by the modified convention",
     source="MECA 953 Robotique, MMT5, 2022 (document 001)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 10, the inverse kinematics of the SCARA on a column (A. Beneult Lefaucheux, TD 1, 2014)."""
+"""Tasks of lesson 14, the inverse kinematics of the SCARA on a column (A. Beneult Lefaucheux, TD 1, 2014)."""
 
 from __future__ import annotations
 
@@ -204,7 +204,7 @@ _OTHER_SIGN = (
 )
 
 LESSON = Lesson(
-    number=10,
+    number=14,
     name="scara_inverse",
     title="SCARA: inverse kinematics in two postures",
     source="A. Beneult Lefaucheux, TD 1, Étude du robot Scara, 2014",

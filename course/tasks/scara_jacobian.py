@@ -1,4 +1,4 @@
-"""Tasks of lesson 8, the geometric Jacobian of the SCARA and where it is singular (document 000)."""
+"""Tasks of lesson 12, the geometric Jacobian of the SCARA and where it is singular (document 000)."""
 
 from __future__ import annotations
 
@@ -153,7 +153,7 @@ def _prediction(a_1=0.325, a_2=0.275):
 
 
 LESSON = Lesson(
-    number=8,
+    number=12,
     name="scara_jacobian",
     title="SCARA: geometric Jacobian and singular configurations",
     source="F. Morbidi, TD 3, April 2019 (document 000)",

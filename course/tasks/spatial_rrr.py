@@ -1,4 +1,4 @@
-"""Tasks of lesson 7, the spatial RRR arm: the exercise left open in document 002, both readings of its tool point."""
+"""Tasks of lesson 11, the spatial RRR arm: the exercise left open in document 002, both readings of its tool point."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ def _of_the_elbow(q, l_2):
 
 
 LESSON = Lesson(
-    number=7,
+    number=11,
     name="spatial_rrr",
     title="Spatial RRR: an exercise left open",
     source="Modélisation et commande des robots de manipulation, chapter 3, exercise, Université de Constantine 1 (document 002)",

@@ -1,4 +1,4 @@
-"""Tasks of lesson 14, the orientation of the tool: s, n, a, RPY angles, and one SCARA in three documents (000, 001 and 004)."""
+"""Tasks of lesson 17, the orientation of the tool: s, n, a, RPY angles, and one SCARA in three documents (000, 001 and 004)."""
 
 from __future__ import annotations
 
@@ -155,7 +155,7 @@ def _as_dicts(rows, *names):
 
 
 LESSON = Lesson(
-    number=14,
+    number=17,
     name="tool_orientation",
     title="The orientation of the tool, and one SCARA in three documents",
     source="MECA 953 Robotique, MMT5, 2022 (document 001), with the SCARAs of documents 000 and 004",
@@ -387,7 +387,7 @@ LESSON = Lesson(
         Task(
             name="last_product",
             title="The product U₀ by hand",
-            text="Write $U_0 = {}^0T_1\\,U_1$ of document 001's SCARA, 4×4, by hand. ($U_1$ is in lesson 3.) Letters: `a_2`, `a_3` and the joints.",
+            text="Write $U_0 = {}^0T_1\\,U_1$ of document 001's SCARA, 4×4, by hand. ($U_1$ is in lesson 6.) Letters: `a_2`, `a_3` and the joints.",
             asks=Quantity(UP, {"pose": 4}),
             hints=(
                 "${}^0T_1$ is a turn by $\\theta_1$ about $z$: what does it do to the angle, and to the origin?",

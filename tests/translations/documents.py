@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from armproof.course.feedback import Lesson, open_lesson
+from armproof.course.feedback.slope import REVIEW
 from armproof.course.feedback.translation import changed_task
 from armproof.course.sources.places import COURSE
 from armproof.course.translation.documents import prose_of
@@ -36,7 +37,7 @@ def catalogue_of(document: Path, lang: str) -> Path:
 def _said_by(lesson: Lesson) -> Iterator[tuple[str, Prose]]:
     """Yield what a lesson's tasks say: all that would be changed for another language."""
     found: list[tuple[str, str]] = [("the lesson", text) for text in (lesson.title, *lesson.objectives, lesson.source)]
-    for task in lesson.tasks:
+    for task in (task for task in lesson.tasks if task.name != REVIEW):  # which speaks in its own lesson
         changed_task(task, lambda text, place=f"task {task.name}": found.append((place, text)) or text)  # type: ignore[misc]
     for place, text in found:
         if (piece := read_prose(text)).has_words:

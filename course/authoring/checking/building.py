@@ -24,12 +24,12 @@ def student_files(place: Place, sources: Sequence[Path], lang: str = ENGLISH) ->
 
 
 def instructor_files(out: Path, sources: Sequence[Path], lang: str = ENGLISH) -> Files:
-    """Return the instructor's edition: DIR/08_scara_jacobian.ipynb."""
+    """Return the instructor's edition: DIR/12_scara_jacobian.ipynb."""
     return {out / f"{source.stem}.ipynb": instructor_notebook(lesson) for source, lesson in _read(sources, lang)}
 
 
 def nbgrader_files(out: Path, sources: Sequence[Path], lang: str = ENGLISH) -> Files:
-    """Return nbgrader's source version, an assignment a lesson: DIR/08_scara_jacobian/08_scara_jacobian.ipynb."""
+    """Return nbgrader's source version, an assignment a lesson: DIR/12_scara_jacobian/12_scara_jacobian.ipynb."""
     return {
         out / source.stem / f"{source.stem}.ipynb": nbgrader_notebook(lesson) for source, lesson in _read(sources, lang)
     }

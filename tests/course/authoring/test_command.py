@@ -120,7 +120,7 @@ def test_a_malformed_source_is_named_and_no_notebook_written(lesson):
 @pytest.mark.parametrize("command", ["list", "build", "check"])
 def test_a_folder_without_lessons_is_named(tmp_path, command: str):
     result = run(command, "--folder", tmp_path)
-    assert result.exit_code == 2 and "no lesson here; a lesson is a file such as 08_scara_jacobian.py" in result.stderr
+    assert result.exit_code == 2 and "no lesson here; a lesson is a file such as 12_scara_jacobian.py" in result.stderr
     assert "none: no such folder" in run(command, "--folder", tmp_path / "none").stderr
 
 

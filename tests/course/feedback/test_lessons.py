@@ -18,9 +18,12 @@ from armproof.course.feedback import (
     Quantity,
     Task,
     Wrong,
+    course,
+    lessons,
     open_lesson,
 )
 from armproof.course.feedback.progress import VARIABLE, read_progress
+from armproof.course.feedback.slope import stages
 from armproof.models.catalogue import load_arm
 from armproof.models.numeric.plant import NumericKinematics
 
@@ -156,3 +159,31 @@ def test_a_hidden_wrong_answer_is_no_right_one() -> None:
     task: Any = Task("two", "Two", "", Number(2), (), (2,), (known,))
     assert task.check(3).message == "three is one too many"
     assert task.check(2).is_right
+
+
+def test_the_slope_names_every_lesson_with_what_comes_before_it() -> None:
+    by_name = {lesson.name: lesson for lesson in lessons()}
+    assert [(name, stage.number) for name, stage in stages().items()] == [
+        (each.name, each.number) for each in lessons()
+    ]
+    for name, stage in stages().items():
+        assert all(stages()[other].number < stage.number for other in stage.before), name
+        assert 20 <= stage.minutes <= 90
+        assert bool(stage.before) == (stage.number > 1)
+    assert by_name["jacobian_columns"].number < by_name["planar_3r_jacobian"].number
+    assert "About 60 minutes · after lessons 6, 10" in repr(by_name["scara_jacobian"])
+    assert "Environ 60 minutes · après les leçons 6, 10" in open_lesson("scara_jacobian", lang="fr")._repr_html_()
+    assert "after lessons 6, 10" in repr(course()) and "after lessons 6, 10" in course()._repr_html_()
+
+
+def test_a_task_returns_three_lessons_later_and_counts_again() -> None:
+    for name, stage in stages().items():
+        earlier, _, task = stage.review.partition(".")
+        assert bool(stage.review) == (stage.number > 3)
+        if stage.review:
+            assert stages()[earlier].number == stage.number - 3
+            review, first = open_lesson(name).tasks[-1], getattr(open_lesson(earlier), task)
+            assert (review.name, review.text, review.lesson) == ("review", first.text, name)
+            assert review is not first and review.asks is first.asks
+    french = open_lesson("placing_frames", lang="fr").review
+    assert french.title == open_lesson("frames", lang="fr").inverse.title != open_lesson("frames").inverse.title

@@ -202,4 +202,4 @@ def test_without_jupyter_the_command_says_what_to_install(order, tmp_path, monke
 
 def test_the_course_is_what_is_built_by_default(tmp_path):
     result = run("no_such_lesson", "--out", tmp_path / "site")
-    assert result.exit_code == 2 and "08_scara_jacobian" in result.stderr
+    assert result.exit_code == 2 and "12_scara_jacobian" in result.stderr
