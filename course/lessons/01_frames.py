@@ -256,6 +256,29 @@ independent = 6
 lesson.freedom.check(independent)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A carriage slides by $d$ along $x$ of frame A; a bar of length $b$ on it turns by $\theta$ about $z$. Write the pose of the bar's end in A.
+
+
+# %%
+def carriage(d, theta, b):
+    """Return the pose of the bar's end in frame A, 4×4."""
+    ### BEGIN SOLUTION
+    c, s = np.cos(theta), np.sin(theta)
+    return [[c, -s, 0, d + b * c], [s, c, 0, b * s], [0, 0, 1, 0], [0, 0, 0, 1]]
+    ### END SOLUTION
+
+
+lesson.transfer.check(carriage)
+
+# %% [markdown]
+# ## What you know now
+#
+# - A transform is a turn and a shift; a chain of them is a product, read from left to right.
+# - The inverse transposes the rotation and turns the shift back: $-R^T p$.
+# - The columns of a pose are the axes of the moved frame and its origin.
+#
 # ## Further
 #
 # - Drake's page on multibody notation explains `X_AB`, `R_AB`, `p_AB`; `CONVENTIONS.md` maps them to the documents.

@@ -245,6 +245,24 @@ ring = [0.3 - 0.25, 0.3 + 0.25]
 lesson.reach.check(ring)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A column turns by $\theta_1$, a carriage on it rises by $d_2$, and a ram goes out by $d_3$: the rows $(\alpha_{i-1}, a_{i-1}, d_i,
+# \theta_i)$ are $(0, 0, 0, \theta_1)$, $(0, 0, d_2, 0)$, $(-\frac{\pi}{2}, 0, d_3, 0)$. Write ${}^0T_3$.
+
+
+# %%
+def cylinder(q):
+    """Return the pose of frame 3 in frame 0, 4×4."""
+    ### BEGIN SOLUTION
+    c, s = np.cos(q[0]), np.sin(q[0])
+    return [[c, 0, -s, -q[2] * s], [s, 0, c, q[2] * c], [0, -1, 0, q[1]], [0, 0, 0, 1]]
+    ### END SOLUTION
+
+
+lesson.transfer.check(cylinder)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 3 comes back. Do it without looking.
@@ -259,6 +277,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A table is a product: one link matrix a row, multiplied from the base.
+# - Parallel axes add their angles: one sum of angles turns the tool.
+# - One pose that you can see tests a product of four matrices.
+#
 # ## Further
 #
 # - Sheets `scara-001.md` and `scara-python-001.md` hold all the slides' equations with their errata.

@@ -215,6 +215,23 @@ ranks = [2, 2]
 lesson.rank.check(ranks)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A column turns by $\theta_1$, a carriage rises by $d_2$, a ram goes out by $d_3$; its end is at $[-d_3 S_1, d_3 C_1, d_2]^T$. Write the Jacobian.
+
+
+# %%
+def cylinder(q):
+    """Return the Jacobian of the ram's end, 6×3."""
+    ### BEGIN SOLUTION
+    c, s = np.cos(q[0]), np.sin(q[0])
+    return [[-q[2] * c, 0, -s], [-q[2] * s, 0, c], [0, 1, 0], [0, 0, 0], [0, 0, 0], [1, 0, 0]]
+    ### END SOLUTION
+
+
+lesson.transfer.check(cylinder)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 7 comes back. Do it without looking.
@@ -229,6 +246,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A column of a Jacobian is what one joint does to the tool: the cross product above, the axis below.
+# - Derivatives of the position give the same upper half: two ways, one test.
+# - Three joints in a plane have a square part; where it is singular, the arm is stretched or folded.
+#
 # ## Further
 #
 # - Lesson 11 does the same in space, where the axes are no longer parallel.

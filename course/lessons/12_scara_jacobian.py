@@ -252,6 +252,18 @@ place = "inside"
 lesson.equal_links.check(place)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# The end of a column with a rising carriage and a ram is at $[-d_3 S_1, d_3 C_1, d_2]^T$. Which rank has $J_v$ at $d_3 = 0.4$, and which at
+# $d_3 = 0$?
+
+# %%
+### BEGIN SOLUTION
+ranks = [3, 2]
+### END SOLUTION
+lesson.transfer.check(ranks)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 9 comes back. Do it without looking.
@@ -266,6 +278,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A slide adds its axis to the velocity and nothing to the rotation.
+# - The determinant of the whole says where directions are lost; the rank says how many.
+# - A null motion moves the joints and leaves the tool.
+#
 # ## Further
 #
 # - `armproof singularities scara` states both families with rank, lost direction and null motion.

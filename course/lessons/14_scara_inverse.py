@@ -246,6 +246,18 @@ number = "many"
 lesson.equal_links.check(number)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# The end of a column with a rising carriage and a ram is at $X = -d_3 S_1$, $Y = d_3 C_1$, $Z = d_2$, with $d_3 > 0$. Write $d_3$ in $X$ and $Y$.
+# How many postures are there for one end?
+
+# %%
+### BEGIN SOLUTION
+d_3 = r"\sqrt{X^2 + Y^2}"
+### END SOLUTION
+lesson.transfer.check(d_3)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 11 comes back. Do it without looking.
@@ -260,6 +272,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - Square and add: an angle goes, and a length stays.
+# - The arctangent of two arguments knows the quadrant; the one of a quotient does not.
+# - A square root is two postures; where it is zero, they meet.
+#
 # ## Further
 #
 # - `course/handouts/scara-004.md` proves that these two postures are all there are.

@@ -227,6 +227,17 @@ factors = [2, 4]
 lesson.halved.check(factors)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A ram goes out by 0.4 m in 2 s on a quintic that starts and ends at rest. How fast is it at its peak (m/s)?
+
+# %%
+### BEGIN SOLUTION
+peak = 0.375
+### END SOLUTION
+lesson.transfer.check(peak)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 12 comes back. Do it without looking.
@@ -241,6 +252,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - Six conditions, six coefficients: position, velocity and acceleration at both ends.
+# - Peaks follow from distance and duration alone: 15/8 of the mean speed.
+# - Half the time is twice the speed and four times the acceleration.
+#
 # ## Further
 #
 # - `course/handouts/quintic-004.md` proves the peaks, and finds the distance at which the acceleration stops being the

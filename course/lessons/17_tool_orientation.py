@@ -224,6 +224,17 @@ modified = [
 lesson.modified_table.check(modified)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A ram on a turning column has the orientation $R_z(\theta_1) R_x(-\frac{\pi}{2})$. Give `[roll, pitch, yaw]` at $\theta_1 = 0.4$, in radians.
+
+# %%
+### BEGIN SOLUTION
+roll_pitch_yaw = [-np.pi / 2, 0, 0.4]
+### END SOLUTION
+lesson.transfer.check(roll_pitch_yaw)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 14 comes back. Do it without looking.

@@ -139,6 +139,24 @@ def _point_sympy(sp):
     return (_pose_sympy(sp) * sp.Matrix([0, sp.Symbol("h"), 0, 1]))[:3, 0]
 
 
+# -- an arm that nobody has seen -----------------------------------------------------------------------------------------
+
+
+def carriage(d, theta, b):
+    """Return the pose of the end of a bar that turns on a carriage: a shift by d, a turn, a shift by b."""
+    c, s = np.cos(theta), np.sin(theta)
+    return np.array([[c, -s, 0, d + b * c], [s, c, 0, b * s], [0, 0, 1, 0], [0, 0, 0, 1]])
+
+
+CARRIAGE = r"""\begin{bmatrix} \cos\theta & -\sin\theta & 0 & d + b \cos\theta \\ \sin\theta & \cos\theta & 0 & b \sin\theta \\
+0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"""
+
+
+def _carriage_sympy(sp):
+    d, theta, b = sp.symbols("d theta b")
+    return shift(sp, x=d) * turn(sp, "z", theta) * shift(sp, x=b)
+
+
 LESSON = Lesson(
     number=1,
     name="frames",
@@ -474,6 +492,45 @@ LESSON = Lesson(
                 ),
                 Wrong(9, "these are the entries of the rotation alone, and they are not independent", own=True),
                 Wrong(3, "three for the position, or three for the orientation; a pose has both", own=True),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A carriage slides by $d$ along $x$ of frame A. On it a bar of length $b$ turns by $\\theta$ about $z$. Write the pose of the bar's"
+            " end in frame A, $4 \\times 4$. A function takes `(d, theta, b)`.",
+            asks=Formula(CARRIAGE, ("d", "theta", "b")),
+            hints=(
+                "Three steps, each on the frame that the one before made: multiply them from left to right.",
+                "Shift by $d$, turn by $\\theta$, shift by $b$: the bar's end lies at $[d + b\\cos\\theta, b\\sin\\theta, 0]^T$.",
+            ),
+            right=(carriage, CARRIAGE, WithSympy(_carriage_sympy)),
+            wrong=(
+                Wrong(
+                    lambda d, theta, b: carriage(0, theta, d + b),
+                    "the carriage slides along x of frame A: the turn comes after it",
+                    own=True,
+                ),
+                Wrong(
+                    lambda d, theta, b: carriage(d + b, theta, 0),
+                    "the bar turns with the frame: its end is not b further along x",
+                    own=True,
+                ),
+                Wrong(
+                    lambda d, theta, b: np.linalg.inv(carriage(d, theta, b)),
+                    "this is the pose of frame A in the bar's frame: the inverse",
+                    own=True,
+                ),
+                Wrong(
+                    lambda d, theta, b: carriage(d, -theta, b),
+                    "the bar turns the other way: the sine is negative in row 1 of the rotation",
+                    own=True,
+                ),
+                Wrong(
+                    lambda d, theta, b: carriage(d, theta, 0),
+                    "this is the foot of the bar: its length b is missing",
+                    own=True,
+                ),
             ),
         ),
     ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.tasks.scara_forward import CYLINDRICAL
 
 
 def lever_2(q, l_2, l_3):
@@ -111,6 +112,24 @@ def _to_joint(q, l_1, l_2, l_3):
     return np.array([whole[:, 0] * 0, whole[:, 0] - whole[:, 1], whole[:, 0] - whole[:, 2]]).T + np.array(
         [[0, 0, 0]] * 5 + [[1, 1, 1]]
     )
+
+
+# -- an arm that nobody has seen: the cylindrical one of the lesson on the SCARA -------------------------------------------
+
+
+def cylinder(q):
+    """Return the Jacobian of the ram's end: the column turns, the carriage rises, the ram goes out."""
+    c, s = np.cos(q[0]), np.sin(q[0])
+    return np.array([[-q[2] * c, 0, -s], [-q[2] * s, 0, c], [0, 1, 0], [0, 0, 0], [0, 0, 0], [1, 0, 0]])
+
+
+CYLINDER = r"""\begin{bmatrix} -d_3 C_1 & 0 & -S_1 \\ -d_3 S_1 & 0 & C_1 \\ 0 & 1 & 0 \\ 0 & 0 & 0 \\ 0 & 0 & 0 \\ 1 & 0 & 0 \end{bmatrix}"""
+
+
+def _cylinder_sympy(sp):
+    t, d2, d3 = sp.symbols("theta_1 d_2 d_3")
+    above = sp.Matrix([-d3 * sp.sin(t), d3 * sp.cos(t), d2]).jacobian([t, d2, d3])
+    return above.col_join(sp.Matrix([[0, 0, 0], [0, 0, 0], [1, 0, 0]]))
 
 
 LESSON = Lesson(
@@ -441,6 +460,37 @@ LESSON = Lesson(
                 Wrong([3, 3], "two rows have at most rank 2, and the determinant of the 3×3 part is zero", own=True),
                 Wrong([1, 1], "joints 1 and 3 move the gripper in different directions", own=True),
                 Wrong([2, 3], "two rows have at most rank 2", own=True),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A column turns by $\\theta_1$, a carriage rises by $d_2$, a ram goes out by $d_3$; its end is at $[-d_3 S_1, d_3 C_1, d_2]^T$."
+            " Write its Jacobian, $6 \\times 3$. A function takes `q` = $[\\theta_1, d_2, d_3]$.",
+            asks=Quantity(CYLINDRICAL, {"jacobian": 3}),
+            hints=(
+                "Column by column: a joint that turns gives $z \\times p$ and $z$, one that slides gives $z$ and zero.",
+                "The carriage slides along $z_0$, the ram along $[-S_1, C_1, 0]^T$.",
+            ),
+            right=(cylinder, CYLINDER, WithSympy(_cylinder_sympy)),
+            wrong=(
+                Wrong(
+                    lambda q: np.vstack([cylinder(q)[:3], [[0, 0, 0], [0, 0, 0], [1, 1, 0]]]),
+                    "a slide turns nothing: its lower half is zero",
+                    own=True,
+                ),
+                Wrong(lambda q: cylinder(q) * np.array([-1, 1, 1]), "sign"),
+                Wrong(lambda q: cylinder([np.deg2rad(q[0]), q[1], q[2]]), "degrees"),
+                Wrong(
+                    lambda q: cylinder([q[0], q[1], 1]),
+                    "the lever is missing: the end is d_3 away from the column",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q: cylinder(q)[:, [0, 2, 1]],
+                    "columns 2 and 3 are exchanged: the carriage comes before the ram",
+                    own=True,
+                ),
             ),
         ),
     ),

@@ -609,5 +609,23 @@ LESSON = Lesson(
                 Wrong((2, 8), "that is the factor of the jerk", own=True),
             ),
         ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A ram goes out by 0.4 m in 2 s on a quintic that starts and ends at rest. Give its peak speed (m/s).",
+            asks=Number(0.375, "m/s", labels=("the peak speed",)),
+            hints=(
+                "A slide moves as a turn does: put the distance where the angle stood.",
+                "The peak is $\\frac{15}{8}$ of the mean speed, in the middle.",
+            ),
+            right=(0.375, "0.375", np.array([0.375])),
+            wrong=(
+                Wrong(0.2, "this is the mean speed: the peak of a quintic is 15/8 of it", own=True),
+                Wrong(0.3, "this is the peak of the cubic, 3/2 of the mean speed", own=True),
+                Wrong(0.75, "the time is 2 s: the mean speed is half of the distance", own=True),
+                Wrong(1.5, "the distance is divided by the time, not multiplied", own=True),
+                Wrong(0.1875, "15/8 of the mean speed, which is 0.2 m/s", own=True),
+            ),
+        ),
     ),
 )

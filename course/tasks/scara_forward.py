@@ -161,6 +161,31 @@ def _predict(a_2=0.3, a_3=0.25):
     )
 
 
+# An arm of no document: a column turns by θ_1, a carriage goes up by d_2, and a ram goes out by d_3 along y of the carriage.
+CYLINDRICAL = {
+    "dh": "modified",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": 0, "theta": "theta_1"},
+        {"alpha": 0, "a": 0, "d": "d_2", "theta": 0},
+        {"alpha": "-pi/2", "a": 0, "d": "d_3", "theta": 0},
+    ],
+}
+
+
+def cylinder(q):
+    """Return the pose of the ram's end: the product of the three link matrices."""
+    c, s = np.cos(q[0]), np.sin(q[0])
+    return np.array([[c, 0, -s, -q[2] * s], [s, 0, c, q[2] * c], [0, -1, 0, q[1]], [0, 0, 0, 1]])
+
+
+CYLINDER = r"""\begin{bmatrix} C_1 & 0 & -S_1 & -d_3 S_1 \\ S_1 & 0 & C_1 & d_3 C_1 \\ 0 & -1 & 0 & d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}"""
+
+
+def _cylinder_sympy(sp):
+    t, d2, d3 = sp.symbols("theta_1 d_2 d_3")
+    return turn(sp, "z", t) * shift(sp, z=d2) * turn(sp, "x", -sp.pi / 2) * shift(sp, z=d3)
+
+
 LESSON = Lesson(
     number=6,
     name="scara_forward",
@@ -425,5 +450,32 @@ LESSON = Lesson(
             ),
         ),
         _reach(),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A column turns by $\\theta_1$, a carriage rises by $d_2$, a ram goes out by $d_3$: the modified table has the rows $(0, 0, 0, \\theta_1)$,"
+            " $(0, 0, d_2, 0)$, $(-\\frac{\\pi}{2}, 0, d_3, 0)$. Write ${}^0T_3$. A function takes `q` = $[\\theta_1, d_2, d_3]$.",
+            asks=Quantity(CYLINDRICAL, {"pose": 3, "in": 0}),
+            hints=(
+                "Three link matrices; the first two make a turn and a rise.",
+                "$R_x(-\\frac{\\pi}{2})$ lays $z_3$ along $y_2$: the ram's end is at $[-d_3 S_1, d_3 C_1, d_2]^T$.",
+            ),
+            right=(cylinder, CYLINDER, WithSympy(_cylinder_sympy)),
+            wrong=(
+                Wrong(lambda q: np.linalg.inv(cylinder(q)), "the inverse"),
+                Wrong(lambda q: cylinder([np.deg2rad(q[0]), q[1], q[2]]), "degrees"),
+                Wrong(
+                    lambda q: cylinder([q[0], q[2], q[1]]),
+                    "rise and ram are exchanged: d_2 goes up the column, d_3 goes out",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q: cylinder(q) @ np.diag([1, -1, -1, 1]),
+                    "the third row turns by −90° about x: with +90° the ram points the other way",
+                    own=True,
+                ),
+                Wrong(lambda q: cylinder([q[0], q[1], 0]), "the ram is missing: d_3 shifts along z_3", own=True),
+            ),
+        ),
     ),
 )

@@ -203,6 +203,19 @@ _OTHER_SIGN = (
     r"\text{atan2}(Y, X) + \text{atan2}(k_2, k_1) - \arccos D - \psi \end{bmatrix}"
 )
 
+# -- an arm that nobody has seen -----------------------------------------------------------------------------------------
+
+
+def ram(X, Y):
+    """Return how far the ram is out."""
+    return np.sqrt(X**2 + Y**2)
+
+
+def _ram_sympy(sp):
+    X, Y = sp.symbols("X Y")
+    return sp.sqrt(X**2 + Y**2)
+
+
 LESSON = Lesson(
     number=14,
     name="scara_inverse",
@@ -640,6 +653,25 @@ LESSON = Lesson(
                 Wrong("one", "does θ_1 still move the tool"),
                 Wrong("two", "both signs of θ_2 give one angle"),
                 Wrong(["two", "many"], "one of them is asked for"),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="The end of a column with a rising carriage and a ram is at $X = -d_3 S_1$, $Y = d_3 C_1$, $Z = d_2$, with $d_3 > 0$. Write $d_3$"
+            " in `X` and `Y`. A function takes `(X, Y)`.",
+            asks=Formula(r"\sqrt{X^2 + Y^2}", ("X", "Y")),
+            hints=(
+                "Square both equations and add them: the angle goes.",
+                "$X^2 + Y^2 = d_3^2$, and $d_3$ is positive.",
+            ),
+            right=(ram, r"\sqrt{X^2 + Y^2}", WithSympy(_ram_sympy)),
+            wrong=(
+                Wrong(r"X^2 + Y^2", "this is the square of d_3: a length is wanted", own=True),
+                Wrong(r"-\sqrt{X^2 + Y^2}", "d_3 is positive: of the two roots the other one", own=True),
+                Wrong(r"X + Y", "a root of a sum is not the sum of the roots", own=True),
+                Wrong(r"\sqrt{X^2 - Y^2}", "both squares are added: sine and cosine squared make 1", own=True),
+                Wrong(r"-X", "this holds at θ_1 = 90° only, where the sine is 1", own=True),
             ),
         ),
     ),

@@ -514,5 +514,28 @@ LESSON = Lesson(
                 Wrong(["inside", "inner"], "one of them is asked for"),
             ),
         ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="The end of a column with a rising carriage and a ram is at $[-d_3 S_1, d_3 C_1, d_2]^T$. Give the rank of its linear Jacobian"
+            " $J_v$, $3 \\times 3$, at $d_3 = 0.4$ and at $d_3 = 0$: two numbers.",
+            asks=Number((3, 2), labels=("the rank at d_3 = 0.4", "the rank at d_3 = 0")),
+            hints=(
+                "The first column is the lever turned by 90°: how long is it?",
+                "$\\det J_v = d_3$ up to its sign; two columns never vanish.",
+            ),
+            right=([3, 2], "3, 2", np.array([3, 2])),
+            wrong=(
+                Wrong([3, 3], "at d_3 = 0 the end lies on the column's axis: turning does not move it", own=True),
+                Wrong(
+                    [2, 2],
+                    "away from the column the three directions are at right angles to each other: rank 3",
+                    own=True,
+                ),
+                Wrong([3, 1], "carriage and ram still move the end: only one direction is lost", own=True),
+                Wrong([2, 3], "the two are exchanged: the rank falls where the lever is zero", own=True),
+                Wrong([6, 5], "the linear part has three rows: no rank is larger", own=True),
+            ),
+        ),
     ),
 )

@@ -652,5 +652,24 @@ LESSON = Lesson(
                 ),
             ),
         ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A ram on a turning column has the orientation $R_z(\\theta_1) R_x(-\\frac{\\pi}{2})$. Give its roll, pitch and yaw at"
+            " $\\theta_1 = 0.4$, three numbers in radians, $R = R_z(yaw) R_y(pitch) R_x(roll)$.",
+            asks=Number((-np.pi / 2, 0, 0.4), "rad", labels=("the roll", "the pitch", "the yaw")),
+            hints=(
+                "Compare the two products factor by factor: which one is missing?",
+                "There is no turn about $y$; the last factor is the roll.",
+            ),
+            right=([-np.pi / 2, 0, 0.4], (-np.pi / 2, 0.0, 0.4), np.array([-np.pi / 2, 0, 0.4])),
+            wrong=(
+                Wrong([0.4, 0, -np.pi / 2], "roll and yaw are exchanged: the roll turns about x", own=True),
+                Wrong([np.pi / 2, 0, 0.4], "the ram is turned by −90° about x: mind the sign", own=True),
+                Wrong([-90, 0, 0.4], "angles are in radians: −90° is −π/2", own=True),
+                Wrong([0, -np.pi / 2, 0.4], "the turn by −90° is about x: it is the roll, not the pitch", own=True),
+                Wrong([-np.pi / 2, 0, -0.4], "the yaw turns about z, as the column does: the same sign", own=True),
+            ),
+        ),
     ),
 )
