@@ -10,6 +10,7 @@
 # ---
 # title: "A warm-up: frames and table of the planar 2R arm"
 # source: After MECA 953 Robotique, MMT5, 2022 (document 001)
+# arm: planar_2r
 # ---
 
 # %% [markdown]
@@ -98,6 +99,10 @@ def tool(q, l_1, l_2):
 lesson.tool.check(tool)
 
 # %% [markdown]
+# Test it where you can see it, stretched along $x$:
+#
+# $$ \left. p_2 \right|_{\theta_1 = 0,\, \theta_2 = 0} = \begin{bmatrix} l_1 + l_2 \\ 0 \\ 0 \end{bmatrix} $$
+#
 # ## An arm that you have not seen
 #
 # A turntable carries a ram. Place both frames and write the table, all at once.

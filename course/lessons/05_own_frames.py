@@ -10,6 +10,7 @@
 # ---
 # title: "Frames of your own"
 # source: MECA 953 Robotique, MMT5, 2022 (document 001)
+# arm: scara
 # ---
 
 # %% [markdown]
@@ -77,7 +78,10 @@ lesson.scara_table.check([z, origins, x, table])
 lesson.scara_table.show([z, origins, x, table])
 
 # %% [markdown]
-# Two tables, one arm: a sense that you turned changes a sign, an origin that you moved puts a length into another row.
+# Two tables, one arm: a sense that you turned changes a sign, an origin that you moved puts a length into another row. Whatever your choice,
+# the tool is drawn at D:
+#
+# $$ \left. p_4 \right|_{\theta_1 = 0,\, \theta_2 = 0,\, d_3 = 0} = \begin{bmatrix} a_1 + a_2 \\ 0 \\ -d_4 \end{bmatrix} $$
 #
 # ## The RX-90
 #
