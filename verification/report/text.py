@@ -11,7 +11,7 @@ from typing import TextIO
 from unicodedata import combining, normalize
 
 from armproof.models.errors import written
-from armproof.models.language import look_up, noted, number_text, of_document
+from armproof.models.language import ENGLISH, look_up, noted, number_text, of_document, spoken
 from armproof.verification.latex.greek import NAMES
 from armproof.verification.report.headings import with_headings
 from armproof.verification.report.totals import Tally, Totals, passes
@@ -80,7 +80,7 @@ def text_report(
         totals.add(result)
         if isinstance(result, DocumentResult):
             with of_document(result.front):
-                result = with_headings(result)
+                result = result if spoken() == ENGLISH else with_headings(result)
                 lines = [*describe_document(result, strict), *(describe_readings(result) if verbose else ())]
             yield from lines
     if totals.documents:
