@@ -7,6 +7,7 @@ are attached to), and each token keeps its place in the display so that every me
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
 from decimal import Decimal
@@ -86,6 +87,7 @@ _DECIMAL_COMMA = re.compile(r",(\d+)(?!\s*,\s*\d)")
 _NEXT_BAR = re.compile(
     r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
 )
+_BARS = re.compile(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_|(?P<single>\||\\vert(?![A-Za-z]))")
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
@@ -169,6 +171,7 @@ class _Scanner:
         self.depth = 0
         self.previous = ""
         self.bar_open = self.double_bar = False  # |x|, ||x||
+        self.member: tuple[int, list[int]] = -1, []  # where the member of the last bar ends, and its single bars
         self.plain_ends: dict[int, str] = {}  # where \matrix{…} and {… \over …} end, and what they are
         self.sentences: list[int] = []  # the ends of the \\text{…} in whose formulas we are
 
@@ -586,13 +589,19 @@ class _Scanner:
         """Whether a bar behind a factor opens: one more follows in the same member, as in l_1 |s_2|."""
         if self.text.startswith("\\mid", start):
             return False
-        member = _NEXT_BAR.split(self.text[end:], maxsplit=1)[0]
-        if self.text.startswith("||", start):
-            return member.count("||") % 2 == 1
-        if self.text.startswith("\\|", start):
-            return member.count("\\|") % 2 == 1
-        member = re.sub(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_", "", member)
-        return len(re.findall(r"\||\\vert(?![A-Za-z])", member)) % 2 == 1
+        edge, bars = self._rest_of_member(end)
+        for double in ("||", "\\|"):
+            if self.text.startswith(double, start):
+                return self.text.count(double, end, edge) % 2 == 1
+        return (len(bars) - bisect_left(bars, end)) % 2 == 1
+
+    def _rest_of_member(self, start: int) -> tuple[int, list[int]]:
+        """Return where the member that stands here ends, and the places of its single bars; each member is searched once."""
+        if start > self.member[0]:
+            found = _NEXT_BAR.search(self.text, start)
+            edge = found.start() if found else len(self.text)
+            self.member = edge, [bar.start() for bar in _BARS.finditer(self.text, start, edge) if bar["single"]]
+        return self.member
 
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if value == "|":

@@ -84,7 +84,7 @@ def test_a_place_is_told_by_line_and_column(judge: Judge) -> None:
     "latex",
     [
         "__import__('os').system('true')", "x = " + "{" * 10_000 + "1" + "}" * 10_000, "x = " + "(" * 5_000, "a+" * 40_000 + "a", "x = " + "9" * 5_000,
-        "\\left(" * 500, "\\frac{1}" * 200, "^" * 1000, "\\begin{bmatrix}" * 100, "x" + "'" * 2000, "{}^0" * 300, "\x00\x01", "x = {^{^{^{^a}}}}T",
+        "\\left(" * 500, "\\frac{1}" * 200, "^" * 1000, "\\begin{bmatrix}" * 100, "x" + "'" * 2000, "{}^0" * 300, "x = " + "a |b| " * 3_500, "\x00\x01", "x = {^{^{^{^a}}}}T",
     ],
 )  # fmt: skip
 def test_hostile_displays_end_quickly_and_without_a_traceback(judge: Judge, latex: str) -> None:
