@@ -268,6 +268,7 @@ class TakenArm:
         transforms: which index of a transform's name is the reference, upper or lower.
         front: the keys of front matter that name this arm.
         lines: the places (cell, line) of all that it was taken from: data, not claims.
+        products: those of them where a product shows its factors.
     """
 
     name: str
@@ -278,6 +279,7 @@ class TakenArm:
     front: Mapping[str, Any]
     cell: int | None = None
     lines: frozenset[tuple[int | None, int]] = frozenset()
+    products: frozenset[tuple[int | None, int]] = frozenset()
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""

@@ -27,6 +27,8 @@ class Candidate:
         symbols: letters of the document that an arm's symbol cannot be → the symbol that stands for them.
         conventions: those that it can be read in.
         frames: the names of all frames, where rows are fixed.
+        quantities: names of the document that are usually something else.
+        products: where matrices stand that a product shows factor by factor: all of such a display is data.
     """
 
     source: str
@@ -38,6 +40,8 @@ class Candidate:
     conventions: tuple[str, ...] = ("classic", "modified")
     more_lines: tuple[tuple[int | None, int], ...] = ()
     frames: tuple[str, ...] = ()
+    quantities: Mapping[str, Any] = field(default_factory=dict)
+    products: tuple[tuple[int | None, int], ...] = ()
 
     @property
     def lines(self) -> frozenset[tuple[int | None, int]]:
@@ -83,7 +87,8 @@ class Candidate:
             arm["frames"] = list(self.frames)
         elif self.first:
             arm["first"] = self.first
-        return {"arm": arm, **({"symbols": dict(self.symbols)} if self.symbols else {})}
+        named = {"symbols": dict(self.symbols), "quantities": dict(self.quantities)}
+        return {"arm": arm, **{key: value for key, value in named.items() if value}}
 
 
 def symbol_of(key: str) -> str:

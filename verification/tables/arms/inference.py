@@ -133,8 +133,10 @@ def _fronts(document: Document, candidate: Candidate) -> Iterator[Mapping[str, A
     for convention in _stated(document) or candidate.conventions:
         for transforms in directions:
             found = candidate.front(convention)
-            symbols = {**found.get("symbols", {}), **(document.front.get("symbols") or {})}
-            more = {"symbols": symbols} if symbols else {}
+            named = {
+                key: {**found.get(key, {}), **(document.front.get(key) or {})} for key in ("symbols", "quantities")
+            }
+            more = {key: value for key, value in named.items() if value}
             yield {**document.front, **found, **more, "transforms": transforms}
 
 
@@ -149,5 +151,6 @@ def _taken(document: Document, candidate: Candidate, reading: Reading) -> Infere
         added,
         candidate.cell,
         candidate.lines,
+        frozenset(candidate.products),
     )
     return Inference(replace(document, front=dict(reading.front)), arm)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import permutations
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Ring, Scalar
@@ -27,38 +28,69 @@ _JOINTS = re.compile(r"(?:theta|q|phi)_?\w*")  # names of angles that move
 SECONDS = 0.5  # for all link matrices of a document
 
 
+Place = tuple[int | None, int]
+
+
 @dataclass(frozen=True)
 class _Link:
-    """The printed matrix of a link, counted from 1, its letters, and its display."""
+    """The printed matrix of a link, counted from 1, its name and letters, its display, and whether a product shows it."""
 
     index: int
     value: Matrix
+    name: n.Name
     letters: tuple[n.Name, ...]
     display: Display
+    in_product: bool
+
+    @property
+    def place(self) -> Place:
+        """The place of its display."""
+        return (self.display.cell, self.display.line)
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether it is one of numbers alone: a link in which nothing moves, or an example."""
+        return all(cell.as_fraction() is not None for cell in self.value.cells)
+
+    @property
+    def is_spelt_as_pose(self) -> bool:
+        """Whether its name is usually that of a pose in the base: T_2."""
+        return self.name.base == "T" and not (self.name.pre_sup or self.name.pre_sub or self.name.sup)
 
 
 def first_links(document: Document, names: Names) -> list[tuple[Display, str]]:
     """Return the displays of first link matrices, each with its entries as text; where there are several arms, several."""
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
-        links = [link for link in _links(document, names, algebra) if link.index == 1]
+        links = [link for link in _links(document, names, algebra) if link.index == 1 and not link.is_constant]
         return [(link.display, str(link.value.map(Scalar.normal).rows)) for link in links]
 
 
 def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
     """Return the arm of a document's link matrices, None where it shows none; raises EvaluationError where one fits no link."""
     links: dict[int, _Link] = {}
+    fixed: dict[int, _Link] = {}
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
         for link in _links(document, names, algebra):
-            if not equal(links.setdefault(link.index, link).value, link.value):
+            if not link.is_constant and not equal(links.setdefault(link.index, link).value, link.value):
                 raise EvaluationError(say(Kind.LINK_AGAIN, number=link.index, line=link.display.line))
+            if link.is_constant and not link.is_spelt_as_pose and link.index not in links:
+                fixed.setdefault(link.index, link)
+        if len(links) < 2:
+            return None
+        links = {**{index: fixed[index] for index in _between(links, fixed)}, **links}
         chain = [links[index] for index in sorted(links)]
-        first = chain[0].index if chain else 0
-        if len(chain) < 2 or [link.index for link in chain] != list(range(first, first + len(chain))):
+        first = chain[0].index
+        if [link.index for link in chain] != list(range(first, first + len(chain))):
             return None
         found = _fit(chain)
-        return found if found.first == first - 1 else None
+        return found if found.first == first - 1 or "" in found.joints else None
+
+
+def _between(links: Mapping[int, _Link], fixed: Mapping[int, _Link]) -> Iterator[int]:
+    """Yield the links in which nothing moves, between those that move and the one behind them."""
+    yield from (index for index in range(min(links), max(links) + 2) if index in fixed and index not in links)
 
 
 def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[_Link]:
@@ -69,16 +101,25 @@ def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[
 
 
 def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Display) -> Iterator[_Link]:
-    indices = [found for member in chain.members if (found := _index(bare(member))) is not None]
-    printed = [member for member in chain.members if isinstance(bare(member), n.Matrix)]
-    if len(set(indices)) != 1 or not printed:
-        return
-    evaluated = value_in_letters(printed[0], names, algebra)
-    if evaluated is None or not isinstance(evaluated[0], Matrix) or evaluated[0].shape != (4, 4):
-        return
-    value, letters = evaluated
-    if any(cell.as_fraction() is None for cell in value.cells):  # one of numbers alone is an example
-        yield _Link(indices[0], value, letters, display)
+    for name, printed, in_product in _printed(chain):
+        index, evaluated = _index(name), value_in_letters(printed, names, algebra)
+        if index is None or evaluated is None or not isinstance(evaluated[0], Matrix) or evaluated[0].shape != (4, 4):
+            continue
+        if isinstance(name, n.Name):
+            yield _Link(index, evaluated[0], name, evaluated[1], display, in_product)
+
+
+def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
+    """Yield names with their printed matrices: A_1 = […], and factor by factor, T_0^1 T_1^2 = […] […]."""
+    members = [bare(member) for member in chain.members]
+    named = [member for member in members if _index(member) is not None]
+    matrices = [member for member in members if isinstance(member, n.Matrix)]
+    if matrices and len({_index(name) for name in named}) == 1:
+        yield named[0], matrices[0], False
+    products = [tuple(map(bare, member.factors)) for member in members if isinstance(member, n.Product)]
+    for names, values in permutations(products, 2):
+        if len(names) == len(values) and all(isinstance(value, n.Matrix) for value in values):
+            yield from ((name, value, True) for name, value in zip(names, values, strict=True))
 
 
 def _index(node: n.Node) -> int | None:
@@ -102,10 +143,16 @@ def _fit(chain: list[_Link]) -> Candidate:
         raise EvaluationError(say(Kind.NO_DH_LINK, line=chain[len(rows)].display.line))
     first = chain[0].display
     letters = [letter for link in chain for letter in link.letters]
-    lines = tuple((link.display.cell, link.display.line) for link in chain)
+    lines = tuple(link.place for link in chain)
+    quantities = {
+        link.name.key: {"pose": str(link.index), "in": str(link.index - 1)} for link in chain if link.is_spelt_as_pose
+    }
     entries = tuple({name: entry_text(value) for name, value in values.items()} for values, _ in rows)
     joints = tuple(symbol_of(joint) for _, joint in rows)
-    return Candidate("matrices", first.line, first.cell, entries, joints, renamed(letters), (convention,), lines)
+    return Candidate(
+        "matrices", first.line, first.cell, entries, joints, renamed(letters), (convention,), lines,
+        quantities=quantities, products=tuple(link.place for link in chain if link.in_product),
+    )  # fmt: skip
 
 
 def _rows(chain: list[_Link], convention: str) -> Iterator[tuple[dict[str, Scalar], str]]:

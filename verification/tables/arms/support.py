@@ -144,8 +144,9 @@ def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...
 
 def _is_data(taken: TakenArm, record: Record, links: frozenset[int] = frozenset()) -> bool:
     """Whether the arm was taken from a table, or from the equation in a display that is about these links."""
-    count = {"table": True, "matrices": len(links) == 1}.get(taken.source, bool(links))
-    return (record.cell, record.line) in taken.lines and count
+    place = (record.cell, record.line)
+    count = {"table": True, "matrices": len(links) == 1 or place in taken.products}.get(taken.source, bool(links))
+    return place in taken.lines and count
 
 
 @dataclass(frozen=True)

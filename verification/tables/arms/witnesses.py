@@ -72,6 +72,7 @@ class _Trial:
     def take(self, latex: str, line: int) -> None:
         """Count which equations of a display that rest on the arm hold."""
         budget = self.checker.exact.budget
+        self.checker.exact.ring.forget_signs()
         with suppress(Exception), budget.of(SECONDS):  # a fault of ours must not cost the document its verdicts
             for chain in self.checker.names.reader.read(latex):
                 if isinstance(chain, n.Chain) and chain.relations and set(chain.relations) == {"="}:

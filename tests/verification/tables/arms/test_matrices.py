@@ -120,3 +120,46 @@ def test_a_law_that_only_this_arm_cannot_have_is_not_refuted() -> None:
     stuck = link(1, "A_1").replace("l_1 c_1", "0").replace("l_1 s_1", "0") + link(2, "A_2") + slide
     result = verify_text(law + stuck)
     assert len(result.arms) == 1 and "refuted" not in verdicts(result)
+
+
+ONE = r"\begin{bmatrix} c_1 & -s_1 & 0 & l_1 c_1 \\ s_1 & c_1 & 0 & l_1 s_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+TWO = ONE.replace("_1", "_2")
+BOTH = r"\begin{bmatrix} c_{12} & -s_{12} & 0 & l_1 c_1 + l_2 c_{12} \\ s_{12} & c_{12} & 0 & l_1 s_1 + l_2 s_{12} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+STILL = r"\begin{bmatrix} 1 & 0 & 0 & 0.2 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & 0.1 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    ("product", "claim", "found"),
+    [
+        (f"T_0^1 T_1^2 = {ONE} {TWO}", "", ["unchecked"]),  # nothing else tells
+        (f"T_0^1 T_1^2 = {ONE} {TWO}", BOTH, ["proved", "proved"]),
+        (f"T_0^1 T_1^2 = {ONE} {TWO}", BOTH.replace("l_2 s_{12}", "l_2 s_2"), ["defined", "refuted"]),
+        (rf"T_0^1 \cdot T_1^2 = {ONE} \cdot {TWO}", BOTH, ["proved", "proved"]),
+    ],
+)
+def test_a_product_shows_links_factor_by_factor_and_they_are_data(product: str, claim: str, found: list[str]) -> None:
+    text = f"$$ {product} $$\n\n" + (f"$$ T_0^2 = {claim} $$\n" if claim else "")
+    assert verdicts(verify_text(text)) == found
+
+
+@pytest.mark.parametrize("root", ["", "$$ r = \\sqrt{x^2 + y^2} $$\n\n"])
+def test_a_root_before_the_links_hides_no_arm(root: str) -> None:
+    assert verdicts(verify_text(root + CLASSIC))[-3:] == ["proved"] * 3
+
+
+def test_links_named_as_poses_are_links() -> None:
+    links = f"$$ T_1 = {ONE} $$\n\n$$ T_2 = {TWO} $$\n\n"
+    assert verdicts(verify_text(links + f"$$ T = T_1 T_2 = {BOTH} $$\n"))[-1] == "proved"
+    assert (
+        verdicts(verify_text(links + f"$$ T = T_1 T_2 = {BOTH.replace('l_2 s_{12}', 'l_2 s_2')} $$\n"))[-1] == "refuted"
+    )
+    assert "T_2: {pose: '2', in: '1'}" in verify_text(links).arms[0].front_matter
+
+
+@pytest.mark.parametrize(("height", "verdict"), [("0.1", "proved"), ("0.2", "refuted")])
+def test_a_link_of_numbers_between_others_does_not_move(height: str, verdict: str) -> None:
+    links = f"$$ A_1 = {ONE} $$\n\n$$ A_2 = {STILL} $$\n\n$$ A_3 = {ONE.replace('_1', '_3')} $$\n\n"
+    result = verify_text(links + f"$$ T_3^0 = A_1 A_2 A_3 $$\n\n$$ z = {height} $$\n\n$$ x^2 = x^2 $$\n")
+    assert "joints: [theta_1, theta_3]" in result.arms[0].front_matter
+    column = rf"\begin{{bmatrix}} l_1 c_1 + 0.2 c_1 + l_3 c_{{13}} \\ l_1 s_1 + 0.2 s_1 + l_3 s_{{13}} \\ {height} \end{{bmatrix}}"
+    assert verdicts(verify_text(links + f"$$ p_3 = {column} $$\n"))[-1] == verdict
