@@ -18,6 +18,7 @@ TRANSFORM_LETTERS = frozenset("TAHR")
 VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
+_BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
 _PLACED = re.compile(r"(\w+)\((\d)\)")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
@@ -148,6 +149,8 @@ class NameReader:
             return True
         if canonical in OPERATORS:
             return False
+        if canonical in _BRANCHES:
+            return True
         if not re.fullmatch(r"[A-Za-z0-9_,]+(?:[-+]\d)?", canonical):
             return False
         if canonical == "0":

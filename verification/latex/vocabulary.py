@@ -40,7 +40,7 @@ RELATIONS = {
 CONNECTIVES = {
     "Rightarrow": "⇒", "implies": "⇒", "Longrightarrow": "⇒", "to": "⇒", "rightarrow": "⇒", "longrightarrow": "⇒",
     "iff": "⇔", "Leftrightarrow": "⇔", "Longleftrightarrow": "⇔", "Leftarrow": "⇐", "therefore": "⇒",
-    "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒",
+    "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒", "longmapsto": "⇒",
 }  # fmt: skip
 
 # units behind a number, and the mark above it that they become; metres and radians become none

@@ -57,3 +57,23 @@ def test_letters_of_an_unknown_matrix_mean_nothing_known() -> None:
     text = f"---\narm: planar_2r\n---\n\n$$ R_2^0 = {LETTERS} $$\n\n$$ W = 2 $$\n\n$$ W = {LETTERS} $$\n\n"
     (claim,) = verify_text(text + "$$ r_{12} = c_2 s_1 $$\n").equations[3:]
     assert claim.verdict == "unchecked"
+
+
+@pytest.mark.parametrize(
+    ("claim", "verdicts"),
+    [
+        (r"\theta_2 = \theta_2^{(+)}", {"confirmed"}),
+        (r"\cos \theta_2^{(-)} = D", {"proved"}),
+        (r"\cos \theta_2^{(-)} = -D", {"refuted"}),
+        (r"\theta_1^{(+)} = \theta_1", {"defined", "unchecked"}),  # whose branch it is nobody says
+    ],
+)
+def test_a_sign_in_parentheses_names_the_solution_of_a_branch(claim: str, verdicts: set[str]) -> None:
+    solutions = (
+        r"$$ D = \frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2} $$" + "\n\n"
+        r"$$ \theta_2^{(+)} = \operatorname{atan2}(\sqrt{1 - D^2}, D), \quad \theta_2^{(-)} = -\theta_2^{(+)} $$"
+        + "\n\n"
+    )
+    result = verify_text(f"---\narm: planar_2r\n---\n\n{solutions}$$ {claim} $$\n\n$$ q \\longmapsto (x, y) $$\n")
+    assert result.equations[2].verdict.value in verdicts
+    assert result.equations[3].verdict.value == "unchecked"
