@@ -289,10 +289,9 @@ def _environment(state: StateBlock, start: int, last: int, _silent: bool) -> boo
         if not text.strip(" \t>"):
             return False
         if closing.search(text):
-            token = state.push("amsmath", "math", 0)
-            token.content = state.getLines(start, line + 1, state.sCount[start], False).strip()
-            token.map = [start, line + 1]
-            state.line = line + 1
+            token, state.line = state.push("amsmath", "math", 0), line + 1
+            token.content = state.getLines(start, state.line, state.sCount[start], False).strip()
+            token.map = [start, state.line]
             return True
     return False
 

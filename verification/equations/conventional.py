@@ -157,7 +157,6 @@ class Conventions:
         self.names.state.forget_usual({name.key})
         if near is None or (near != usual and self._is_of_another(known)):
             return member
-        self.doubts.open.pop(name.key, None)
         return self._tried(member.node, name, near)
 
     def _with_entries(self, member: Member, known: list[Member]) -> Member:

@@ -123,8 +123,6 @@ class Members:
         It is that of all six rows, or with `parts` that of some, J_v.
         """
         node = n.ungrouped(node)
-        if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
-            node = node.arguments[0]
         if not isinstance(node, n.Name) or node.base != "J" or node.key in self.names.quantities:
             return None
         quantity = self.names.quantity(replace(node, dots=0))

@@ -6,6 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
+from armproof.verification.algebra.ring import Ring
+from armproof.verification.algebra.roots import is_negative
 from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
@@ -48,3 +50,9 @@ def test_a_square_common_to_sine_and_cosine_leaves_the_angle(judge: Judge, latex
     assert record.verdict is verdict, record.message
     if verdict is Verdict.CONFIRMED:
         assert "one branch" in record.message
+
+
+def test_nothing_is_not_negative() -> None:
+    ring = Ring()
+    assert is_negative(ring, (ring.zero - 1).numerator)
+    assert not is_negative(ring, ring.zero.numerator)
