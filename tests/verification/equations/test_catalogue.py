@@ -65,3 +65,9 @@ def test_a_scalar_near_a_coordinate_is_not_decided(judge: Judge, value: str, say
 )
 def test_other_values_are_the_documents_own(judge: Judge, display: str) -> None:
     assert "but for entry" not in judge(display, arm="planar_2r").message
+
+
+@pytest.mark.parametrize("left", ["p_2(q)", r"{}^0p_2(\theta_1, \theta_2)", "p_2"])
+def test_a_name_with_its_arguments_is_read_as_the_name(judge: Judge, left: str) -> None:
+    record = judge(f"{left} = {POINT % '+'}", arm="planar_2r")
+    assert record.verdict is Verdict.PROVED and record.outcomes[0].read_as == "origin of frame 2 in frame 0"

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import functools
+import importlib
 import math
 from collections.abc import Callable
 from math import atan2, cos, pi, sin
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -222,3 +224,13 @@ def test_a_branch_on_a_number_is_taken() -> None:
 
     [node] = trace_function(function, call)
     assert value(node, {"a": 1.0}) == pytest.approx(1.5)
+
+
+def test_functions_of_a_module_of_ones_own_are_traced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "my_arm.py").write_text("import math\n\ndef reach(a):\n    return 0.3 * math.cos(a)\n", "utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    mine = importlib.import_module("my_arm")
+    before = dict(vars(mine))
+    traced = trace_function(lambda q: [mine.reach(q[0] + q[1])], call)
+    assert value(traced[0], {"a": 0.2, "b": 0.5}) == pytest.approx(0.3 * math.cos(0.7))
+    assert vars(mine) == before

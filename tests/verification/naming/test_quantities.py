@@ -241,3 +241,10 @@ def test_a_quantity_of_an_arm_needs_one() -> None:
 def test_a_frame_called_n_outranks_the_last_frame() -> None:
     assert frame_name(load_arm("kr210"), "n") == "6"
     assert frame_name(load_arm("spherical_wrist"), "N") == "6"
+
+
+def test_a_velocity_is_in_metres_a_second_and_a_rate_of_turn_in_radians() -> None:
+    arm, velocity = load_arm("scara"), Quantity("velocity", "4", "0")
+    assert [KINDS["velocity"].unit(velocity, arm, row, 0) for row in range(6)] == ["m/s"] * 3 + ["rad/s"] * 3
+    turning = Quantity("velocity", "4", "0", rows=(4, 5, 6))
+    assert [KINDS["velocity"].unit(turning, arm, row, 0) for row in range(3)] == ["rad/s"] * 3

@@ -542,3 +542,11 @@ def test_a_markdown_table_of_a_file_is_read_and_an_erratum_must_be_refuted(tmp_p
         (Verdict.REFUTED, True),
     ]
     assert found.passed
+
+
+@pytest.mark.parametrize(("twist", "verdict"), [(r"\pi", Verdict.PROVED), ("0", Verdict.REFUTED)])
+def test_a_table_may_begin_with_a_row_for_the_base(twist: str, verdict: Verdict) -> None:
+    table = changed(right_table("scara"), 2, 3, twist)
+    assert judge("scara", replace(table, rows=(("0", "0", "0", "0", "0"), *table.rows))).verdict is verdict
+    moved = replace(table, rows=(("0", "a_1", "0", "0", "0"), *table.rows))
+    assert judge("scara", moved).verdict is Verdict.REFUTED
