@@ -175,7 +175,9 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
         return names.defined_value(key, evaluator.algebra)
     name, *arguments = node.arguments
     assert isinstance(name, n.Name)
-    joints = names.arm.joints if names.arm is not None else ()
+    joints, lengths = (names.arm.joints, names.arm.lengths) if names.arm is not None else ((), ())
+    if names.known_symbol(name.key) in lengths:  # what depends on joints is no length
+        raise UnboundName(key)
     own = [joint.symbol for joint in joints]
     letters = [a.key for a in arguments if isinstance(a, n.Name) and a.key != "pi"]
     given = [names.known_symbol(letter) for letter in letters]

@@ -17,6 +17,7 @@ from armproof.verification.latex.tokens import canonical_script
 TRIG_LETTERS = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
 ANGLE_LETTERS = frozenset([*ANGLES, *VARIANTS, "q", "delta"])
 _ANGLE = r"\\(?:var)?(?:%s)" % one_of(ANGLES)
+POINTS = frozenset("pxyz")  # a point and its coordinates
 MATRIX_FUNCTIONS = frozenset(["det", "rank", "adj", "com", "tr"])
 _JOINT_DIGITS = re.compile(r"[+-]?\d(?:,?[+-]?\d)*")
 
@@ -58,7 +59,7 @@ class CallReader(NameReader):
 
     def _is_application(self, node: n.Name, arguments: tuple[n.Node, ...]) -> bool:
         letter, is_upper = node.base, node.base[:1].isupper()
-        is_point = letter in "pxyz" and all(map(_is_constant, arguments))
+        is_point = letter in POINTS and all(map(_is_constant, arguments))
         may_be_applied = is_upper or (len(arguments) > 1 and (is_point or self.is_bound(node.key)))
         is_value = _is_constant if len(arguments) == 1 else _is_of_angles
         if arguments and may_be_applied and letter not in TRIG_LETTERS and all(map(is_value, arguments)):
@@ -73,7 +74,8 @@ class CallReader(NameReader):
         return (
             self.is_bound(f"{node.key}({inside})")
             or (is_function and (plain or is_upper))
-            or (plain and inside in ("q", "t"))
+            or (plain and (inside in ("q", "t") or letter in POINTS))  # p_1(θ_1): nobody puts one factor in brackets
+            or (len(names) > 1 and (plain or letter in POINTS))
             or (letter == "S" and not node.sub and not plain)  # S(v), the skew matrix, unless the argument is an angle
         )
 
