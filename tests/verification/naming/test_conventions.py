@@ -95,7 +95,7 @@ def test_every_usual_meaning_may_stand_in_the_front_matter() -> None:
 
 def test_the_jacobian_is_bound_by_convention_where_its_base_has_a_name_of_its_own() -> None:
     """Where the base is frame 0, notation says what J is already."""
-    rows = [dict(a=a, alpha="0", d="0", theta=theta) for a, theta in (("l_1", "theta_1"), ("l_2", "theta_2"))]
+    rows = [{"a": a, "alpha": "0", "d": "0", "theta": theta} for a, theta in (("l_1", "theta_1"), ("l_2", "theta_2"))]
     named = arm_of({"arm": {"dh": "classic", "rows": rows, "frames": ["B", "1", "2"]}})
     assert named is not None and "jacobian" in {quantity.kind for quantity in conventional(read("J"), named, "upper")}
     assert not list(conventional(read("J"), load_arm("planar_2r"), "upper"))
