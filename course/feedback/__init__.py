@@ -8,7 +8,7 @@ from armproof.course.feedback.formula import Formula
 from armproof.course.feedback.lesson import Lesson, lessons, open_lesson, results
 from armproof.course.feedback.outcome import Feedback, Outcome, Row
 from armproof.course.feedback.overview import course
-from armproof.course.feedback.own_numbers import drawn
+from armproof.course.feedback.own_numbers import drawn, picked
 from armproof.course.feedback.placement import Placement
 from armproof.course.feedback.quantity import Quantity
 from armproof.course.feedback.table import Table
@@ -38,5 +38,6 @@ __all__ = [
     "drawn",
     "lessons",
     "open_lesson",
+    "picked",
     "results",
 ]

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
     from armproof.course.feedback.task import Task
 
 _STEP = 0.005  # m
+T = TypeVar("T")
 
 
 def drawn(make: Callable[..., Task], **ranges: tuple[float, float]) -> Callable[[str], Task]:
@@ -23,8 +24,12 @@ def drawn(make: Callable[..., Task], **ranges: tuple[float, float]) -> Callable[
     return own
 
 
+def picked(key: str, options: Sequence[T]) -> T:
+    """Return one of several by a hash, which every version of Python and every machine computes alike."""
+    return options[int.from_bytes(hashlib.sha256(key.encode()).digest()[:8], "big") % len(options)]
+
+
 def _draw(key: str, low: float, high: float) -> float:
-    """Return a number in steps of 5 mm: a hash, which every version of Python and every machine computes alike."""
+    """Return a number in steps of 5 mm."""
     steps = round((high - low) / _STEP) + 1
-    chosen = int.from_bytes(hashlib.sha256(key.encode()).digest()[:8], "big") % steps
-    return round(low + chosen * _STEP, 3)
+    return round(low + picked(key, range(steps)) * _STEP, 3)

@@ -64,6 +64,7 @@ class Task:
         derivation: the way to the solution, line by line.
         own: makes the task of a seed, with numbers of its own; see `drawn`.
         numbers: those numbers, by their letters (m).
+        printed: what the lesson prints for a seed, by what it prints usually.
         lesson, lang: the name of its lesson and its language, given when the lesson takes it.
     """
 
@@ -77,6 +78,7 @@ class Task:
     derivation: Derivation = field(default_factory=Derivation)
     own: Callable[[str], Task] | None = None
     numbers: Mapping[str, float] = field(default_factory=dict)
+    printed: Mapping[str, str] = field(default_factory=dict)
     lesson: str = ""
     lang: str = ""
     on_feedback: Callable[[Feedback], None] = field(default=lambda feedback: None, repr=False)

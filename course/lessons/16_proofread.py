@@ -119,7 +119,7 @@ J^{-1} = \frac{1}{l_1 l_2 S_2} \begin{bmatrix} l_1 C_{12} & l_1 S_{12} \\
 -l_1 C_1 - l_2 C_{12} & -l_1 S_1 - l_2 S_{12} \end{bmatrix} \tag{6}
 $$
 
-The arm is singular where it is stretched or folded:
+The arm is singular under one condition:
 
 $$ \det J = 0 \iff \theta_2 = 0 \text{ or } \theta_2 = \pi \tag{7} $$
 

@@ -9,7 +9,19 @@ from typing import Any
 import numpy as np
 from markupsafe import Markup
 
-from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import (
+    Choice,
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Task,
+    WithSympy,
+    Wrong,
+    picked,
+)
 from armproof.course.feedback.answer import is_missing
 from armproof.course.feedback.notebook import Shown, render
 from armproof.course.links import shift, turn
@@ -131,6 +143,112 @@ _DISPLAYS = {
     "8": "the x axis of frame 2",
 }
 
+# -- a sheet of one's own ------------------------------------------------------------------------------------------------
+
+# What of a display may be printed wrongly, and whether it holds at the zero pose all the same; the usual sheet has the first.
+# (6) is the same on all sheets: it is the one that equal links hide. (5) is right on the usual sheet.
+SPOILED: dict[str, tuple[tuple[str, bool], ...]] = {
+    "2": (
+        (r"C_2 & S_2 & 0 & l_2 C_2 \\ -S_2 & C_2 & 0 & l_2 S_2", True),
+        (r"C_2 & -S_2 & 0 & l_2 \\ S_2 & C_2 & 0 & 0", True),
+        (r"C_2 & -S_2 & 0 & l_2 S_2 \\ S_2 & C_2 & 0 & l_2 C_2", False),
+    ),
+    "3": (
+        (r"l_1^2 + l_2^2 + l_1 l_2 C_2 \tag{3}", False),
+        (r"l_1^2 + l_2^2 - 2 l_1 l_2 C_2 \tag{3}", False),
+        (r"l_1^2 + l_2^2 + 2 l_1 l_2 C_1 \tag{3}", True),
+    ),
+    "4": (
+        (r"-l_1 S_1 - l_2 S_{12} & l_2 S_{12}", True),
+        (r"-l_1 S_1 + l_2 S_{12} & -l_2 S_{12}", True),
+        (r"l_1 S_1 - l_2 S_{12} & -l_2 S_{12}", True),
+    ),
+    "5": ((r"l_1 l_2 S_2 \tag{5}", True), (r"l_1 l_2 C_2 \tag{5}", False)),
+    "8": (
+        (r"C_2 \\ S_2 \\ 0 \end{bmatrix} \tag{8}", True),
+        (r"-S_{12} \\ C_{12} \\ 0 \end{bmatrix} \tag{8}", False),
+        (r"C_1 \\ S_1 \\ 0 \end{bmatrix} \tag{8}", True),
+    ),
+}
+
+
+def _sheet(seed: str) -> dict[str, tuple[str, bool]]:
+    """Return what the sheet of a seed prints of each display that may be spoiled."""
+    return {number: picked(f"{seed}/proofread/{number}", several) for number, several in SPOILED.items()}
+
+
+def _printed(seed: str) -> dict[str, str]:
+    """Return what the sheet of a seed prints otherwise than the usual one, by what that prints."""
+    return {SPOILED[number][0][0]: latex for number, (latex, _) in _sheet(seed).items()}
+
+
+def _wrong_on(sheet: dict[str, tuple[str, bool]]) -> list[str]:
+    return [number for number in "234568" if number != "5" or sheet["5"] == SPOILED["5"][1]]
+
+
+def _without(numbers: list[str], number: str) -> list[str]:
+    return [each for each in numbers if each != number]
+
+
+def _own_wrong_displays(seed: str) -> Task:
+    wrong = _wrong_on(_sheet(seed))
+    more = {number: f"there is more: test ({number}) at a pose that you can draw" for number in wrong}
+    fine = {number: f"({number}) is right on your sheet" for number in "1578" if number not in wrong}
+    return Task(
+        "wrong_displays",
+        "Which displays are wrong?",
+        'Give the numbers of all wrong displays of your sheet, as a list of texts such as `["1", "5"]`.',
+        Choice(_DISPLAYS, frozenset(wrong), fine, more),
+        (
+            "Differentiate (1) and compare with (4). Draw the arm at $\\theta_1 = \\theta_2 = 90°$ for (2) and (8).",
+            "Put $\\theta_2 = 0$ into (3) and (5): the stretched arm reaches $l_1 + l_2$ and is singular. Multiply (6) by the right Jacobian.",
+        ),
+        (wrong, ", ".join(wrong), set(wrong)),
+        (
+            Wrong([*wrong, "1"], "(1) is right"),
+            Wrong([*wrong, "7"], "(7) is right"),
+            *(Wrong(_without(wrong, number), f"test ({number}) at a pose") for number in wrong),
+        ),
+        own=_own_wrong_displays,
+        printed=_printed(seed),
+    )
+
+
+def _own_zero_pose(seed: str) -> Task:
+    sheet = _sheet(seed)
+    wrong = _wrong_on(sheet)
+    hidden = [number for number in wrong if number != "6" and sheet[number][1]]
+    found = [number for number in wrong if number not in hidden]
+    shows = {
+        number: f"({number}) does not hold there: put the zeros into it and into its right form" for number in found
+    }
+    fine = {number: f"({number}) is not wrong" for number in "157" if number not in wrong}
+    more = {number: f"there is more: put the zeros into ({number}) and into its right form" for number in hidden}
+    return Task(
+        "zero_pose",
+        "The zero pose is not enough",
+        "Which of the wrong displays hold at $\\theta_1 = \\theta_2 = 0$, so that a check there does not find them? Give their numbers.",
+        Choice(_DISPLAYS, frozenset(hidden), shows | fine, more),
+        (
+            "All sines are 0 there and all cosines 1. Which errors sit beside a sine, or exchange two angles?",
+            "Put the zeros into the printed and the right form of each. (6) has no value there.",
+        ),
+        (hidden, ",".join(hidden), set(hidden)),
+        (
+            *(Wrong([*hidden, number], f"({number}) does not hold there") for number in found),
+            Wrong([*hidden, "1"], "(1) is not wrong"),
+            Wrong([*hidden, "7"], "(7) is not wrong"),
+            *(
+                Wrong(_without(hidden, number), f"put the zeros into ({number})")
+                for number in hidden
+                if len(hidden) > 1
+            ),
+        ),
+        own=_own_zero_pose,
+        printed=_printed(seed),
+    )
+
+
 LESSON = Lesson(
     number=16,
     name="proofread",
@@ -169,6 +287,7 @@ LESSON = Lesson(
             name="wrong_displays",
             title="Which displays are wrong?",
             text='Give the numbers of all wrong displays of the sheet, as a list of texts such as `["1", "5"]`.',
+            own=_own_wrong_displays,
             asks=Choice(
                 _DISPLAYS,
                 right=frozenset({"2", "3", "4", "6", "8"}),
@@ -207,6 +326,7 @@ LESSON = Lesson(
             name="zero_pose",
             title="The zero pose is not enough",
             text="Which of the wrong displays hold at $\\theta_1 = \\theta_2 = 0$, so that a check there does not find them? Give their numbers.",
+            own=_own_zero_pose,
             asks=Choice(
                 _DISPLAYS,
                 right=frozenset({"2", "4", "8"}),
@@ -245,9 +365,9 @@ LESSON = Lesson(
                 _DISPLAYS,
                 right="6",
                 because={
-                    "2": "(2) has one length only; at random angles its signs show",
-                    "3": "(3) lacks a factor, which numbers for the lengths do not mend",
-                    "4": "(4) has a wrong sign, and that shows with any length",
+                    "2": "(2) has one length only; at random angles its error shows",
+                    "3": "(3) is wrong in its last term, which numbers for the lengths do not mend",
+                    "4": "(4) is wrong in a term, and that shows with any length",
                     "8": "(8) has no length at all; a random angle shows it",
                     "1": "(1) is not wrong",
                     "5": "(5) is not wrong",
@@ -263,7 +383,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong("4", "shows with any length"),
                 Wrong("3", "do not mend"),
-                Wrong("2", "its signs show"),
+                Wrong("2", "its error shows"),
                 Wrong("8", "no length at all"),
                 Wrong(["4", "6"], "one of them is asked for"),
             ),
@@ -276,7 +396,7 @@ LESSON = Lesson(
             hints=(
                 "Differentiate (1): it is right.",
                 "The derivative of $l_2 C_{12}$ with respect to $\\theta_2$ is $-l_2 S_{12}$.",
-                "One sign of the printed matrix changes, in its first row.",
+                "Compare entry by entry: the first row of the printed matrix is wrong.",
             ),
             right=(jacobian, JACOBIAN, WithSympy(_jacobian_with_sympy)),
             wrong=(
@@ -301,7 +421,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     TRANSFORM.replace("C_2 & -S_2", "C_2 & S_2").replace("S_2 & C_2 & 0", "-S_2 & C_2 & 0"),
-                    "the rotation is transposed, as the sheet has it: x_2 would turn against θ_2",
+                    "the rotation is transposed: x_2 would turn against θ_2",
                     own=True,
                 ),
                 Wrong(lambda q, l_2: np.linalg.inv(transform(q, l_2)), "the inverse"),
@@ -360,7 +480,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     "l_1^2 + l_2^2 + l_1 l_2 C_2",
-                    "that is how the sheet prints it: at θ_2 = 0 it is not the square of l_1 + l_2",
+                    "at θ_2 = 0 it is not the square of l_1 + l_2",
                     own=True,
                 ),
                 Wrong("l_1^2 + l_2^2 - 2 l_1 l_2 C_2", "sign"),

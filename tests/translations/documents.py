@@ -37,7 +37,8 @@ def catalogue_of(document: Path, lang: str) -> Path:
 def _said_by(lesson: Lesson) -> Iterator[tuple[str, Prose]]:
     """Yield what a lesson's tasks say: all that would be changed for another language."""
     found: list[tuple[str, str]] = [("the lesson", text) for text in (lesson.title, *lesson.objectives, lesson.source)]
-    for task in (task for task in lesson.tasks if task.name != REVIEW):  # which speaks in its own lesson
+    said = [task for task in lesson.tasks if task.name != REVIEW]  # which speaks in its own lesson
+    for task in (*said, *(task.own(str(seed)) for task in said if task.own for seed in range(12))):
         changed_task(task, lambda text, place=f"task {task.name}": found.append((place, text)) or text)  # type: ignore[misc]
     for place, text in found:
         if (piece := read_prose(text)).has_words:

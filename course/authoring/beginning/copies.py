@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -49,6 +50,8 @@ def _with_numbers(data: bytes, name: str, lang: str, seed: str) -> bytes:
         if other.numbers:
             for old, new in zip(_FORMULA.findall(task.text), _FORMULA.findall(other.text), strict=True):
                 text = text.replace(old, new)
+        for old, new in other.printed.items():
+            text = text.replace(json.dumps(old)[1:-1], json.dumps(new)[1:-1])
     return text.encode("utf-8")
 
 

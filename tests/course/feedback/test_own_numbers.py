@@ -1,10 +1,18 @@
-"""A seed gives each student other lengths; what is right and wrong of them is known as well as of the usual ones."""
+"""A seed gives each student other lengths, another arm, another spoiled sheet; right and wrong are known as well as of the usual ones."""
 
 from __future__ import annotations
 
+import json
+import re
+from pathlib import Path
+
 import pytest
 
+from armproof.course.authoring.beginning.copies import begin
 from armproof.course.feedback import Outcome, Task, lessons, open_lesson
+from armproof.course.tasks.proofread import SPOILED
+from armproof.verification.check import verify
+from armproof.verification.verdict import Verdict
 
 OWN = [(lesson.name, task.name) for lesson in lessons() for task in lesson.tasks if task.own]
 SEEDS = ["Ana", "Léo", "7", *map(str, range(100, 117))]
@@ -23,6 +31,8 @@ def test_right_answers_are_proved_and_wrong_ones_told_for_every_seed(lesson: str
             feedback = task.check(wrong.answer)
             assert feedback.outcome is Outcome.WRONG
             assert wrong.words in feedback.message
+    if not tasks[0].numbers:
+        return
     assert len({task.text for task in tasks}) >= 15
     usual = getattr(open_lesson(lesson), name)
     alike = [task for task in tasks if task.check(usual.right[0]).is_right]  # a sum may be the same
@@ -39,3 +49,53 @@ def test_a_teacher_reproduces_the_numbers_of_a_seed() -> None:
     assert "Your numbers" not in str(task.check(task.right[0]))
     french = open_lesson("scara_jacobian", lang="fr", seed="Ana").prediction
     assert "$a_1 = 0.365$" in french.text
+
+
+def sheet_of(folder: Path, seed: str) -> str:
+    """Return the sheet that stands in the notebook of a seed."""
+    [notebook], _ = begin(["proofread"], folder / (seed or "usual"), seed=seed)
+    cells = ["".join(cell["source"]) for cell in json.loads(notebook.read_bytes())["cells"]]
+    (found,) = (re.search(r'^sheet = r"""(.*?)"""', cell, re.DOTALL) for cell in cells if cell.startswith("sheet = "))
+    assert found is not None
+    return found[1]
+
+
+@pytest.mark.parametrize("seed", ["", "Ana", "3", "8"])
+def test_what_a_sheet_prints_wrongly_is_what_its_task_calls_wrong(seed: str, tmp_path: Path) -> None:
+    file = tmp_path / "sheet.md"
+    file.write_text(sheet_of(tmp_path, seed), encoding="utf-8")
+    records = {re.search(r"tag\{(\d)\}", each.latex)[1]: each.verdict for each in verify(file).records}  # type: ignore[index]
+    wrong = {number for number, verdict in records.items() if verdict is Verdict.REFUTED}
+    task = seeded("proofread", "wrong_displays", seed)
+    assert wrong == set(task.right[0]) and len(records) == 8
+    assert {records[number] for number in set(records) - wrong} == {Verdict.PROVED}
+
+
+def test_sheets_differ_and_a_teacher_reproduces_them(tmp_path: Path) -> None:
+    sheets = [sheet_of(tmp_path, f"student {seed}") for seed in range(12)]
+    assert len(set(sheets)) >= 10
+    assert sheets[3] == sheet_of(tmp_path / "again", "student 3")
+
+
+def at_zero(latex: str) -> list[object]:
+    """Return the entries of a printed display at the zero pose, for two lengths."""
+    text = re.sub(r" \\tag.*", "", latex.split(r"\end")[0])
+    text = re.sub(r"S_(?:\{12\}|\d)", "0", re.sub(r"C_(?:\{12\}|\d)", "1", text)).replace("^", "**")
+    entries = re.split(r"&|\\\\", text)
+    lengths = {"l_1": 2.0, "l_2": 3.0}
+    return [eval(re.sub(r"(?<=\w) (?=\w)", "*", entry.strip()), lengths) for entry in entries]  # noqa: S307
+
+
+RIGHT = {
+    "2": r"C_2 & -S_2 & 0 & l_2 C_2 \\ S_2 & C_2 & 0 & l_2 S_2",
+    "3": r"l_1^2 + l_2^2 + 2 l_1 l_2 C_2 \tag{3}",
+    "4": r"-l_1 S_1 - l_2 S_{12} & -l_2 S_{12}",
+    "5": r"l_1 l_2 S_2 \tag{5}",
+    "8": r"C_{12} \\ S_{12} \\ 0 \end{bmatrix} \tag{8}",
+}
+
+
+@pytest.mark.parametrize("number", SPOILED)
+def test_what_holds_at_the_zero_pose_is_known(number: str) -> None:
+    for latex, holds in SPOILED[number]:
+        assert (at_zero(latex) == at_zero(RIGHT[number])) is holds, latex
