@@ -25,7 +25,7 @@
 # %%
 from armproof import open_lesson
 from armproof.course.figures.drawing.placed import draw_scheme
-from armproof.course.tasks.own_frames import RAM, RX90, SCARA
+from armproof.course.tasks.own_frames import RX90, SCARA
 
 lesson = open_lesson("own_frames")
 lesson
@@ -132,7 +132,7 @@ lesson.rx90_table.check([z_rx, origins_rx, x_rx, table_rx])
 # A column turns; across it, at the distance $b$, a shoulder turns; it carries a ram, drawn upright. Place all frames at once and write the table.
 
 # %%
-draw_scheme(RAM)
+draw_scheme(lesson.transfer.asks.scheme)
 
 # %%
 ### BEGIN SOLUTION

@@ -4,23 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from armproof.course.feedback import Lesson, Placement, Scheme, Task, Wrong
+from armproof.course.feedback import Lesson, Placement, Scheme, Task, Wrong, picked
 
 SCARA = Scheme("scara", {"A": (0, 0, 0), "B": ("a_1", 0, 0), "C": ("a_1 + a_2", 0, 0), "D": ("a_1 + a_2", 0, "-d_4")})
 RX90 = Scheme("rx90", {"A": (0, 0, 0), "B": ("a_3", 0, 0), "C": ("a_3", 0, "d_3")})
-# An arm that no other lesson has: a column, a shoulder across it, and a ram that crosses the shoulder's axis at the distance b.
-RAM = Scheme(
-    {
-        "dh": "modified",
-        "rows": [
-            {"alpha": 0, "a": 0, "d": 0, "theta": "theta_1"},
-            {"alpha": "-pi/2", "a": 0, "d": "b", "theta": "theta_2"},
-            {"alpha": "pi/2", "a": 0, "d": "d_3", "theta": 0},
-        ],
-    },
-    {"A": (0, 0, 0), "B": (0, "b", 0)},
-)
-
 Z, ORIGINS, X, TABLE = "z", "O", "x", "table"
 _DIRECTION = '`"x"`, `"-x"`, `"y"`, `"-y"`, `"z"`, `"-z"`, or three numbers such as `[0, 0, -1]`'
 _TEXTS = {
@@ -175,29 +162,42 @@ def _rx90() -> tuple[Task, ...]:
 
 # -- an arm that nobody has seen ---------------------------------------------------------------------------------------
 
-_RAM: dict[str, Any] = {
-    "z": ["z", "y", "z"],
-    "O": ["A", "B", "B"],
-    "x": ["x", "x", "x"],
-    "table": [(0, 0, 0, "theta_1"), ("-pi/2", 0, "b", "theta_2"), ("pi/2", 0, "d_3", 0)],
-}
-_RAM_OTHER: dict[str, Any] = {
-    "z": ["z", "-y", "z"],
-    "O": ["A", "B", "B"],
-    "x": ["-x", "x", "x"],
-    "table": [(0, 0, 0, "theta_1"), ("-pi/2", 0, "-b", "theta_2"), ("-pi/2", 0, "d_3", 0)],
-}
+# A column, a shoulder across it at the distance b, beside it by c or not, and a ram across the shoulder: eight arms of one family.
+FAMILY: list[tuple[int, int, Any]] = [
+    (first, second, beside) for first in (-1, 1) for second in (1, -1) for beside in (0, "c")
+]
 
 
-def _transfer() -> Task:
-    rows = _RAM["table"]
-    return step("transfer", TABLE, RAM, _RAM, (_RAM, list(_RAM_OTHER.values()), tuple(_RAM.values())),
-        Wrong(_with(_RAM, O=["A", "A", "B"]), "axes 2 and 3 intersect: O_2"),
-        Wrong(_with(_RAM, z=["y", "y", "z"]), "z_1 lies along the axis of joint 2"),
-        Wrong(_with(_RAM, x=["y", "x", "x"]), "x_1 is at right angles to z_1 but not to z_2"),
-        Wrong(_with(_RAM, table=[rows[0], ("-pi/2", "b", 0, "theta_2"), rows[2]]), "row 2: a and d are exchanged"),
-        Wrong(_with(_RAM, table=[rows[0], ("pi/2", 0, "b", "theta_2"), rows[2]]), "row 2: alpha has the wrong sign"),
+def _angle(sign: int) -> str:
+    return "pi/2" if sign > 0 else "-pi/2"
+
+
+def _transfer(first: int = -1, second: int = 1, beside: Any = 0) -> Task:
+    """Return the task on an arm of the family: its twists are right angles of these signs."""
+    side, twists = ("b" if first < 0 else "-b"), (_angle(first), _angle(second))
+    rows: list[Any] = [(0, 0, 0, "theta_1"), (twists[0], beside, "b", "theta_2"), (twists[1], 0, "d_3", 0)]
+    spec = {"dh": "modified", "rows": [dict(zip(("alpha", "a", "d", "theta"), row, strict=True)) for row in rows]}
+    points: dict[str, tuple[Any, ...]] = {"A": (0, 0, 0), "B": (0, side, 0)}
+    if beside:
+        points = {"A": (0, 0, 0), "B": (beside, 0, 0), "C": (beside, side, 0)}
+    *_, foot, last = points
+    across, up = ("y" if first < 0 else "-y"), ("z" if first != second else "-z")
+    usual = {"z": ["z", across, up], "O": ["A", last, last], "x": ["x", "x", "x"], "table": rows}
+    turned = [rows[0], (_angle(-first), beside, "-b", "theta_2"), (_angle(-second), 0, "d_3", 0)]
+    other = _with(usual, z=["z", "-y" if across == "y" else "y", up], table=turned)
+    task = step("transfer", TABLE, Scheme(spec, points), usual, (usual, list(other.values()), tuple(usual.values())),
+        Wrong(_with(usual, O=["A", foot, last]), "axes 2 and 3 intersect: O_2"),
+        Wrong(_with(usual, z=[across, across, up]), "z_1 lies along the axis of joint 2"),
+        Wrong(_with(usual, x=["y", "x", "x"]), "x_1 is at right angles to z_1 but not to z_2"),
+        Wrong(_with(usual, table=[rows[0], (twists[0], "b", beside, "theta_2"), rows[2]]), "row 2: a and d are exchanged"),
+        Wrong(_with(usual, table=[rows[0], (_angle(-first), *rows[1][1:]), rows[2]]), "row 2: alpha has the wrong sign"),
     )  # fmt: skip
+    task.own = _own_transfer
+    return task
+
+
+def _own_transfer(seed: str) -> Task:
+    return _transfer(*picked(f"{seed}/own_frames", FAMILY))
 
 
 LESSON = Lesson(

@@ -51,6 +51,11 @@ def test_a_teacher_reproduces_the_numbers_of_a_seed() -> None:
     assert "$a_1 = 0.365$" in french.text
 
 
+def test_each_seed_has_an_arm_of_the_family() -> None:
+    arms = {str(seeded("own_frames", "transfer", seed).asks.scheme.spec) for seed in SEEDS}  # type: ignore[attr-defined]
+    assert len(arms) >= 6
+
+
 def sheet_of(folder: Path, seed: str) -> str:
     """Return the sheet that stands in the notebook of a seed."""
     [notebook], _ = begin(["proofread"], folder / (seed or "usual"), seed=seed)
