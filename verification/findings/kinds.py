@@ -93,6 +93,7 @@ class Kind(MessageKind):
     UNKNOWN_COMMAND = "unknown_command", "'{command}' is not a command of kinematic LaTeX"
     NO_VALUES_SAID = "no_values_said", "'{text}' does not say at which values"
     STAR_ON_EXPRESSION = "star_on_expression", "a star on an expression"
+    MARK_ABOVE = "mark_above", "what does '{text}' above a name mean?"
     PRIME_ON_EXPRESSION = "prime_on_expression", "a prime on an expression"
     SUBSCRIPT_ON_EXPRESSION = "subscript_on_expression", "subscript '{script}' on an expression"
     LARGE_EXPONENT = "large_exponent", "the exponent {exponent} is larger than {most}"

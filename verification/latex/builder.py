@@ -270,7 +270,9 @@ class TreeBuilder(Transformer):
         return Item("labelled", argument, *span)
 
     def overset(self, children: list) -> Item:
-        token, _above, below = children
+        token, above, below = children
+        if token.value != "underset" and not isinstance(above, n.Layout):  # an arrow leaves a name what it is
+            raise ReadError(say(Kind.MARK_ABOVE, text=self.text[slice(*above.span)]), token.start_pos)
         span = (token.start_pos, argument_end(self.text, below.span[1]))
         return node_item(replace(below, span=span) if isinstance(below, n.Name) else below)
 

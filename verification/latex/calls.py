@@ -96,8 +96,8 @@ class CallReader(NameReader):
             style = "index" if isinstance(argument, n.JointAngles) else "script"
             call = n.Call(function, (argument,), item.base, style, span=(item.start, subs[0][2][1]))
             return self.scripted(call, sups, item.start), 1
-        if following is None or self.is_bound(item.base):
-            return None
+        if following is None or self.is_bound(item.base) or any(kind == "DOT" for kind, *_ in following.scripts):
+            return None  # c \dot\theta is damping: a rate is no angle
         head, span = self.text[item.start : item.end], (item.start, following.end)
         if following.kind == "letter" and following.base in ANGLE_LETTERS and not following.pre:
             angle = self.name(Item("letter", None, following.start, following.end, following.base, following.scripts))
@@ -107,8 +107,6 @@ class CallReader(NameReader):
         if following.kind in ("list", "braces", "node") and isinstance(group, n.Group) and self._is_angle(group.inner):
             call = n.Call(function, (group.inner,), head, "letter()", span=span)
             return self.scripted(call, scripts, item.start), 2
-        if following.kind == "node" and isinstance(group, n.Name) and group.base in ANGLE_LETTERS:
-            return self.scripted(n.Call(function, (group,), head, "letter", span=span), scripts, item.start), 2
         return None
 
     def _trig_index(self, raw: str, span: tuple[int, int]) -> n.Node | None:

@@ -42,9 +42,7 @@ class NameReader:
             return node
         for kind, text, span in scripts:
             if kind == "AT":
-                if not (values := self.configuration(text, span)):
-                    raise ReadError(say(Kind.NO_VALUES_SAID, text=text), span[0])
-                node = n.At(node, values, span=(start, span[1]))
+                node = n.At(node, self.configuration(text, span), span=(start, span[1]))
                 continue
             if kind == "PRIME":
                 raise ReadError(say(Kind.PRIME_ON_EXPRESSION), span[0])
@@ -67,13 +65,11 @@ class NameReader:
 
     def configuration(self, text: str, span: tuple[int, int]) -> tuple[tuple[n.Node, n.Node], ...]:
         """Return the names and values of a configuration: θ_2 = 0, a_2 = a_1."""
-        values: list[tuple[n.Node, n.Node]] = []
         offset = self.text.find(text, span[0])
-        for part in re.split(r",|\\[,;]|\\quad|\\\\", text):
-            if "=" in part:
-                left, right = part.split("=", 1)
-                values.append((self.parse(left, offset), self.parse(right, offset)))
-        return tuple(values)
+        values = [part.split("=", 1) for part in re.split(r",|\\[,;]|\\quad|\\\\", text) if part.strip()]
+        if not values or any(len(sides) == 1 for sides in values):
+            raise ReadError(say(Kind.NO_VALUES_SAID, text=text), span[0])
+        return tuple((self.parse(left, offset), self.parse(right, offset)) for left, right in values)
 
     def _raise_to(
         self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]

@@ -90,13 +90,13 @@ class RunReader(CallReader):
         return label, ""
 
     def _evaluated(self, item: Item) -> n.Node:
-        values = tuple(
-            pair for kind, text, span in item.scripts if kind == "SUB" for pair in self.configuration(text, span)
-        )
+        """Read F|_{θ_2 = 0}; what else stands at a bar without a first one, as an integral's limits do, has no meaning here."""
+        kinds = [kind for kind, *_ in item.scripts]
+        if kinds != ["SUB"]:
+            raise ReadError(say(Kind.NO_VALUES_SAID, text=self.text[item.start : item.end]), item.start)
         assert item.node is not None
-        if not values:
-            return n.Call("abs", (item.node,), "|", "bars", span=(item.start, item.end))
-        return n.At(item.node, values, span=(item.start, item.end))
+        _, text, span = item.scripts[0]
+        return n.At(item.node, self.configuration(text, span), span=(item.start, item.end))
 
     def _letter_factor(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
         item = items[index]

@@ -78,6 +78,7 @@ _FACTOR = re.compile(
 )
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
 _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
+_DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
 _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
@@ -367,6 +368,9 @@ class _Scanner:
         if name in ("overset", "stackrel", "underset") and (marked := _MARKED_RELATION.match(self.text, end)):
             asked = marked.group(1).strip() in ("!", "?")
             return [self.token("REL", ASKED if asked else "=", start, marked.end())], marked.end()
+        if name in ("overset", "stackrel") and (dots := _DOTS_ABOVE.match(self.text, end)):
+            count = len(re.findall(r"\.|cdot", dots[1]))
+            return [self.token("ACCENT", "d" * count + "ot", start, dots.end())], dots.end()
         if name == "checkmark":
             return [], end
         if name in ("degree", "textdegree"):

@@ -313,3 +313,66 @@ def test_rounded_numbers_hold_to_the_decimals_printed(judge: Judge) -> None:
     bound = {"p": {"origin": 1}}
     assert judge(r"A = 1.501", r"A = |p|", arm=arm, quantities=bound).verdict is Verdict.CONFIRMED
     assert judge(r"A = 1.511", r"A = |p|", arm=arm, quantities=bound).verdict is Verdict.REFUTED
+
+
+BOUND: dict[str, Any] = {
+    "arm": "planar_2r",
+    "quantities": {"P_x": {"origin": 2, "component": "x"}, "p": {"origin": 2}, "J": {"jacobian": 2, "rows": [1, 2]}},
+}
+
+
+@pytest.mark.parametrize(
+    ("display", "verdict", "says"),
+    [
+        # what stands above a name
+        (r"\overset{\cdot}{p} = J \dot q", Verdict.PROVED, ""),
+        (r"\overset{\cdot}{p} = p", Verdict.REFUTED, ""),
+        (r"\stackrel{.}{\theta}_1 = \dot\theta_1", Verdict.PROVED, ""),
+        (r"\stackrel{.}{\theta_1} = \theta_1", Verdict.REFUTED, ""),
+        (r"\overset{\cdot\cdot}{\theta}_1 = \ddot\theta_1", Verdict.PROVED, ""),
+        (r"\overset{..}{\theta_1} = \dot\theta_1", Verdict.REFUTED, ""),
+        (r"\overset{\rightarrow}{p} = 1 p", Verdict.PROVED, ""),
+        (r"\overset{\rightarrow}{p} = 2 p", Verdict.REFUTED, ""),
+        (r"\underset{n}{P_x} = l_1 c_1 + l_2 c_{12}", Verdict.PROVED, ""),
+        (r"\overset{0}{p} = 2 p", Verdict.UNREADABLE, "what does '0' above a name mean?"),
+        (r"\ddot{P_x} = \frac{d}{dt} \dot{P_x}", Verdict.PROVED, ""),
+        # at which values
+        (r"\left. 2 c_1 \right|_{\theta_1 = 0} = 2", Verdict.PROVED, ""),
+        (r"\left. 2 c_1 \right|_{\theta_1 = 0} = 3", Verdict.REFUTED, ""),
+        (r"\left. c_1 \right|_{0} = 1", Verdict.UNREADABLE, "'0' does not say at which values"),
+        (r"\left. c_1 \right|_{\theta_1 = 0, \theta_2} = 1", Verdict.UNREADABLE, "does not say at which values"),
+        (r"\left. 2 c_1 \right|_{\theta_1 = 0}^2 = 4", Verdict.UNREADABLE, "does not say at which values"),
+        (r"\left. c_1 \right|_0^1 = 1", Verdict.UNREADABLE, "does not say at which values"),
+        (r"\left. c_1 \right| = |c_1|", Verdict.UNREADABLE, "does not say at which values"),
+        (r"\left| c_1 \right| = |c_1|", Verdict.CONFIRMED, ""),
+        # cosines
+        (r"c\theta_1 = c_1", Verdict.PROVED, ""),
+        (r"c\dot{\theta_1} = c \dot{\theta_2}", Verdict.UNCHECKED, "'c' is not bound"),  # damping, no cosine of a rate
+        (r"c\dot\theta_1 = 2 c \dot\theta_1", Verdict.UNCHECKED, "'c' is not bound"),
+        (r"\cos_1 = \cos\theta_1", Verdict.PROVED, ""),
+        (r"\cos_{q_1} = s_1", Verdict.REFUTED, "sine for cosine"),
+        (r"\sin_i = s_i", Verdict.PROVED, ""),
+        (r"\cos_x = 1", Verdict.UNREADABLE, "has no angle"),
+        (r"\cos^*\theta_1 = c_1", Verdict.PROVED, ""),
+        (r"\cos^*\theta_1 = c_2", Verdict.REFUTED, ""),
+        (r"a \tan 2(s_1, c_1) = \operatorname{atan2}(s_1, c_1)", Verdict.PROVED, ""),
+        (r"l_1 \tan 2(\theta_1 + \theta_2) = l_1 \tan(2\theta_1 + 2\theta_2)", Verdict.PROVED, ""),
+        # one value
+        (r"\frac{p = p}{2} = p", Verdict.UNCHECKED, "several equations stand where one value is expected"),
+        (r"P_x = \begin{aligned} l_1 c_1 + l_2 c_{12} \end{aligned}", Verdict.PROVED, ""),
+        (r"P_x = \begin{aligned} l_1 c_1 + l_2 s_{12} \end{aligned}", Verdict.REFUTED, ""),
+        (r"P_x = \begin{bmatrix} \text{if so} c_1 \end{bmatrix}", Verdict.UNCHECKED, "words stand for a value"),
+        (r"\theta_1 = [\begin{cases} c_1 & a \\ s_1 & b \end{cases}]", Verdict.UNCHECKED, ""),
+        (r"{^0p}_2 = p", Verdict.PROVED, ""),
+        (r"{^0p}_2 = 2 p", Verdict.REFUTED, ""),
+        # words and units
+        (r"P_x = l_1 c_1 + l_2 c_{12} \quad \eqref{eq:x}", Verdict.PROVED, ""),
+        (r"P_x = l_1 c_1 - l_2 c_{12} \quad \eqref{eq:x}", Verdict.REFUTED, ""),
+        (r"\mathrm{theta}_1 = 2 \theta_1", Verdict.REFUTED, ""),
+        (r"\text{l1} = 2 l_1", Verdict.REFUTED, ""),
+        (r"2^2 \mathrm{m} = 4", Verdict.UNCHECKED, "'m' is not bound"),
+    ],
+)
+def test_no_mark_is_passed_over(judge: Judge, display: str, verdict: Verdict, says: str) -> None:
+    record = judge(display, **BOUND)
+    assert (record.verdict, says in record.message) == (verdict, True), record.message
