@@ -28,11 +28,11 @@ TWISTS = frozenset("V xi nu eta t".split())
 ORIENTATIONS = frozenset("phi varphi psi alpha gamma theta Phi".split())
 MANIPULABILITIES = frozenset("w mu m M".split())
 WHOLE_JACOBIAN = frozenset("geo G g".split())
-USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi".split())  # seldom anything else, of an arm
+USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi WC".split())  # seldom anything else, of an arm
 AXES = "xyz"
 NORMALS = "noa"  # the columns of the tool's rotation
 LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
-LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a".split())  # with a meaning; no other has one
+LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC".split())  # with a meaning; no other has one
 
 
 def is_usual(name: n.Name) -> bool:
@@ -44,6 +44,8 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
     """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
     if name.primes or (name.pre_sub and name.pre_sup and name.sub):
         return ()
+    if name.base == "WC":  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
+        name = replace(name, base="p", sub=f"WC,{name.sub}".rstrip(","))
     placed = bool(name.pre_sup or name.sup)
     if not placed:
         bases = dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))
@@ -166,7 +168,8 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
     if (frame := _frame(plain, arm)) is not None:
         yield frame, None, reference
         return
-    wrists = [frame for frame in reversed(numbered_frames(arm)[1:]) if plain.rstrip(AXES).rstrip(",") in WRIST]
+    wrists = list(reversed(numbered_frames(arm)[1:])) if plain.rstrip(AXES).rstrip(",") in WRIST else []
+    wrists.sort(key=lambda frame: frame != str(len(arm.joints) - 1))  # mostly where the last joint but one is
     for frame in wrists:
         yield frame, plain[-1] if plain[-1] in AXES else None, reference
     for first, second in _splits(plain):

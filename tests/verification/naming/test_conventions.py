@@ -2,6 +2,7 @@
 
 import pytest
 
+from armproof import verify_text
 from armproof.models.catalogue import arm_of, load_arm
 from armproof.verification.algebra.quantity_kinds import as_front_matter, kind_of
 from armproof.verification.latex import nodes as n
@@ -99,3 +100,11 @@ def test_the_jacobian_is_bound_by_convention_where_its_base_has_a_name_of_its_ow
     named = arm_of({"arm": {"dh": "classic", "rows": rows, "frames": ["B", "1", "2"]}})
     assert named is not None and "jacobian" in {quantity.kind for quantity in conventional(read("J"), named, "upper")}
     assert not list(conventional(read("J"), load_arm("planar_2r"), "upper"))
+
+
+@pytest.mark.parametrize("arm", ["kr210", "rx90"])
+def test_the_centre_of_a_wrist_is_where_the_last_joint_but_one_is(arm: str) -> None:
+    assert told("WC_x", arm)[0] == told("p_{WC,x}", arm)[0] == "origin of frame 5 in frame 0, x"
+    page = "---\narm: ARM\n---\n\n$$ \\theta_1 = \\operatorname{atan2}(Y, X) $$\n".replace("ARM", arm)
+    for y, x, verdict in (("WC_y", "WC_x", "confirmed"), ("WC_x", "WC_y", "unchecked")):
+        assert verify_text(page.replace("Y", y).replace("X", x)).equations[0].verdict == verdict
