@@ -16,8 +16,6 @@ TESTS = Path(__file__).parent
 gc.set_threshold(
     100_000, 50, 100
 )  # of thousands of tests and modules nothing is garbage: to look through them took a sixth of the time
-if "PYTEST_XDIST_WORKER" in os.environ:
-    atexit.register(os._exit, 0)  # the reports are sent: to take all that was loaded apart would take seconds
 DOCUMENTS = ("scara-000", "dh-modified-001", "spherical-wrist-inverse")
 ARMS = ("planar_2r", "scara", "rx90")
 OTHERS = ("odd table", "puma table", "slanted")  # arms of tests/course/figures that are not of the catalogue
@@ -82,6 +80,11 @@ SWEPT = {
     "verification/test_handouts.py::test_one_flipped": DOCUMENTS[:2],
     "verification/test_handouts.py": (*DOCUMENTS, "rx90-001"),
 }
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if hasattr(config, "workerinput"):  # not a pytest that a test starts: the code of its end is asked for
+        atexit.register(os._exit, 0)  # the reports are sent: to take all that was loaded apart would take seconds
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -73,7 +73,7 @@ def test_the_arm_of_a_document_is_drawn(armproof: Callable[..., Run], tmp_path: 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("nonsense",), "no figure 'nonsense'; the figures are sketch"),
+        (("nonsense",), f"no figure 'nonsense'; the figures are {KINDS[0]}"),
         (("--arm", "nonsense"), f"no arm 'nonsense'; an arm is one of {arm_names()[0]}"),
         (("--lang", "de"), "no language 'de'; the languages are en, fr"),
         (("--format", "bmp"), "no format 'bmp'; figures are written as pdf, svg, png, pgf"),

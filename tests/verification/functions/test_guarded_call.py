@@ -130,9 +130,9 @@ def call(function: Callable[[], Any], seconds: float = 0.3) -> Call:
         return guard.call(function)
 
 
-def in_a_thread(function: Callable[[], Any]) -> Call:
+def in_a_thread(function: Callable[[], Any], seconds: float = 0.3) -> Call:
     found: list[Call] = []
-    thread = threading.Thread(target=lambda: found.append(call(function)))
+    thread = threading.Thread(target=lambda: found.append(call(function, seconds)))
     thread.start()
     thread.join(10)
     return found[0]
@@ -142,7 +142,7 @@ def in_a_thread(function: Callable[[], Any]) -> Call:
 @pytest.mark.parametrize("function", [loops, swallows, sleeps, sleeps_and_swallows, answers_late, endless])
 def test_what_never_ends_is_stopped(run: Callable[..., Call], function: Callable[[], Any]) -> None:
     started = time.monotonic()
-    found = run(function)
+    found = run(function, 0.1)
     assert found.error is not None and found.error.is_timeout
     assert time.monotonic() - started < 2.0
 
@@ -152,7 +152,7 @@ def test_what_never_ends_is_stopped(run: Callable[..., Call], function: Callable
 )
 def test_no_function_stops_the_clock(function: Callable[[], Any]) -> None:
     started = time.process_time()
-    found = call(function)
+    found = call(function, 0.1)
     assert found.error is not None and found.error.is_timeout
     assert time.process_time() - started < 2.0
     assert call(returns) == Call(3)
