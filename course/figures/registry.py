@@ -16,7 +16,7 @@ from armproof.models.arm import Arm
 
 # In the order in which a course meets them; each is the KIND of the module of its name in course/figures/kinds/.
 KINDS = tuple(
-    "link axes gripper sketch columns singular postures elbow workspace manipulability quintic path crossing tracking rendering".split()
+    "sketch link axes gripper columns singular postures elbow workspace manipulability quintic path crossing tracking rendering".split()
 )
 
 _LINE = 62  # characters on a line of a column

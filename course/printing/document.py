@@ -9,7 +9,7 @@ from pathlib import Path
 from armproof.course.errors import PrintError
 from armproof.course.figures.drawing.style import MM
 from armproof.course.figures.output.save import save_figure
-from armproof.course.figures.registry import caption_kind, draw_kind, find_kind
+from armproof.course.figures.registry import KINDS, caption_kind, draw_kind, find_kind
 from armproof.course.sheet.editions import for_students, has_solutions, with_solutions
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, Text, plain
@@ -17,7 +17,7 @@ from armproof.course.sheet.reading import BlockReader
 from armproof.course.translation.documents import in_language
 from armproof.course.words import say
 from armproof.models.arm import Arm
-from armproof.models.catalogue import arm_of
+from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import existing_language, written
 from armproof.verification.document import Document
 from armproof.verification.document.catalogue import translated_sentence, translation_of
@@ -29,6 +29,7 @@ from armproof.verification.verdict import DocumentResult
 
 PRINTED = (".md", ".qmd", ".ipynb")
 DEFAULT = "sketch"
+_ANY = "planar_2r"  # what a figure that shows no arm in particular is given
 
 
 @dataclass(frozen=True)
@@ -121,33 +122,40 @@ def _with_figures(blocks: tuple[Block, ...], drawn: list[Picture], lang: str) ->
     return (*blocks[:at], drawn[0], *blocks[at:], *rest)
 
 
-def figure_names(document: Document, arm: Arm | None, solutions: bool = False) -> tuple[str, ...]:
-    """Return the names of a document's figures: `figures: [sketch, {solutions: singular}]`; without the key, the arm's sketch.
+def figure_names(document: Document, arm: Arm | None, solutions: bool = False) -> dict[str, Arm]:
+    """Return the names of a document's figures with their arms: `figures: [sketch, {quintic: scara}, {solutions: singular}]`.
 
-    What `solutions` names belongs to the edition with solutions.
+    Without the key, the arm's sketch. A name stands for a figure of the document's arm, one with another arm for that
+    arm's; what `solutions` names belongs to the edition with solutions. What shows no arm in particular needs none.
 
     Raises:
         PrintError: the key holds something else than names, or there is no arm to draw.
     """
     named = document.front.get("figures")
     if named is None and "figures" not in document.front:
-        return (DEFAULT,) if arm is not None and find_kind(DEFAULT).applies(arm, "en") is None else ()
+        return {DEFAULT: arm} if arm is not None and find_kind(DEFAULT).applies(arm, "en") is None else {}
     entries = [] if named is None else named if isinstance(named, list) else [named]
-    answers = [entry["solutions"] if _is_answer(entry) else None for entry in entries]
-    names = [entry if answer is None else answer for entry, answer in zip(entries, answers, strict=True)]
-    if not all(isinstance(name, str) for name in names):
+    shown = [_entry(document, entry) for entry in entries]
+    found: dict[str, Arm] = {}
+    for name, spec, is_answer in shown:
+        own = load_arm(spec or _ANY) if spec or find_kind(name).general else arm
+        if own is None:
+            raise PrintError("{place}: figures are drawn of an arm, and this document names none", place=document.at("figures"))  # fmt: skip
+        if solutions or not is_answer:
+            found.setdefault(name, own)
+    return found
+
+
+def _entry(document: Document, entry: object) -> tuple[str, str, bool]:
+    """Return the name of a figure, the arm that is named for it, and whether it belongs to the solutions."""
+    key, value = next(iter(entry.items())) if isinstance(entry, dict) and len(entry) == 1 else (entry, "")
+    name, spec = (value, "") if key == "solutions" else (key, value)
+    is_pair = isinstance(entry, dict) and (key == "solutions" or (key in KINDS and spec != ""))
+    if not (isinstance(name, str) and isinstance(spec, str) and (is_pair or isinstance(entry, str))):
         raise PrintError("{place}: 'figures' is a list of names such as [sketch, {{solutions: singular}}], not {named}",
-            place=document.at("figures"), named=repr(named))  # fmt: skip
-    for name in names:
-        find_kind(name)
-    if names and arm is None:
-        raise PrintError("{place}: figures are drawn of an arm, and this document names none", place=document.at("figures"))  # fmt: skip
-    shown = (name for name, answer in zip(names, answers, strict=True) if answer is None or solutions)
-    return tuple(dict.fromkeys(shown))
-
-
-def _is_answer(entry: object) -> bool:
-    return isinstance(entry, dict) and list(entry) == ["solutions"]
+            place=document.at("figures"), named=repr(document.front.get("figures")))  # fmt: skip
+    find_kind(name)
+    return name, spec, key == "solutions"
 
 
 def draw_figures(
@@ -167,11 +175,9 @@ def draw_figures(
         FigureError: an unknown figure.
     """
     pictures = []
-    for name in figure_names(document, arm, solutions):
-        if arm is None:
-            continue
+    for name, drawn in figure_names(document, arm, solutions).items():
         kind = find_kind(name)
-        figure = draw_kind(kind, arm, lang)
+        figure = draw_kind(kind, drawn, lang)
         path = save_figure(figure, folder / f"{kind.name}.svg", trimmed=True)
-        pictures.append(Picture(path, figure.get_size_inches()[0] / MM, words(caption_kind(kind, arm, lang))))
+        pictures.append(Picture(path, figure.get_size_inches()[0] / MM, words(caption_kind(kind, drawn, lang))))
     return pictures

@@ -61,6 +61,9 @@ class TypstWriter:
             "draft": quoted(say("draft", sheet.lang)) if sheet.draft else "none",
             "proof": quoted(sheet.foot or proof_line(sheet.records, sheet.lang, sheet.arm)),
             "edition": quoted(say("edition", sheet.lang)) if sheet.solutions else "none",
+            "named": "none"
+            if sheet.solutions
+            else f"({quoted(say('name', sheet.lang))}, {quoted(say('date', sheet.lang))})",
         }
         arguments = ", ".join(f"{name}: {value}" for name, value in settings.items())
         body = self._body(sheet.blocks)

@@ -243,18 +243,32 @@ def partial_derivative(above: Differential, below: Differential, span: tuple[int
 
 
 def total_derivative(above: n.Node, below: n.Node, span: tuple[int, int]) -> n.Node | None:
-    """dx/dθ and d/dt(…), written with letters (δ is also met for ∂)."""
+    """dx/dθ, d²x/dt² and d/dt(…), written with letters (δ is also met for ∂)."""
     below_run = below.factors if isinstance(below, n.Product) else ()
     if len(below_run) != 2 or not isinstance(below_run[0], n.Name) or below_run[0].key not in ("d", "delta"):
         return None
     mark = below_run[0].key
-    if isinstance(above, n.Name) and above.key == mark:
-        return DerivativeOperator(below_run[1], span=span)
-    if isinstance(above, n.Product) and isinstance(above.factors[0], n.Name) and above.factors[0].key == mark:
+    variable, order = _powered(below_run[1])
+    if _is_mark(above, mark, order):
+        return DerivativeOperator(variable, order, span=span)
+    if isinstance(above, n.Product) and _is_mark(above.factors[0], mark, order):
         operand = (
             above.factors[1]
             if len(above.factors) == 2
             else n.Product(above.factors[1:], above.operators[1:], span=above.span)
         )
-        return n.Derivative(operand, below_run[1], span=span)
+        return n.Derivative(operand, variable, order, span=span)
     return None
+
+
+def _is_mark(node: n.Node, mark: str, order: int) -> bool:
+    """Whether a node is d, or d² above dt²."""
+    base, power = _powered(node)
+    return isinstance(base, n.Name) and base.key == mark and power == order
+
+
+def _powered(node: n.Node) -> tuple[n.Node, int]:
+    """Return the base and the order of x, x² or x³; of another power the node itself."""
+    if isinstance(node, n.Power) and isinstance(node.exponent, n.Number) and node.exponent.value in (2, 3):
+        return node.base, int(node.exponent.value)
+    return node, 1

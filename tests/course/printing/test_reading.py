@@ -11,7 +11,7 @@ import pytest
 from armproof.course.errors import PrintError
 from armproof.course.printing.document import Edition, make_sheet
 from armproof.course.printing.printing import render
-from armproof.course.sheet.model import Display, Link, Listing, Paragraph, Picture, Table, walk
+from armproof.course.sheet.model import Display, Link, Listing, Paragraph, Picture, Table, plain, walk
 from armproof.models.errors import ArmproofError
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
@@ -216,3 +216,11 @@ def test_a_document_has_the_figures_it_names_or_its_arms_sketch(figures: str, ex
     path = document("Introduction.\n\n## Part\n\n" + PROVED, front=f"---\ntitle: x\narm: planar_2r\n{figures}---\n\n")
     pictures = [block for block in make(path).blocks if isinstance(block, Picture)]
     assert [Path(picture.path).stem for picture in pictures] == expected
+
+
+def test_a_figure_may_be_of_another_arm_or_of_none(document, make):
+    """A sheet without an arm explains a word, or shows the curves of an arm that it names; a kind that shows an arm needs one."""
+    path = document(PROVED, front="---\ntitle: x\nfigures: [link, {quintic: scara}]\n---\n\n")
+    pictures = [block for block in make(path, draft=True).blocks if isinstance(block, Picture)]
+    assert [Path(picture.path).stem for picture in pictures] == ["link", "quintic"]
+    assert "SCARA" not in plain(pictures[0].caption) and "SCARA" in plain(pictures[1].caption)

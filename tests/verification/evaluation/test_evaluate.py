@@ -59,6 +59,8 @@ SAME = [
     (r"\frac{\partial c_{12}}{\partial\theta_2}", r"-s_{12}"),
     (r"\frac{\partial^2 c_1}{\partial\theta_1^2}", r"-c_1"),
     (r"\frac{d}{dt} p_4", r"J_v \dot q"),
+    (r"\frac{d^2c_1}{d\theta_1^2}", r"-c_1"),
+    (r"\frac{d^2p_1}{dt^2}", r"\ddot{p}_1"),
     (r"\dot p_4", r"J_v \dot q"),
     (r"\ddot{p}_1", r"\frac{d}{dt}\dot p_1"),
     (r"\left. c_{12} \right|_{\theta_2 = \pi}", r"-c_1"),

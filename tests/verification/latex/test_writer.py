@@ -20,6 +20,7 @@ LINES = [
     r"\begin{bmatrix} C\theta_1 & -S\theta_1 \\ S\theta_1 & C\theta_1 \end{bmatrix}^T",
     r"\operatorname{atan2}(\sqrt{1 - c_2^2}, c_2)",
     r"\frac{\partial^2 u}{\partial t^2}",
+    r"\frac{d^2u}{dt^2}",
     r"z_0 \times (p_4 - p_0)",
     r"4t_f^{3} - (8v_f + 12v_0)t_f",
 ]
@@ -193,3 +194,10 @@ def test_a_function_of_any_angle_is_read_back(style: str, angle: dict[str, int])
     node = read(text)
     assert isinstance(node, n.Call)
     assert node.function == "sin"
+
+
+def test_a_derivative_of_higher_order_has_it_above_and_below() -> None:
+    second = read(r"\frac{d^2u}{dt^2}")
+    assert isinstance(second, n.Derivative) and second.order == 2
+    for other in (r"\frac{d^2u}{dt^3}", r"\frac{du}{dt^2}", r"\frac{d^2u}{dt}", r"\frac{a^2u}{at^2}"):
+        assert isinstance(read(other), n.Quotient)
