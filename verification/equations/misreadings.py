@@ -62,18 +62,29 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
 
 
 def _own_name(chain: n.Chain, names: Names) -> Finding | None:
-    """S_1 = π r²: a letter that is a sine elsewhere, equated to what is no expression of joints and has names of its own."""
+    """S_1 = π r²: a letter that is a sine elsewhere, equated to what is no expression of joints and has names of its own.
+
+    So is C_{02} = [...]: no cosine is a matrix, or of a joint that the arm lacks.
+    """
     for member in chain.members:
         alone = bare(member)
         if not (isinstance(alone, n.Call) and alone.style == "index" and alone.head in ("s", "S", "c", "C")):
             continue
         others = [below for other in chain.members if other is not member for below in n.walk(other)]
+        if any(isinstance(b, n.Matrix) for b in others) or not _has_its_joints(alone, names):
+            return say(Kind.OWN_NAME, text=f"{alone.head}_{_digits(alone)}")
         if any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in others):
             continue
         unknown = [b for b in others if isinstance(b, n.Name) and b.key != "pi" and not _is_bound(b, names)]
         if unknown:
             return say(Kind.OWN_NAME, text=f"{alone.head}_{_digits(alone)}")
     return None
+
+
+def _has_its_joints(call: n.Call, names: Names) -> bool:
+    """Whether the arm has each joint in the index of c_{12}."""
+    sums = [below for below in n.walk(call) if isinstance(below, n.JointAngles)]
+    return names.arm is None or all(names.joint_angle(index) is not None for each in sums for _, index in each.terms)
 
 
 def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
