@@ -93,3 +93,15 @@ def test_a_value_is_that_of_the_angle_that_the_document_means(
 ) -> None:
     p_1 = r"p_1 = \begin{bmatrix} %s \end{bmatrix}"
     assert judge(p_1 % place, r"a_1 = 0.5, \; \theta_1 = 0", p_1 % numbers, **OFFSET).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("number", "verdict", "says"),
+    [("0.2", Verdict.UNCHECKED, "rounded?"), ("0.1", Verdict.UNCHECKED, "rounded?"), ("0.3", Verdict.REFUTED, "l_1 l_2 s_2"),
+     ("0.154", Verdict.REFUTED, "l_1 l_2 s_2"), ("0.151", Verdict.REFUTED, "l_1 l_2 s_2"), ("0.150", Verdict.CONFIRMED, "")],
+)  # fmt: skip
+def test_a_number_within_a_unit_of_its_last_decimal_is_rounded_perhaps(
+    judge: Judge, number: str, verdict: Verdict, says: str
+) -> None:
+    record = of_lengths(judge, rf"\det J = {number} s_2")
+    assert (record.verdict, says in record.message) == (verdict, True), record.message

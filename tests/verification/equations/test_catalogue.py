@@ -71,3 +71,11 @@ def test_other_values_are_the_documents_own(judge: Judge, display: str) -> None:
 def test_a_name_with_its_arguments_is_read_as_the_name(judge: Judge, left: str) -> None:
     record = judge(f"{left} = {POINT % '+'}", arm="planar_2r")
     assert record.verdict is Verdict.PROVED and record.outcomes[0].read_as == "origin of frame 2 in frame 0"
+
+
+def test_a_value_of_several_frames_is_to_be_bound(judge: Judge) -> None:
+    turned = r"\begin{bmatrix} c_{12} & s_{12} & 0 \\ s_{12} & -c_{12} & 0 \\ 0 & 0 & -1 \end{bmatrix}"
+    for display in (f"G = {turned}", f"G = {turned} = {turned}"):
+        record = judge(display, arm="scara")
+        assert record.verdict is Verdict.UNCHECKED
+        assert "rotation of frame 2 in frame 0, rotation of frame 3 in frame 0: bind G" in record.message

@@ -103,3 +103,32 @@ def test_numbers_beside_letters_are_no_slip_where_no_arm_is_given() -> None:
     assert verdicts(text + column.replace("A", "0.39").replace("B", "0.48"))[-1] == "unchecked"
     letters = column.replace("A", "l_1 c_1 + l_2 c_{12}").replace("B", "l_1 s_1 + l_2 s_{12}")
     assert verdicts(text + letters)[-1] == "refuted"
+
+
+PLANAR = "---\narm: planar_2r\n---\n\n"
+THIRD = FRONT.replace("{a: l_1,", "{a: l_1/3,") + "\n"
+ROWS = ("1 | $l_1$ | 0 | 0 | $\\theta_1$", "2 | $l_2$ | 0 | 0 | $\\theta_2$")
+
+
+@pytest.mark.parametrize(
+    ("front", "rows", "verdict", "says"),
+    [
+        (PLANAR, ("0 | 0 | 0 | 0 | 0", *ROWS), "proved", "the rows hold in the classic one"),
+        (PLANAR, ("0 | $l_1$ | 0 | 0 | 0", *ROWS), "refuted", ""),
+        (PLANAR, ("1 | $l_1$ | 0 | 0 | $\\frac{1}{l_1} + 90$", ROWS[1]), "unchecked", "the cosine of a quotient"),
+        (PLANAR, ("1 | $l_1$ | 0 | 0 | $l_1\\theta_1$", ROWS[1]), "unchecked", "something that is not a sum of angles"),
+        (THIRD, ("1 | $l_1 / 3$ | 0 | 0 | $\\theta_1$", ROWS[1]), "proved", ""),
+        (THIRD, ROWS, "refuted", "row 1: a is l_1, should be 1/3 l_1"),
+    ],
+)
+def test_a_row_of_the_base_and_cells_of_any_value(front: str, rows: tuple[str, ...], verdict: str, says: str) -> None:
+    header = TABLE.partition("| 1 |")[0]
+    (record,) = verify_text(front + header + "".join(f"| {row} |\n" for row in rows)).tables
+    assert (record.verdict, says in record.message) == (verdict, True), record.message
+
+
+@pytest.mark.parametrize(("length", "verdict"), [("l_2", "proved"), ("l_1", "refuted")])
+def test_a_cell_of_an_array_may_hold_an_environment(length: str, verdict: str) -> None:
+    rows = rf"1 & l_1 & 0 & 0 & \theta_1 \\ 2 & {length} & 0 & \begin{{matrix}} 0 \end{{matrix}} & \theta_2"
+    array = rf"\begin{{array}}{{c|cccc}} i & a & \alpha & d & \theta \\ {rows} \end{{array}}"
+    assert verdicts(f"{PLANAR}$$ {array} $$\n") == [verdict]
