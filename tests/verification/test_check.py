@@ -11,11 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 
+from armproof import verify_text
 from armproof.models.errors import ArmproofError
 from armproof.verification.check import check_document, verify
+from armproof.verification.diagnosis.diagnosis import Diagnostician
+from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document
-from armproof.verification.errors import DocumentError
-from armproof.verification.findings import Kind
+from armproof.verification.errors import DocumentError, TooComplex
+from armproof.verification.findings import Kind, say
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 from tests.laws import SWEEP
 
@@ -223,3 +226,44 @@ def test_what_cannot_be_read_in_a_notebook_is_told_with_its_cell() -> None:
     in_cell, alone = check_document(Document(Path("page.md"), {"arm": "planar_2r"}, displays, ())).equations
     assert in_cell.says(Kind.UNREADABLE_IN_CELL) and "cell 2" in in_cell.message and "'\\foo'" in in_cell.message
     assert alone.says(Kind.UNREADABLE) and "cell" not in alone.message
+
+
+@pytest.mark.parametrize(
+    ("fault", "verdict", "says"),
+    [
+        (RecursionError(), Verdict.UNCHECKED, "nested too deeply"),
+        (TooComplex(say(Kind.TOO_MANY_FRACTIONS)), Verdict.UNCHECKED, str(say(Kind.TOO_MANY_FRACTIONS))),
+        (ZeroDivisionError("one over none"), Verdict.UNREADABLE, "please report it: ZeroDivisionError: one over none"),
+    ],
+)
+def test_a_fault_of_ours_costs_one_display_its_verdict(
+    check: Check, monkeypatch: pytest.MonkeyPatch, fault: Exception, verdict: Verdict, says: str
+) -> None:
+    judge_display = Statements.check
+
+    def fail_on_line_2(self: Statements, statements: Any, line: int, **options: Any) -> Any:
+        if line == 2:
+            raise fault
+        return judge_display(self, statements, line, **options)
+
+    monkeypatch.setattr(Statements, "check", fail_on_line_2)
+    records = check("s_1 = s_1", "s_1 = c_1", "s_1 = c_1").equations
+    assert [record.verdict for record in records] == [Verdict.PROVED, verdict, Verdict.REFUTED]
+    assert says in records[1].message
+
+
+def test_what_cannot_be_explained_in_time_stays_refuted(judge: Judge, monkeypatch: pytest.MonkeyPatch) -> None:
+    def too_large(*_: Any) -> Record:
+        raise TooComplex(say(Kind.TOO_MANY_FRACTIONS))
+
+    monkeypatch.setattr(Diagnostician, "diagnose", too_large)
+    record = judge("s_1 = c_1")
+    assert record.verdict is Verdict.REFUTED and record.says(Kind.TOO_LARGE_TO_TELL)
+
+
+@pytest.mark.parametrize(("length", "corrected"), [("l_1", ["l_2"]), ("l_2", [])])
+def test_an_array_is_corrected_where_that_is_asked_for(length: str, corrected: list[str]) -> None:
+    rows = rf"1 & l_1 & 0 & 0 & \theta_1 \\ 2 & {length} & 0 & 0 & \theta_2"
+    array = rf"\begin{{array}}{{c|cccc}} i & a & \alpha & d & \theta \\ {rows} \end{{array}}"
+    (record,) = verify_text(f"---\narm: planar_2r\n---\n\n$$ {array} $$\n", correct=True).equations
+    assert [mend.text for mend in record.corrections or ()] == corrected

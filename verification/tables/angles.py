@@ -132,7 +132,7 @@ def _change_of_terms(printed: Scalar, right: Scalar) -> Finding | None:
         return say(Kind.LETTER_MISSING, letter=key_as_latex(gone[0]))
     if len(more) == 1 and not gone:
         return say(Kind.LETTER_EXTRA, letter=key_as_latex(more[0]))
-    if one == other and one:
+    if one and _signs(printed).keys() == _signs(right).keys():  # √2 l_1 and l_1 have no term in common
         return say(Kind.A_SIGN if _signs(printed) != _signs(right) else Kind.A_FACTOR)
     return None
 

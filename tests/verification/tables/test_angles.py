@@ -114,6 +114,8 @@ def test_what_is_wrong_with_an_angle_is_named(printed: Scalar, right: Scalar, ki
         (A2, A1, Kind.THE_INDEX),
         (A1 * 2, A1, Kind.A_FACTOR),
         (A1 - A2, A1 + A2, Kind.A_SIGN),
+        (A1 * RING.generator(("sqrt", "2")), A1, None),
+        (RING.one / A1, A1, None),
         (RING.one, RING.one * 2, None),
     ],
 )
