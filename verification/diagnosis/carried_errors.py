@@ -10,7 +10,6 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import equal_matrices
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.state import PrintedError
@@ -63,4 +62,4 @@ def _products(checker: ChainChecker, node: n.Node) -> Iterator[tuple[Quantity, Q
 def _carried_on(checker: ChainChecker, factor: Quantity, error: PrintedError | None) -> Value:
     if error is None:
         return checker.exact.quantity(factor)
-    return Evaluator(checker.names, checker.exact).evaluate(error.node)
+    return checker.member(error.node).value  # a letter that had a meaning there may have none here

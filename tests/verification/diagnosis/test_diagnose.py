@@ -195,6 +195,16 @@ def test_an_error_is_reported_once_as_a_cause_and_then_as_its_consequence(check:
     assert [(entry.row, entry.column) for entry in carried.entries] == [(1, 2), (2, 2)]
 
 
+def test_what_an_error_was_made_of_may_have_no_meaning_later(check: Check) -> None:
+    """A letter in the entry of a wrong matrix, and a product of that matrix printed behind it."""
+    wrong = r"U_4 = {}^4T_6 = \begin{bmatrix} C_5 C_6 & -C\theta_{5,5} S_6 & -S_5 & 0 \\ S_6 & C_6 & 0 & 0 \\ S_5 S_6 & -S_5 S_6 & C_5 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    product = r"""{}^3T_6 = \begin{bmatrix} C_4C_5C_6 - S_4S_6 & -C_4C_5S_6 - S_4C_6 & -C_4S_5 & 0 \\ S_5C_6 & -S_5S_6 & C_5 & d_3 \\
+    -S_4C_5C_6 - C_4S_6 & S_4C_5S_6 - C_4C_6 & S_4S_5 & 1 \\ 0 & 0 & 0 & 1 \end{bmatrix}"""
+    found = check(wrong, product, arm="rx90").equations
+    assert [record.verdict for record in found] == [Verdict.REFUTED, Verdict.REFUTED]
+    assert found[1].message == "entry (3, 4): is 1, should be 0"
+
+
 def test_an_error_of_its_own_follows_from_nothing(check: Check) -> None:
     assert "follows" not in check(CARRIED).equations[0].message
     other = CARRIED.replace("a_2 s_{12}", "a_2 c_{12}")
