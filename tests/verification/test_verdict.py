@@ -6,6 +6,7 @@ import itertools
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -13,8 +14,10 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.verdict import (
     DocumentResult,
     EquationResult,
+    Failure,
     Record,
     Role,
+    TakenArm,
     Verdict,
     WrongEntry,
     summary,
@@ -147,3 +150,14 @@ def test_each_equation_keeps_its_own_verdict_and_findings(judge: Callable[..., R
     assert not right.findings and wrong.findings == record.findings
     assert wrong.findings[0].kind is Kind.COSINE_FOR_SINE
     assert (wrong.findings[0].equation, wrong.findings[0].row, wrong.findings[0].column) == (2, 2, 1)
+
+
+def test_an_arm_says_what_it_was_taken_from() -> None:
+    arm = TakenArm("a", 7, "table", "classic", "upper", {})
+    assert str(arm) == "arm of the table at line 7, classic DH"
+
+
+@pytest.mark.parametrize("error", [OSError("no such disk"), ValueError("no such disk")])
+def test_a_document_that_cannot_be_checked_says_why(error: Exception) -> None:
+    failure = Failure.of(Path("a.md"), error)
+    assert (failure.path, str(failure.finding), failure.line) == ("a.md", "no such disk", None)

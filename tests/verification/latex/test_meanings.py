@@ -342,6 +342,7 @@ BOUND: dict[str, Any] = {
         (r"\left. c_1 \right|_{0} = 1", Verdict.UNREADABLE, "'0' does not say at which values"),
         (r"\left. c_1 \right|_{\theta_1 = 0, \theta_2} = 1", Verdict.UNREADABLE, "does not say at which values"),
         (r"\left. 2 c_1 \right|_{\theta_1 = 0}^2 = 4", Verdict.UNREADABLE, "does not say at which values"),
+        (r"\left. c_1 \right|_{,} = 1", Verdict.UNREADABLE, "does not say at which values"),
         (r"\left. c_1 \right|_0^1 = 1", Verdict.UNREADABLE, "does not say at which values"),
         (r"\left. c_1 \right| = |c_1|", Verdict.UNREADABLE, "does not say at which values"),
         (r"\left| c_1 \right| = |c_1|", Verdict.CONFIRMED, ""),

@@ -248,3 +248,10 @@ def test_a_velocity_is_in_metres_a_second_and_a_rate_of_turn_in_radians() -> Non
     assert [KINDS["velocity"].unit(velocity, arm, row, 0) for row in range(6)] == ["m/s"] * 3 + ["rad/s"] * 3
     turning = Quantity("velocity", "4", "0", rows=(4, 5, 6))
     assert [KINDS["velocity"].unit(turning, arm, row, 0) for row in range(3)] == ["rad/s"] * 3
+
+
+@pytest.mark.parametrize(("row", "unit"), [(0, "rad"), (1, "rad"), (2, "m"), (3, "rad")])
+def test_the_joint_variables_have_the_units_of_their_joints(row: int, unit: str) -> None:
+    scara = load_arm("scara")
+    assert KINDS["vector"].unit(Quantity("vector", ""), scara, row, 0) == unit
+    assert KINDS["joint"].unit(Quantity("joint", scara.joints[row].symbol), scara, 0, 0) == unit
