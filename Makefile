@@ -33,10 +33,13 @@ lessons: $(READY)
 site: $(READY)
 	$(VENV)/bin/armproof lesson site --out $(BUILD)/site
 
-# One worker a core; the tests of one file share what they load, and all their processes what is compiled.
+# One worker more than cores: some tests wait for a browser, a kernel or a clock. The tests of one file share what they load,
+# and all their processes what is compiled.
+WORKERS := $(shell expr $$(nproc) + 1)
+
 test: export PYTHONDONTWRITEBYTECODE =
 test: $(READY)
-	$(VENV)/bin/python -m pytest -n auto --dist loadfile
+	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile
 
 # mypy and import-linter follow folders, not the mapping of pyproject.toml: a tree of links shows them the package `armproof`.
 lint: $(READY_TO_LINT)
@@ -60,7 +63,7 @@ benchmark: $(READY)
 	$(VENV)/bin/python -m tests.benchmarks
 
 sweep: $(READY)
-	ARMPROOF_SWEEP=1 $(VENV)/bin/python -m pytest -n auto --dist loadfile
+	ARMPROOF_SWEEP=1 $(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile
 	$(VENV)/bin/python -m tests.sweeps.claims
 	$(VENV)/bin/python -m tests.sweeps.mutants_of_displays
 	$(VENV)/bin/python -m tests.sweeps.singularities

@@ -12,6 +12,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
+COARSE = 2  # decimals: what holds to these is neither confirmed nor refuted
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
 
 
@@ -74,16 +75,22 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
 
 
 def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:
-    """Confirm an equation whose numbers are rounded (1.501 for √(1.5² + 0.054²)) to the decimals they are printed with."""
+    """Confirm an equation whose numbers are rounded (1.501 for √(1.5² + 0.054²)) to the decimals they are printed with.
+
+    Two decimals in a formula (1.57 for π/2) are too few to confirm it: it is unchecked.
+    """
     assert outcome.true is not None and outcome.printed is not None
-    of_numbers = _decimals_of_numbers(outcome)
-    decimals = of_numbers or route.members.decimals(outcome.true.node, outcome.printed.node)
+    of_numbers, sides = _decimals_of_numbers(outcome), (outcome.true.node, outcome.printed.node)
+    fine = of_numbers or route.members.decimals(*sides)
+    decimals = fine or route.members.decimals(*sides, least=COARSE)
     if decimals is None or not _leaves_rounding(outcome, decimals):
         return False
     errors = route.sampled_errors(outcome, branches)
     if errors is None:
         return False
-    tolerance = 0.45 * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
+    tolerance = (
+        0.45 if fine else 1.0
+    ) * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
     if of_numbers is not None:
         tolerance = max(_rounding(side.node, side.node).near for side in (outcome.true, outcome.printed)) / (
             1 + errors.size
@@ -94,6 +101,10 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
     everywhere = holding.samples == errors.samples >= FEWEST
     if not everywhere and not (route.is_solved_for(left, right) and counts):
         return False
+    if not fine:
+        outcome.verdict, outcome.wrong, outcome.pair = Verdict.UNCHECKED, [], None
+        outcome.findings = (say(Kind.TOO_FEW_DECIMALS, decimals=decimals),)
+        return True
     outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
     outcome.samples, outcome.max_error = holding.samples, holding.largest
     said = say(Kind.TO_DECIMALS, decimals=decimals)
