@@ -13,6 +13,9 @@ FORMS = "0, 0.75, 3/4, pi/2, -pi, 90deg, l_1, -d_2, d_1 + d_4, theta_2 - pi/2"
 _TOKEN = re.compile(
     r"\s*(?:(\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?)|(deg\b|°)|(π|[A-Za-z]\w*'*)|([-+*/()]))"
 )
+_FUNCTIONS = frozenset(
+    ["sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan", "exp", "ln", "log"]
+)
 _MAX_DEPTH = 20
 _LONGEST = 60
 
@@ -159,6 +162,8 @@ class _Reader:
             form = LinearForm(pi=Fraction(1))
         elif token and (token[0].isdigit() or token[0] == "."):
             form = LinearForm(number=self.number(token))
+        elif token in _FUNCTIONS:
+            raise self.error(Fault.UNEXPECTED_HERE, found=token)
         elif token and token[0].isalpha() and token != "deg":
             form = LinearForm(symbols=((token, Fraction(1)),))
         else:

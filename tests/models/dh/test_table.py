@@ -198,6 +198,8 @@ def test_joints_are_found_where_they_stand() -> None:
         ({**ROW, "a": "(1"}, r"a '\)' is missing"),
         ({**ROW, "a": "1 2"}, "'2' is not expected here"),
         ({**ROW, "a": "1)"}, r"'\)' is not expected here"),
+        ({**ROW, "a": "sqrt(2)"}, "'sqrt' is not expected here"),
+        ({**ROW, "theta": "2 cos theta_1"}, "'cos' is not expected here"),
         ({**ROW, "a": "a_1*b_1"}, "a product of two symbols is not linear"),
         ({**ROW, "a": "1/a_1"}, "only a number other than 0 divides"),
         ({**ROW, "a": "1/0"}, "only a number other than 0 divides"),
