@@ -131,7 +131,9 @@ class Entailment:
             product = self.checker.exact.ring.one
             for scalar in choice:
                 product = product * scalar
-            if number >= MOST_PRODUCTS or not variety.vanishes(self.half.polynomial(product)):
+            if number >= MOST_PRODUCTS or not self.half.holds(product):
+                return False
+            if not variety.vanishes(self.half.polynomial(product)):
                 return False
         return True
 

@@ -73,6 +73,10 @@ class HalfAngles:
         exponents = next(iter(polynomial.monoms()), None)
         return 0 if exponents is None else int(exponents[t] + exponents[u])
 
+    def holds(self, value: Scalar) -> bool:
+        """Whether each generator of a scalar is among the variables: a product of two roots may bring a third."""
+        return all(g[1] in self.angles if g[0] in ("cos", "sin") else g in self.others for g in value.generators)
+
     # -- there and back ------------------------------------------------------------------------------------------------
 
     def degrees(self, values: Iterable[Scalar]) -> dict[str, int]:

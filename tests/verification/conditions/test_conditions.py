@@ -276,3 +276,22 @@ def test_cases_are_checked_each_under_its_condition(judge: Judge) -> None:
     assert judge(*both, **general).verdict is Verdict.PROVED
     assert judge(both[0], both[1].replace("1 \\end", "2 \\end"), **general).verdict is Verdict.REFUTED
     assert judge(right, **general).verdict is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\theta_2 = 0 \Rightarrow l_1 + l_2 = \pm\sqrt{P_x^2 + P_y^2}", Verdict.PROVED),
+        (r"\theta_2 = 0 \Rightarrow l_1 - l_2 = \pm\sqrt{P_x^2 + P_y^2}", Verdict.REFUTED),
+        (r"s_2 = 0 \Rightarrow l_1 + l_2 = \pm\sqrt{P_x^2 + P_y^2}", Verdict.REFUTED),
+    ],
+)
+def test_a_root_of_either_sign_is_a_conclusion(judge: Judge, latex: str, verdict: Verdict) -> None:
+    front = {"P_x": {"origin": 2, "component": "x"}, "P_y": {"origin": 2, "component": "y"}}
+    assert judge(latex, arm="planar_2r", quantities=front).verdict is verdict
+
+
+def test_two_roots_whose_product_is_a_third_are_compared(judge: Judge) -> None:
+    front = {"P_x": {"origin": 6, "component": "x"}, "P_y": {"origin": 6, "component": "y"}}
+    record = judge(r"C_3 = 0 \iff S_5 = \pm\sqrt{P_x^2 + P_y^2}", arm="rx90", quantities=front)
+    assert record.verdict is Verdict.REFUTED
