@@ -115,9 +115,8 @@ class Statements:
 
     def _take_next(self, display: _Display) -> None:
         statement = display.statements[display.index]
-        if (
-            implication := find_implication(display.asked, display.index) if display.is_connected else None
-        ) is not None:
+        implication = find_implication(display.asked, display.index) if display.is_connected else None
+        if implication is not None:
             self._take_implication(display, implication)
         elif isinstance(statement, n.Chain):
             self._take_chain(display, statement)

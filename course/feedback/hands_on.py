@@ -14,7 +14,7 @@ from markupsafe import Markup
 from armproof.course.feedback.notebook import render
 from armproof.course.feedback.outcome import pretty
 from armproof.course.feedback.picture import claimed_jacobian, drawn_at
-from armproof.course.figures.facts.moving import Moving, moving_of
+from armproof.course.figures.facts.moving import UNITS, Moving, columns_of, moving_of
 from armproof.course.figures.facts.task import joint_ranges, volume_unit
 from armproof.models.arm import Arm
 from armproof.models.errors import ArmproofError, ModelError, written
@@ -27,6 +27,9 @@ from armproof.verification.latex.writer import symbol_as_latex
 from armproof.verification.report.html.figures import ArmPainter
 from armproof.verification.verdict import Drawn
 
+_Claim = tuple[
+    Drawn | None, np.ndarray | None, str
+]  # what is drawn of an answer, or its Jacobian, or why there is neither
 _TURN = np.column_stack([np.cos(np.linspace(0, 2 * np.pi, 49)), np.sin(np.linspace(0, 2 * np.pi, 49))])
 
 
@@ -71,10 +74,12 @@ class HandsOn:
 
     def picture(self, q: np.ndarray) -> str:
         """Return the arm at a configuration (n,), the answer beside the truth, as HTML."""
-        task = self.moving.task
+        return self._pictured(q, self._claimed(q))
+
+    def _pictured(self, q: np.ndarray, claim: _Claim) -> str:
+        task, (drawn, claimed, problem) = self.moving.task, claim
         J = NumericKinematics(self.arm, q[None]).jacobian(task.frame)[0]
         with use(self.lang):
-            drawn, claimed, problem = self._claimed(q)
             around = [(task.frame, "true", self._outline(J))]
             if claimed is not None:
                 around.append((task.frame, "printed", self._outline(claimed)))
@@ -86,8 +91,8 @@ class HandsOn:
                 told.append(written("With yours: {values}.", values=self._told(claimed).rstrip(".")))
             return render("moved.html", "open", svg=svg, told=[*told, problem] if problem else told)
 
-    def _claimed(self, q: np.ndarray) -> tuple[Drawn | None, np.ndarray | None, str]:
-        """Return what the answer says at a configuration: what is drawn of it, or its Jacobian, or why there is neither."""
+    def _claimed(self, q: np.ndarray) -> _Claim:
+        """Return what the answer says at a configuration."""
         if self.answer is None or self.asked is None:
             return None, None, ""
         at = {joint.symbol: float(value) for joint, value in zip(self.arm.joints, q, strict=True)}
@@ -100,7 +105,8 @@ class HandsOn:
         except NotAttempted:
             return None, None, ""
         except ArmproofError as reason:
-            return None, None, written("Your answer cannot be drawn: {reason}", reason=str(reason))
+            with use(self.lang):
+                return None, None, written("Your answer cannot be drawn: {reason}", reason=str(reason))
 
     def _outline(self, J: np.ndarray) -> np.ndarray:
         U, sizes, _ = np.linalg.svd(self.moving.ellipse(J), full_matrices=False)
@@ -108,9 +114,10 @@ class HandsOn:
 
     def _told(self, J: np.ndarray) -> str:
         """Return det J of a Jacobian (6, n) where it has one, and the manipulability w."""
-        rows, order = self.moving.task.places, getattr(self._quantity, "columns", None) or ()
-        if len(order) == J.shape[1]:
-            J = J[:, [column - 1 for column in order]]  # the answer has them so, and det J its sign
+        rows = self.moving.task.places
+        J = J[
+            :, columns_of(getattr(self._quantity, "columns", None), J.shape[1])
+        ]  # as the answer has them: det J has its sign
         unit = volume_unit(self.arm, self.moving.task.rows, range(1, len(self.arm.joints) + 1))
         values = {"w": float(np.sqrt(max(np.linalg.det(J[rows] @ J[rows].T), 0.0)))}
         if len(rows) == len(self.arm.joints):
@@ -122,22 +129,23 @@ class HandsOn:
         """Return the sliders with the picture, which every move of one of them draws anew."""
         import ipywidgets
 
-        scales = [180 / np.pi if joint.kind == "revolute" else 1000.0 for joint in self.arm.joints]
+        units, scales = zip(*(UNITS[joint.kind] for joint in self.arm.joints), strict=True)
         sliders = [
             ipywidgets.FloatSlider(
                 value=scale * value, min=scale * low, max=scale * high, step=1.0, readout_format=".0f",
-                description=f"{pretty(symbol_as_latex(joint.symbol))} ({'°' if joint.kind == 'revolute' else 'mm'})",
+                description=f"{pretty(symbol_as_latex(joint.symbol))} ({unit})",
             )
-            for joint, scale, value, (low, high) in zip(
-                self.arm.joints, scales, self.moving.start, joint_ranges(self.arm), strict=True
+            for joint, unit, scale, value, (low, high) in zip(
+                self.arm.joints, units, scales, self.moving.start, joint_ranges(self.arm), strict=True
             )
         ]  # fmt: skip
         picture = ipywidgets.HTML()
 
         def move(_: Any = None) -> None:
             q = np.array([slider.value / scale for slider, scale in zip(sliders, scales, strict=True)])
-            picture.value = self.picture(q)
-            self._show_in_space(q)
+            claim = self._claimed(q)
+            picture.value = self._pictured(q, claim)
+            self._show_in_space(q, claim[0])
 
         for slider in sliders:
             slider.observe(move, names="value")
@@ -146,12 +154,11 @@ class HandsOn:
             space = [ipywidgets.HTML(value=self._frame())] if self.in_3d else []
         return ipywidgets.VBox([*sliders, picture, *space])
 
-    def _show_in_space(self, q: np.ndarray) -> None:
+    def _show_in_space(self, q: np.ndarray, drawn: Drawn | None) -> None:
         """Move the arm in Drake's viewer too, and the frame that the answer has."""
         if not self.in_3d or isinstance(self._stage, str):
             return
         self._stage.move(q)
-        drawn, _, _ = self._claimed(q)
         if drawn is not None and drawn.kind == "pose":
             self._stage.mark(np.array(drawn.printed), self._painter.reach / 6)
 

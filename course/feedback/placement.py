@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
@@ -63,8 +64,9 @@ class Placement:
         read, values = self._read(answer), self.scheme.generic
         parts = [directions(read[key], values) for key in "zx" if key in read]
         parts += [places(read["O"], values)] if "O" in read else []
-        names = {joint.symbol: float(np.sqrt(k + 20)) for k, joint in enumerate(self.scheme.arm.joints)}
-        parts += [_numbers(row, {**values, **names}) for row in read.get("table", ())]
+        parts += [
+            np.array([row[name].value(self._generic) for name in ORDER["modified"]]) for row in read.get("table", ())
+        ]
         return np.concatenate([part.ravel() for part in parts])
 
     def show(self, task: str, answer: Any, at: Mapping[str, float]) -> Shown | Portrait:
@@ -158,9 +160,7 @@ class Placement:
         return self._equal(form, wanted, name)
 
     def _equal(self, form: LinearForm, wanted: LinearForm, name: str) -> bool:
-        joints = {joint.symbol: np.sqrt(k + 20) for k, joint in enumerate(self.scheme.arm.joints)}
-        values = {**self.scheme.generic, **joints}
-        apart = form.value(values) - wanted.value(values)
+        apart = form.value(self._generic) - wanted.value(self._generic)
         return bool(abs(np.sin(apart / 2) if name in ("alpha", "theta") else apart) < NEAR)
 
     def _notes(self, read: Answer) -> tuple[str, ...]:
@@ -175,6 +175,12 @@ class Placement:
             for k in free
             if abs((origins[k] - origins[k - 1]) @ ways[k]) > NEAR
         )
+
+    @cached_property
+    def _generic(self) -> dict[str, float]:
+        """Lengths and joint values that no number and no sum of others equals by chance."""
+        joints = {joint.symbol: float(np.sqrt(k + 20)) for k, joint in enumerate(self.scheme.arm.joints)}
+        return {**self.scheme.generic, **joints}
 
     def _slides(self, k: int) -> bool:
         return self.scheme.arm.joints[k].kind == "prismatic"
@@ -307,10 +313,6 @@ def _parallel(one: np.ndarray, other: np.ndarray) -> bool:
 
 def _on_line(point: np.ndarray, on: np.ndarray, way: np.ndarray) -> bool:
     return _parallel(point - on, way)
-
-
-def _numbers(row: Mapping[str, LinearForm], values: Mapping[str, float]) -> np.ndarray:
-    return np.array([row[name].value(dict(values)) for name in ORDER["modified"]])
 
 
 def _triple(given: Any) -> Vector:

@@ -8,7 +8,7 @@ from markupsafe import Markup
 
 from armproof.course.feedback import Quantity
 from armproof.course.feedback.outcome import pretty
-from armproof.course.figures.facts.moving import moving_of
+from armproof.course.figures.facts.moving import UNITS, columns_of, moving_of
 from armproof.course.figures.facts.task import volume_unit
 from armproof.models.errors import written
 from armproof.models.language import look_up
@@ -24,7 +24,6 @@ _SLIDER = Markup(
     '<p><label for="{id}">{name}</label><input type="range" id="{id}" min="{low:.0f}" max="{high:.0f}" step="1" value="{start:.0f}"'
     ' data-unit="{unit}" data-scale="{scale}"><output for="{id}"></output></p>'
 )
-_UNITS = {"revolute": ("°", 57.29577951308232), "prismatic": ("mm", 1000.0)}
 
 
 def moving_figure(asked: Quantity, prefix: str) -> Markup:
@@ -32,12 +31,10 @@ def moving_figure(asked: Quantity, prefix: str) -> Markup:
     arm = asked.loaded
     moving = moving_of(arm)
     joints = len(arm.joints)
-    order = asked.quantity.get("columns", ())
-    columns = [column - 1 for column in order] if len(order) == joints else list(range(joints))
-    numbers = {**moving.numbers(), "columns": columns}
+    numbers = {**moving.numbers(), "columns": columns_of(asked.quantity.get("columns"), joints)}
     sliders = []
     for k, (joint, values) in enumerate(zip(arm.joints, numbers["joints"], strict=True), start=1):
-        unit, scale = _UNITS[joint.kind]
+        unit, scale = UNITS[joint.kind]
         low, high, start = (scale * values[key] for key in ("low", "high", "start"))
         name = pretty(symbol_as_latex(joint.symbol))
         sliders.append(

@@ -88,9 +88,8 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
     errors = route.sampled_errors(outcome, branches)
     if errors is None:
         return False
-    tolerance = (
-        0.45 if fine else 1.0
-    ) * 10.0**-decimals  # of errors scaled by 1 + size: less than one unit of the last
+    units = 0.45 if fine else 1.0  # of the last decimal; errors are scaled by 1 + size
+    tolerance = units * 10.0**-decimals
     if of_numbers is not None:
         tolerance = max(_rounding(side.node, side.node).near for side in (outcome.true, outcome.printed)) / (
             1 + errors.size

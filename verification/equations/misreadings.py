@@ -71,12 +71,12 @@ def _own_name(chain: n.Chain, names: Names) -> Finding | None:
         if not (isinstance(alone, n.Call) and alone.style == "index" and alone.head in ("s", "S", "c", "C")):
             continue
         others = [below for other in chain.members if other is not member for below in n.walk(other)]
-        if any(isinstance(b, n.Matrix) for b in others) or not _has_its_joints(alone, names):
-            return say(Kind.OWN_NAME, text=f"{alone.head}_{_digits(alone)}")
-        if any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in others):
-            continue
-        unknown = [b for b in others if isinstance(b, n.Name) and b.key != "pi" and not _is_bound(b, names)]
-        if unknown:
+        moves = any(
+            isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in others
+        )
+        unknown = any(isinstance(b, n.Name) and b.key != "pi" and not _is_bound(b, names) for b in others)
+        is_no_cosine = any(isinstance(b, n.Matrix) for b in others) or not _has_its_joints(alone, names)
+        if is_no_cosine or (unknown and not moves):
             return say(Kind.OWN_NAME, text=f"{alone.head}_{_digits(alone)}")
     return None
 

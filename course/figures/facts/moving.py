@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -20,6 +21,10 @@ _TRIED, _SEED = 300, 2019
 _ELLIPSE = 0.25  # of what is seen: the longest half axis of an ellipse
 _ROOM = 0.02  # of what is seen, to each side
 _DIGITS = 9
+UNITS = {
+    "revolute": ("°", 180 / np.pi),
+    "prismatic": ("mm", 1000.0),
+}  # of the sliders, and how many make a radian or a metre
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +72,11 @@ class Moving:
             rows=self.task.places,
             part=self.part.start,
         )  # fmt: skip
+
+
+def columns_of(asked: Sequence[int] | None, joints: int) -> list[int]:
+    """Return the columns (from 0) of a Jacobian in the order in which a task asks for all of them, or as they are."""
+    return [column - 1 for column in asked] if asked is not None and len(asked) == joints else list(range(joints))
 
 
 @lru_cache(maxsize=64)

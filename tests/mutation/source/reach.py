@@ -9,8 +9,8 @@ import ast
 import os
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Set
-from pathlib import Path
 
 from coverage import CoverageData
 
@@ -64,5 +64,5 @@ def _lines_of_function(source: str, line: int) -> range:
 
 def files_of(tests: Set[str]) -> list[str]:
     """Return the files of tests, those with the fewest first."""
-    files = [Path(test.partition("::")[0]).as_posix() for test in tests]
-    return sorted(set(files), key=lambda file: (files.count(file), file))
+    counts = Counter(test.partition("::")[0] for test in tests)
+    return sorted(counts, key=lambda file: (counts[file], file))

@@ -78,9 +78,8 @@ def _index(letter: str) -> int:
     return int(found[0]) if (found := _INDEX.search(letter)) else 0
 
 
-Step = tuple[
-    str, Scalar, str
-]  # where to: a column of a DH table or an axis to slide along; how far; the joint that moves it
+# where to: a column of a DH table or an axis to slide along; how far; the joint that moves it
+Step = tuple[str, Scalar, str]
 
 
 @dataclass(frozen=True)
