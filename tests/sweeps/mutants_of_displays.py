@@ -92,20 +92,20 @@ def _handout(name: str) -> tuple[Document, Display | None]:
     """Return a handout, and its first display that is proved by itself."""
     document = read_document(HANDOUTS / name)
     for display in document.displays:
-        if not display.erratum and _verdicts(document, [display]) == ["proved"]:
+        if not display.erratum and [verdict for _, verdict in _verdicts(document, [display])] == ["proved"]:
             return document, display
     return document, None
 
 
-def _verdicts(document: Document, displays: list[Display]) -> list[str]:
-    """Return the verdicts of a page of such displays; raises RuntimeError where one hides an internal error."""
+def _verdicts(document: Document, displays: list[Display]) -> list[tuple[str, str]]:
+    """Return the displays of a page with their verdicts, in the order of their lines; raises RuntimeError where one hides an internal error."""
     front = {key: value for key, value in document.front.items() if key != "inverse"}  # it needs all its displays
     page = replace(document, front=front, displays=tuple(displays), tables=())
     records = check_document(page).equations
     for record in records:
         if record.says(Kind.INTERNAL_ERROR):
             raise RuntimeError(record.message)
-    return [record.verdict.value for record in records]
+    return [(record.latex, record.verdict.value) for record in records]
 
 
 def failures_of_page(drawn: tuple[str, int]) -> list[Failure]:
@@ -142,8 +142,9 @@ def _failure(document: Document, sentinel: Display | None, damaged: list[Display
     seconds = time.thread_time() - started
     if len(verdicts) != len(damaged) + 2 * len(ends):
         return f"{len(damaged)} displays have {len(verdicts)} verdicts"
-    if ends and (verdicts[0], verdicts[-1]) != ("proved", "proved"):
-        return f"costs another its verdict: {verdicts[-1]}"
+    of_ends = [verdict for latex, verdict in verdicts if sentinel and latex == sentinel.latex]
+    if ends and (len(of_ends) < 2 or set(of_ends) != {"proved"}):
+        return f"costs another its verdict: {', '.join(of_ends)}"
     return f"too slow: {seconds:.1f} s" if seconds > BOUND + 0.5 else ""
 
 
