@@ -66,7 +66,7 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
         return evaluator.names.defined_value(node.key, evaluator.algebra)
     if (exact := evaluator.algebra.exact) is not None:
         return evaluator.algebra.from_exact(evaluator.within(exact).evaluate(node))
-    value = evaluator.evaluate(plain)
+    value = sized(evaluator.evaluate(plain))
     for order in range(node.dots):
         value = _in_time(evaluator, value, order)
     return value

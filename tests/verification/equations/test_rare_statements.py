@@ -59,3 +59,10 @@ def test_a_name_with_two_meanings_is_free_again_in_the_next_section() -> None:
     text = "---\narm: planar_2r\n---\n# A\n$$k = l_1 c_1$$\n\n$$k = l_2 s_2$$\n\n# B\n\n$$k = l_2$$\n\n$$2 k = 2 l_2$$\n\n$$2 k = 2 l_1$$\n"
     verdicts = [record.verdict.value for record in verify_text(text).equations]
     assert verdicts == ["unchecked", "unchecked", "defined", "proved", "refuted"]
+
+
+@pytest.mark.parametrize("second", [r"\dot u = 0", r"\frac{\partial u}{\partial \theta_1} = 0"])
+def test_an_identity_matrix_without_a_size_has_no_derivative(judge: Judge, second: str) -> None:
+    record = judge("u = 3 I", second, arm="planar_2r")
+    assert record.verdict is Verdict.UNCHECKED
+    assert record.message.startswith("an identity matrix whose size cannot be told")
