@@ -25,6 +25,7 @@ from armproof.verification.findings import Kind
 
 HANDOUTS = Path(armproof.course.__path__[0]) / "handouts"
 COUNT, SEED, ON_A_PAGE = 20_000, 2019, 12
+PAGES_A_LINE = 1_000  # a sweep of a million takes the best part of an hour: it tells how far it is
 BOUND = SECONDS_TO_DECIDE + SECONDS_TO_EXPLAIN
 TOKEN = re.compile(r"\\\|\\[a-zA-Z]+|\\.|\s+|[A-Za-z]|\d+|.", re.DOTALL)
 RELATIONS = [
@@ -69,16 +70,26 @@ def main() -> int:
     """Sweep and print what failed; 0 if nothing did."""
     count, seed = (int(given) for given in (*sys.argv[1:3], *(str(n) for n in (COUNT, SEED)[len(sys.argv[1:3]) :])))
     started = time.perf_counter()
+    found: list[Failure] = []
     with ProcessPoolExecutor(os.cpu_count()) as pool:
-        found = [failure for part in pool.map(failures_of_page, pages(count, seed), chunksize=4) for failure in part]
-    found += [failure for hard in HARD for failure in failures_of_hard(*hard)]
-    for failure in found[:50]:
-        print(f"{failure.handout}: {failure.what}: {failure.latex}")
+        for done, failures in enumerate(pool.map(failures_of_page, pages(count, seed), chunksize=4), start=1):
+            found += tell(failures)
+            if done % PAGES_A_LINE == 0:
+                print(f"{done * ON_A_PAGE} of {count}, {time.perf_counter() - started:.0f} s", flush=True)
+    for hard in HARD:
+        found += tell(failures_of_hard(*hard))
     kinds = ", ".join(f"{number} {kind}" for kind, number in Counter(f.what.partition(":")[0] for f in found).items())
     print(
         f"{count} damaged displays, {len(found)} failures{': ' if kinds else ''}{kinds}, {time.perf_counter() - started:.0f} s"
     )
     return 1 if found else 0
+
+
+def tell(failures: list[Failure]) -> list[Failure]:
+    """Print failures as soon as they are known."""
+    for failure in failures:
+        print(f"{failure.handout}: {failure.what}: {failure.latex}", flush=True)
+    return failures
 
 
 def pages(count: int, seed: int) -> list[tuple[str, int]]:
