@@ -13,6 +13,7 @@ from armproof.course.figures.registry import KINDS, caption_kind, draw_kind, fin
 from armproof.course.sheet.editions import for_students, has_solutions, with_solutions
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, Text, plain
+from armproof.course.sheet.numbers import number_equations
 from armproof.course.sheet.reading import BlockReader
 from armproof.course.translation.documents import in_language
 from armproof.course.words import say
@@ -60,8 +61,9 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
     document = _in_language(document, lang)
     arm = arm_of(document.front, document.path.parent)
     inline = InlineReader(read_names(arm, document.front).reader.read, document.path.parent, lang)
-    reader = BlockReader(inline, result)
-    blocks = [block for body, first, cell in _bodies(document.path, lang) for block in reader.read(body, first, cell)]
+    bodies = _bodies(document.path, lang)
+    reader = BlockReader(inline, result, number_equations(result.equations, bodies))
+    blocks = [block for body, first, cell in bodies for block in reader.read(body, first, cell)]
     reader.close()
     title, blocks = _titled(document, blocks, inline)
     warnings = list(reader.warnings)

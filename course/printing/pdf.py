@@ -86,7 +86,8 @@ class TypstWriter:
         if not block.lines:
             return f"#raw-display({quoted_lines(block.record.latex)}, {note})"
         lines = "".join(f"{_line(line)}, " for line in block.lines)
-        return f"#displayed(({lines}), note: {note})"
+        number = self._content((s.Text(f"({block.number})"),)) if block.number else "none"
+        return f"#displayed(({lines}), note: {note}, number: {number})"
 
     def _table(self, block: s.Table) -> str:
         aligns = ", ".join("auto" if column == "auto" else column for column in block.columns)

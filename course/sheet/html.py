@@ -46,6 +46,12 @@ class HtmlWriter:
         return Markup("<{0}>{1}</{0}>").format(tag, self.words(block.parts))
 
     def _display(self, block: s.Display) -> Markup:
+        written = self._formulas(block)
+        if not block.number:
+            return written
+        return Markup('<div class="tagged">{}<span class="tag">({})</span></div>').format(written, block.number)
+
+    def _formulas(self, block: s.Display) -> Markup:
         note = self._note(block.record)
         if not block.lines:
             return Markup('<div class="source-only"><pre><code>{}</code></pre>{}</div>').format(

@@ -79,10 +79,11 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Display:
-    """A display with its verdict; without lines it could not be read, and its source is printed."""
+    """A display with its verdict and its number; without lines it could not be read, and its source is printed."""
 
     lines: tuple[Line, ...]
     record: Record
+    number: str = ""
 
 
 @dataclass(frozen=True)

@@ -30,6 +30,7 @@ from armproof.course.sheet.model import (
     Text,
     plain,
 )
+from armproof.course.sheet.numbers import Numbers, tag_of
 from armproof.course.sheet.pictures import find_picture
 from armproof.verification.correction import edits
 from armproof.verification.document import Display as Source
@@ -51,12 +52,17 @@ _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
 class BlockReader:
-    """Reads the Markdown of one document; `warnings` collects what of it is not printed."""
+    """Reads the Markdown of one document; without `numbers` displays have those of their authors alone.
 
-    def __init__(self, inline: InlineReader, result: DocumentResult) -> None:
+    `warnings` collects what of it is not printed.
+    """
+
+    def __init__(self, inline: InlineReader, result: DocumentResult, numbers: Numbers | None = None) -> None:
         self.inline = inline
         self.path = Path(result.path)
         self.records = iter(result.equations)
+        self.numbers = numbers or Numbers(tuple(map(tag_of, result.equations)))
+        self.left = iter(self.numbers.of_displays)
         self.tables = {(record.line, record.cell): record for record in result.tables}
         self.warnings: list[str] = []
         self.first = 1
@@ -69,7 +75,7 @@ class BlockReader:
             PrintError: a display has no verdict of its own.
         """
         self.first, self.cell = first, cell
-        tree = SyntaxTreeNode(display_reader().parse(without_labels(body)))
+        tree = SyntaxTreeNode(display_reader().parse(without_labels(self.numbers.referred(body))))
         return list(self._blocks(tree.children))
 
     def close(self) -> None:
@@ -199,8 +205,9 @@ class BlockReader:
         return self._written(record)
 
     def _written(self, record: Record) -> Block:
+        number = next(self.left, "") or tag_of(record)
         if record.verdict is Verdict.UNREADABLE:
-            return Display((), record)
+            return Display((), record, number)
         spans = [entry.span for entry in record.entries if entry.span is not None] or [
             (len(normalise_unicode(record.latex[: edit.start])), len(normalise_unicode(record.latex[: edit.end])))
             for edit in edits(record)
@@ -211,12 +218,12 @@ class BlockReader:
         except ReadError:
             array = read_array(Source(record.line, record.latex))
             if array is None:
-                return Display((), record)
+                return Display((), record, number)
             cells = [
                 tuple((self.inline.formula(cell),) for cell in row) for row in (array.table.header, *array.table.rows)
             ]
             return Table(cells[0], tuple(cells[1:]), ("center",) * len(cells[0]), record)
-        return Display(lines, record)
+        return Display(lines, record, number)
 
     def _table(self, node: SyntaxTreeNode) -> Table:
         rows: list[tuple[tuple[Inline, ...], ...]] = []

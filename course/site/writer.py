@@ -26,7 +26,6 @@ _KINDS = (  # of Pygments, the first that holds; the others are plain
     ("Name.Decorator", "name"),
 )
 _MARKERS = re.compile(r"^[ \t]*### (?:BEGIN|END) SOLUTION[ \t]*\n?", re.MULTILINE)
-_TAG = re.compile(r"\\tag\*?\{([^{}$\\]{1,20})\}")  # by which words refer to a display
 _NARROW = 16.0  # em that fit on a phone
 _LONGEST = 60  # characters of an anchor
 
@@ -87,14 +86,10 @@ class PageWriter(HtmlWriter):
     def _heading(self, block: s.Heading) -> Markup:
         return self.heading(block.level, self.words(unlinked(block.parts)), s.plain(block.parts))
 
-    def _display(self, block: s.Display) -> Markup:
+    def _formulas(self, block: s.Display) -> Markup:
         widest = max((piece.width for line in block.lines for each in line for piece in each), default=0.0)
-        written = super()._display(block)
-        if widest > _NARROW:
-            written = _focusable(written, look_up("Formula"))
-        if (tag := _TAG.search(block.record.latex)) is None:
-            return written
-        return Markup('<div class="tagged">{}<span class="tag">({})</span></div>').format(written, tag.group(1))
+        written = super()._formulas(block)
+        return _focusable(written, look_up("Formula")) if widest > _NARROW else written
 
     def _table(self, block: s.Table) -> Markup:
         return _focusable(Markup(str(super()._table(block)).replace("<th ", '<th scope="col" ')), look_up("Table"))
