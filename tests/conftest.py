@@ -21,7 +21,11 @@ ARMS = ("planar_2r", "scara", "rx90")
 OTHERS = ("odd table", "puma table", "slanted")  # arms of tests/course/figures that are not of the catalogue
 # Files that share what is long in starting or reading. One worker runs them all.
 TOGETHER = {
-    "Chromium, and the report of the course": ("tests/verification/report/", "tests/course/site/test_in_browser.py"),
+    "Chromium, and the report of the course": (
+        "tests/verification/report/",
+        "tests/course/grading/test_class.py",
+        "tests/course/site/test_in_browser.py",
+    ),
     "the trees of all sources": (
         "tests/models/test_errors.py",
         "tests/test_repository.py",

@@ -16,7 +16,7 @@ from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Lan
 from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
-    from armproof.course.grading.grading import Grades
+    from armproof.course.grading.grades import Grades
 
 Folder = Annotated[
     Path, typer.Argument(metavar="FOLDER", help="Notebooks, one a student, or a folder of them for each.")
@@ -30,6 +30,10 @@ Seconds = Annotated[float, typer.Option("--seconds", min=1, max=3600, metavar="S
 Memory = Annotated[int, typer.Option("--memory", min=64, max=65536, metavar="MB", help="Memory for each, in MB.")]
 
 Own = Annotated[Path | None, typer.Option("--folder", metavar="DIR", help="Lessons of your own, beside the course's.")]
+WeightsFile = Annotated[
+    Path | None, typer.Option("--weights", metavar="FILE", help="What tasks count, as CSV: lesson, task, weight; else 1 each.")
+]  # fmt: skip
+Due = Annotated[str, typer.Option("--due", metavar="DATE", help="Mark what was handed in later, as 2026-11-20T18:00.")]
 Unprotected = Annotated[
     bool, typer.Option("--unprotected", help="Run without bubblewrap: limits of time and memory, and no protection.")
 ]
@@ -42,6 +46,8 @@ def grade(
     seconds: Seconds = 60,
     memory: Memory = 1024,
     own: Own = None,
+    weights: WeightsFile = None,
+    due: Due = "",
     unprotected: Unprotected = False,
     lang: Language = "",
 ) -> None:
@@ -52,6 +58,7 @@ def grade(
     if os.name != "posix":
         give_up(GradingError("armproof grade needs Linux or macOS: no other system can run a student's code apart"))
     from armproof.course.grading.grading import grade as grade_all
+    from armproof.course.grading.handed_in import read_due
     from armproof.course.grading.pages import GRADES, write_grades
     from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
     from armproof.course.grading.submissions import find_submissions
@@ -59,10 +66,12 @@ def grade(
 
     try:
         with ending():
+            until = read_due(due) if due else None
             submissions = find_submissions(folder)
             with new_report(out, GRADES) as part, Progress(len(submissions), "submissions") as progress:
                 limits = Limits(seconds, memory * MEGABYTE)
-                grades = grade_all(submissions, limits, jobs, progress.advance, own, unprotected=unprotected)
+                grades = grade_all(submissions, limits, jobs, progress.advance, own, unprotected=unprotected,
+                                   weights=weights, due=until)  # fmt: skip
                 write_grades(part, grades)
     except OSError as error:
         tell("grading cannot go on: {reason}", reason=error.strerror)

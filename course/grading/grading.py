@@ -6,10 +6,12 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextvars import copy_context
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 
 from armproof.course.errors import GradingError
+from armproof.course.grading.grades import Grades
 from armproof.course.grading.judging import judge
 from armproof.course.grading.notebook import Notebook, UnreadableError, read_notebook
 from armproof.course.grading.results import Graded, Status
@@ -18,17 +20,9 @@ from armproof.course.grading.sandbox.bubblewrap import lies_in_readable
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import Submission
 from armproof.course.grading.text import clean
+from armproof.course.grading.weights import Weights, read_weights
 from armproof.models.language import look_up
 from armproof.verification.running.processes import cores
-
-
-@dataclass(frozen=True)
-class Grades:
-    """The results of a class, in the order of its submissions, and which protections were in force."""
-
-    graded: tuple[Graded, ...]
-    held: dict[str, bool]
-    limits: Limits
 
 
 def grade(
@@ -39,6 +33,8 @@ def grade(
     own: Path | None = None,
     *,
     unprotected: bool = False,
+    weights: Path | None = None,
+    due: datetime | None = None,
 ) -> Grades:
     """Grade submissions.
 
@@ -49,9 +45,12 @@ def grade(
         advance: called after each.
         own: the folder of a teacher's own lessons.
         unprotected: run them without a sandbox.
+        weights: the table of what each task counts.
+        due: until when submissions are in time.
 
     Raises:
-        GradingError: there is no sandbox, the course cannot be loaded, or the submissions lie where every submission may read.
+        GradingError: there is no sandbox, the course or the weights cannot be loaded, or the submissions lie where every
+            submission may read.
     """
     for submission in submissions[:1]:
         if (place := lies_in_readable(submission.path)) is not None:
@@ -62,6 +61,7 @@ def grade(
     notebooks = [notebook for notebook in read.values() if isinstance(notebook, Notebook)]
     used = {lesson for notebook in notebooks for lesson in (*notebook.lessons, *notebook.seeded)}
     with Client(count, limits, used, own, unprotected=unprotected) as client:
+        counted = Weights() if weights is None else read_weights(weights, client.catalogue)
         pool = ThreadPoolExecutor(count)
         try:
             waiting = {
@@ -75,7 +75,7 @@ def grade(
                 done[each] = _grade(each, read[each], client, limits)
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
-        return Grades(mark_repeated([done[each] for each in submissions]), client.held, limits)
+        return Grades(mark_repeated([done[each] for each in submissions]), client.held, limits, counted, due)
 
 
 def mark_repeated(graded: Sequence[Graded]) -> tuple[Graded, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from armproof.course.grading.notebook import Notebook
-from armproof.course.grading.reports import NOT_ATTEMPTED, Report, read_report
+from armproof.course.grading.reports import NOT_ATTEMPTED, Report, Reported, read_report
 from armproof.course.grading.results import Graded, Status, TaskResult
 from armproof.course.grading.running.keeper import Ended
 from armproof.course.grading.sandbox.limits import MEGABYTE, Limits
@@ -31,8 +31,8 @@ def judge(
         submission,
         status,
         reason,
-        tuple(f"{lesson['number']} · {lesson['title'][spoken()]}" for lesson in lessons),
-        tuple(_result(lesson["name"], task, report) for lesson in lessons for task in lesson["tasks"]),
+        tuple(map(_title, lessons)),
+        tuple(_result(lesson, task, report) for lesson in lessons for task in lesson["tasks"]),
         tuple(report.errors),
         tuple(report.notes),
         tuple(_remarks(notebook, ended, report, lessons)),
@@ -94,14 +94,16 @@ def _lessons(notebook: Notebook, report: Report, catalogue: Sequence[dict[str, A
     return found or [lesson for lesson in catalogue if notebook.title in lesson["title"].values()]
 
 
-def _result(lesson: str, task: dict[str, Any], report: Report) -> TaskResult:
-    outcome, message = report.results.get((lesson, task["name"]), (NOT_ATTEMPTED, ""))
-    if report.changed and outcome != NOT_ATTEMPTED:
-        outcome, message = (
-            "error",
-            written("not counted: what checks it was changed during the run ({what})", what=report.changed[0]),
-        )
-    return TaskResult(lesson, task["name"], task["title"][spoken()], outcome, message)
+def _title(lesson: dict[str, Any]) -> str:
+    return f"{lesson['number']} · {lesson['title'][spoken()]}"
+
+
+def _result(lesson: dict[str, Any], task: dict[str, Any], report: Report) -> TaskResult:
+    found = report.results.get((lesson["name"], task["name"]), Reported())
+    if report.changed and found.outcome != NOT_ATTEMPTED:
+        message = written("not counted: what checks it was changed during the run ({what})", what=report.changed[0])
+        found = Reported("error", message, found.answer, found.attempts)
+    return TaskResult(lesson["name"], task["name"], task["title"][spoken()], _title(lesson), **vars(found))
 
 
 def _remarks(notebook: Notebook, ended: Ended, report: Report, lessons: Sequence[dict[str, Any]]) -> list[str]:

@@ -7,15 +7,31 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from armproof.course.grading.results import CellError
-from armproof.course.grading.text import clean
+from armproof.course.grading.results import CellError, Picture
+from armproof.course.grading.text import clean, clean_lines
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted
 
 SKIPPED = (noted("skipped"), noted("skipped, and set to None"))  # what a note begins with
 _MOST = 200  # errors and notes that are kept
 NOT_ATTEMPTED = "not attempted"
-OUTCOMES = ("correct (proved)", "correct (confirmed)", "in letters, please", "wrong", NOT_ATTEMPTED, "error")
+MISTAKEN = ("wrong", "in letters, please")
+OUTCOMES = ("correct (proved)", "correct (confirmed)", *reversed(MISTAKEN), NOT_ATTEMPTED, "error")
+MOST_MISTAKES = 20  # of one task in one notebook
+LONGEST_ANSWER = 4000  # characters
+_LARGEST_PICTURE = 100_000
+
+
+@dataclass(frozen=True)
+class Reported:
+    """What the checks of one task found; see `results.TaskResult`."""
+
+    outcome: str = NOT_ATTEMPTED
+    message: str = ""
+    answer: str = ""
+    attempts: int = 0
+    mistakes: tuple[str, ...] = ()
+    picture: Picture | None = None
 
 
 @dataclass
@@ -27,7 +43,7 @@ class Report:
         done: whether all cells were run.
         memory: whether memory ran out in one of them.
         errors, notes: what cells raised, and what was skipped.
-        results: outcome and message by lesson and task.
+        results: by lesson and task.
         changed: functions of ours that were changed meanwhile.
         refused: how many reports were not well-formed.
     """
@@ -37,7 +53,7 @@ class Report:
     memory: bool = False
     errors: list[CellError] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    results: dict[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
+    results: dict[tuple[str, str], Reported] = field(default_factory=dict)
     changed: list[str] = field(default_factory=list)
     refused: int = 0
 
@@ -84,7 +100,23 @@ def _take_result(report: Report, result: dict[str, Any], known: set[tuple[str, s
     if key not in known or result["outcome"] not in OUTCOMES:
         report.refused += 1
         return
-    report.results[key] = result["outcome"], _text(result["message"])
+    report.results[key] = Reported(
+        result["outcome"],
+        _text(result["message"]),
+        clean_lines(result["answer"], LONGEST_ANSWER),
+        _number(result["attempts"]),
+        tuple(_text(mistake) for mistake in result["mistakes"][:MOST_MISTAKES]),
+        _picture(result["picture"]),
+    )
+
+
+def _picture(drawn: Any) -> Picture | None:
+    """Return what is drawn, which a page shows as an image: nothing in it is run, and it asks for nothing."""
+    if drawn is None:
+        return None
+    if not drawn["svg"].startswith("<svg ") or len(drawn["svg"]) > _LARGEST_PICTURE:
+        raise ValueError
+    return Picture(drawn["svg"], _text(drawn["caption"]))
 
 
 def _number(value: Any) -> int:

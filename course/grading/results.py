@@ -20,14 +20,35 @@ class Status(StrEnum):
 
 
 @dataclass(frozen=True)
+class Picture:
+    """An answer drawn over the arm, as SVG, and the words below it."""
+
+    svg: str
+    caption: str
+
+
+@dataclass(frozen=True)
 class TaskResult:
-    """What became of one task: its outcome is that of the last check."""
+    """What became of one task.
+
+    Attributes:
+        lesson, task, title: which it is.
+        lesson_title: with the lesson's number.
+        outcome, message, answer, picture: of the last check.
+        attempts: how many answers the notebook checks.
+        mistakes: what was said of the wrong ones among them, each once.
+    """
 
     lesson: str
     task: str
     title: str
+    lesson_title: str
     outcome: str
     message: str = ""
+    answer: str = ""
+    attempts: int = 0
+    mistakes: tuple[str, ...] = ()
+    picture: Picture | None = None
 
     @property
     def is_right(self) -> bool:

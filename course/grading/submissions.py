@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import os
+import re
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from unicodedata import normalize
 
 from armproof.course.errors import GradingError
+from armproof.course.grading.handed_in import time_of
 from armproof.course.grading.text import clean
 
 _NOTEBOOK = ".ipynb"
+_OF_MOODLE = re.compile(r"(?P<student>.+?)_(?P<participant>\d+)_assignsubmission_file(_|$)")
 
 
 @dataclass(frozen=True)
@@ -21,11 +25,15 @@ class Submission:
         student: the name of their folder, or of the file where it lies in no folder.
         path: where the notebook is.
         file: its path in the class's folder, as it is shown.
+        participant: their number, where Moodle named the folder or file.
+        handed_in: when it was handed in.
     """
 
     student: str
     path: Path
     file: str
+    participant: str = ""
+    handed_in: datetime | None = None
 
 
 def find_submissions(folder: Path) -> list[Submission]:
@@ -66,17 +74,22 @@ def _notebooks(folder: Path) -> list[Path]:
 
 def _submission(folder: Path, path: Path) -> Submission:
     parts = path.relative_to(folder).parts
-    student = parts[0] if len(parts) > 1 else path.stem
-    return Submission(clean(normalize("NFC", student)), path, clean("/".join(parts)))
+    student, participant = parts[0] if len(parts) > 1 else path.stem, ""
+    if named := _OF_MOODLE.match(student):
+        student, participant = named["student"], named["participant"]
+    return Submission(clean(normalize("NFC", student)), path, clean("/".join(parts)), participant, time_of(path))
 
 
 def _check_names(folder: Path, found: list[Submission]) -> None:
-    """Refuse two folders or files that are one student's by their name: their results could not be told apart."""
-    places: dict[str, tuple[str, Path]] = {}
+    """Refuse two folders or files that are one student's by their name: their results could not be told apart.
+
+    Files that Moodle names belong together by the number of their student.
+    """
+    places: dict[str, tuple[Submission, Path]] = {}
     for each in found:
         first = folder / each.path.relative_to(folder).parts[0]
-        name, place = places.setdefault(each.student.casefold(), (each.student, first))
-        if place != first:
+        other, place = places.setdefault(each.student.casefold(), (each, first))
+        if place != first and not (each.participant and each.participant == other.participant):
             shown = " and ".join(f"'{clean(path.name)}'" for path in (place, first))
             raise GradingError("the student '{name}' is there twice: {shown}; put all of a student's notebooks into one folder, or rename one",
-                name=name, shown=shown)  # fmt: skip
+                name=other.student, shown=shown)  # fmt: skip

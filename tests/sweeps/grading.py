@@ -20,10 +20,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import armproof.course
-from armproof.course.grading.pages import render_student
-from armproof.course.grading.results import Status
+from armproof.course.grading.grades import Grades
+from armproof.course.grading.pages import render_index
+from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.running.client import Client
 from armproof.course.grading.sandbox.limits import Limits
+from armproof.course.grading.submissions import Submission
 from armproof.course.sources.editions import instructor_notebook, student_notebook
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.models.errors import ArmproofError
@@ -179,7 +181,8 @@ def _check(out: Path, hostile: Expected, ordinary: dict[str, bool]) -> list[str]
     faults += [
         f"markup in {page.name}" for page in out.glob("*.html") if "<script>alert" in page.read_text(encoding="utf-8")
     ]
-    assert "&lt;" in render_student("<script>alert", [])  # the control
+    evil = Graded(Submission("<script>alert", Path(), ""), Status.GRADED)
+    assert "&lt;" in render_index(Grades((evil,), {}, Limits()), {"<script>alert": ""}, lambda _: "")  # the control
     return faults
 
 

@@ -9,12 +9,15 @@ from __future__ import annotations
 import contextlib
 import functools
 import importlib
+import inspect
+import textwrap
 from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
 
 from armproof.course.errors import GradingError
+from armproof.course.grading.reports import LONGEST_ANSWER, MISTAKEN, MOST_MISTAKES, NOT_ATTEMPTED
 from armproof.models.language import languages
 
 _PRELOADED = (
@@ -37,11 +40,39 @@ def recording(
         feedback = check(task, *arguments, **named)
         lesson, asks = tasks.get(id(task), ("", None))
         if lesson and task.asks is asks and not {"check", "_judge"} & set(vars(task)):
-            words = {"outcome": str(feedback.outcome), "message": str(feedback.message)}
-            found[lesson, task.name] = {"lesson": lesson, "task": task.name, **words}
+            before = found.get((lesson, task.name), {"attempts": 0, "mistakes": []})
+            found[lesson, task.name] = {"lesson": lesson, "task": task.name, **_told(feedback, before)} | {
+                "answer": _written(*arguments, *named.values())
+            }
         return feedback
 
     return recorded, found
+
+
+def _told(feedback: Any, before: Result) -> Result:
+    """Return what a check says, with the attempts so far and the mistakes made in any of them."""
+    from armproof.course.feedback.outcome import pretty
+
+    outcome, message = str(feedback.outcome), pretty(str(feedback.message))
+    mistakes = [*before["mistakes"], *([message] if outcome in MISTAKEN else [])]
+    picture = feedback.picture and {"svg": str(feedback.picture.svg), "caption": str(feedback.picture.caption)}
+    return {
+        "outcome": outcome,
+        "message": message,
+        "attempts": before["attempts"] + (outcome != NOT_ATTEMPTED),
+        "mistakes": list(dict.fromkeys(mistakes))[:MOST_MISTAKES],
+        "picture": picture,
+    }
+
+
+def _written(answer: Any = ..., *others: Any) -> str:
+    """Return an answer as the student wrote it: the source of a function, a formula, else what Python calls it."""
+    if answer is ...:
+        return ""
+    with contextlib.suppress(Exception):  # a student's own object may say anything, or raise
+        text = inspect.getsource(answer) if inspect.isroutine(answer) else answer
+        return textwrap.dedent(text if isinstance(text, str) else repr(answer)).strip()[:LONGEST_ANSWER]
+    return ""
 
 
 def preload() -> None:

@@ -47,9 +47,10 @@ def run_cells(cells: Sequence[str], results: Callable[[], list[dict[str, Any]]],
             send({"error": error})
         if os.getpid() != process:  # a child that the cell forked: the rest is not its business
             os._exit(0)
-        if (now := results()) != known:
-            send({"results": now})
-            known = now
+        now = results()
+        if new := [each for each in now if each not in known]:
+            send({"results": new})
+        known = now
     for stream in (sys.stdout, sys.stderr):
         with contextlib.suppress(Exception):  # it may be anything by now
             stream.flush()

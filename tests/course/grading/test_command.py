@@ -3,7 +3,7 @@
 import pytest
 from typer.testing import CliRunner
 
-from armproof.course.grading.grading import Grades
+from armproof.course.grading.grades import Grades
 from armproof.verification.cli import app
 
 

@@ -16,7 +16,7 @@ from armproof.course.grading.submissions import Submission
 
 CATALOGUE = [{"name": "frames", "number": 1, "title": {"en": "Frames", "fr": "Repères"}, "tasks": [{"name": "rot", "title": {"en": "Rot"}}, {"name": "inv", "title": {"en": "Inv"}}]}]  # fmt: skip
 DONE = '{"done": true, "changed": []}'
-GOOD = {"lesson": "frames", "task": "rot", "outcome": "correct (proved)", "message": "m"}
+GOOD = {"lesson": "frames", "task": "rot", "outcome": "correct (proved)", "message": "m", "answer": "x", "attempts": 1, "mistakes": [], "picture": None}  # fmt: skip
 
 
 def result(**changes: object) -> str:
@@ -43,6 +43,8 @@ def test_a_task_without_a_result_is_not_attempted():
 @pytest.mark.parametrize(
     "line",
     [
+        result(answer=7), result(attempts=-1), result(mistakes=[7]), result(mistakes=3), result(picture="<svg >"),
+        result(picture={"svg": "<p>", "caption": ""}), result(picture={"svg": "<svg " + "x" * 100_000, "caption": ""}),
         result(lesson="other"), result(task="other"), result(outcome="perfect"), result(message=7), result(lesson=[]),
         '{"results": 3}', '{"results": [3]}', "{", "[" * 100_000, '{"cell": -1}', '{"cell": "1"}', '{"error": {"cell": 1}}',
         '{"done": true}', "9" * 5000,
@@ -56,7 +58,7 @@ def test_what_is_not_well_formed_is_refused(line):
 
 def test_text_is_cut_and_lines_are_joined():
     report = read_report([result(message="a\nb\x1b" + "x" * 9999)], CATALOGUE)
-    message = report.results["frames", "rot"][1]
+    message = report.results["frames", "rot"].message
     assert message.startswith("a b�x") and len(message) < 600
 
 

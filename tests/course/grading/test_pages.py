@@ -1,19 +1,25 @@
 """Tables and pages: everything of a student's is escaped, and the results of one are on their page alone."""
 
+import base64
 import csv
 import html
 import io
 import re
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
 
-from armproof.course.grading.grading import Grades, mark_repeated
-from armproof.course.grading.pages import GRADES, results_table, submissions_table, write_grades
-from armproof.course.grading.results import CellError, Graded, Status, TaskResult
+from armproof.course.grading.grades import Grades
+from armproof.course.grading.grading import mark_repeated
+from armproof.course.grading.pages import GRADES, write_grades
+from armproof.course.grading.results import CellError, Graded, Picture, Status, TaskResult
 from armproof.course.grading.running.protections import ATTEMPTS
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import Submission
+from armproof.course.grading.tables import tables
+from armproof.course.grading.weights import Weights
 from armproof.verification.report.html.folder import ReportFolderError, new_report
 
 EVIL = "<script>alert(1)</script>"
@@ -21,8 +27,10 @@ EVIL = "<script>alert(1)</script>"
 
 def graded(student: str, file: str = "08.ipynb", status: Status = Status.GRADED, text: str = "fine") -> Graded:
     results = (
-        TaskResult("frames", "rot", "Rot", "correct (proved)", text),
-        TaskResult("frames", "inv", "Inv", "wrong", text),
+        TaskResult("frames", "rot", "Rot", "1 · Frames", "correct (proved)", text, text, 1),
+        TaskResult(
+            "frames", "inv", "Inv", "1 · Frames", "wrong", text, text, 2, (text,), Picture(f"<svg {text}>", text)
+        ),
     )
     error = CellError(3, 1, f"Type{text}", text)
     return Graded(Submission(student, Path(file), f"{student}/{file}"), status, text, ("1 · Frames",), results, (error,),
@@ -57,7 +65,9 @@ def test_names_and_texts_are_escaped(tmp_path):
         assert "onload='x'" not in page and "é" in page
         scripts = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
         assert len(scripts) == 1 and "alert" not in scripts[0]
-        assert "default-src 'none'" in html.unescape(page) and not re.search(r"(?:src|href)=\"(?:\w+:|//)", page)
+        assert "default-src 'none'" in html.unescape(page) and not re.search(
+            r"(?:src|href)=\"(?!data:image/svg)(?:\w+:|//)", page
+        )
 
 
 def test_the_index_says_which_protections_were_in_force(tmp_path):
@@ -69,17 +79,52 @@ def test_the_index_says_which_protections_were_in_force(tmp_path):
 
 def test_the_tables_have_a_line_a_task_and_a_line_a_submission():
     both = [graded("a", text='=HYPERLINK("x"), "y"'), graded("b", status=Status.TIMED_OUT)]
-    tasks = list(csv.DictReader(io.StringIO(results_table(both).decode("utf-8-sig"), newline="")))
-    assert [(row["student"], row["lesson"], row["task"], row["outcome"]) for row in tasks[:2]] == [
-        ("a", "frames", "rot", "correct (proved)"),
-        ("a", "frames", "inv", "wrong"),
+    tasks = rows(grades(*both), "results.csv")
+    assert [(row["student"], row["lesson"], row["task"], row["outcome"], row["attempts"]) for row in tasks[:2]] == [
+        ("a", "frames", "rot", "correct (proved)", "1"),
+        ("a", "frames", "inv", "wrong", "2"),
     ]
-    assert len(tasks) == 4 and tasks[0]["message"] == '\'=HYPERLINK("x"), "y"'
-    lines = list(csv.DictReader(io.StringIO(submissions_table(both).decode("utf-8-sig"), newline="")))
-    assert [(row["status"], row["right"], row["tasks"], row["seconds"]) for row in lines] == [
-        ("graded", "1", "2", "1.50"),
-        ("timed out", "1", "2", "1.50"),
+    assert len(tasks) == 4 and tasks[0]["message"] == tasks[0]["answer"] == '\'=HYPERLINK("x"), "y"'
+    lines = rows(grades(*both), "submissions.csv")
+    assert [(row["status"], row["right"], row["tasks"]) for row in lines] == [
+        ("graded", "1", "2"),
+        ("timed out", "1", "2"),
     ]
+
+
+def rows(found: Grades, name: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(tables(found)[name].decode("utf-8-sig"), newline="")))
+
+
+def test_seconds_stand_in_a_table_of_their_own(tmp_path):
+    slow, quick = (grades(replace(graded("a"), seconds=seconds)) for seconds in (9.25, 1.0))
+    differ = [name for name, table in tables(slow).items() if table != tables(quick)[name]]
+    assert differ == ["times.csv"] and rows(slow, "times.csv")[0]["seconds"] == "9.25"
+    assert pages(tmp_path, slow) == pages(tmp_path, quick)
+
+
+def test_late_work_and_points_are_for_moodle_and_nbgrader_too(tmp_path):
+    due = datetime(2026, 11, 20, 18, tzinfo=UTC)
+    moodle = Submission("Ana", Path("x"), "Ana_7/x", "7", due + timedelta(hours=30))
+    found = replace(
+        grades(replace(graded("Ana"), submission=moodle), graded("Bo")),
+        due=due, weights=Weights({("frames", "rot"): 3.0, ("frames", "inv"): 1.0, ("quintic", "line"): 4.0}),
+    )  # fmt: skip
+    assert [(row["Identifier"], row["Full name"], row["Grade"]) for row in rows(found, "moodle.csv")] == [
+        ("Participant 7", "Ana", "37.50"), ("Bo", "Bo", "37.50")
+    ]  # fmt: skip
+    ana = rows(found, "nbgrader.csv")[0]
+    assert (ana["assignment"], ana["student_id"], ana["score"], ana["max_score"]) == ("frames", "Ana", "3", "4")
+    assert [row["hours_late"] for row in rows(found, "submissions.csv")] == ["30.00", "0.00"]
+    found_pages = pages(tmp_path, found)
+    assert "late by 2 days" in found_pages["Ana.html"] and "late by" not in found_pages["Bo.html"]
+
+
+def test_the_picture_of_an_answer_is_an_image_of_its_own(tmp_path):
+    page = pages(tmp_path, grades(graded("a", text="onload='x'")))["a.html"]
+    data = re.search(r'<img alt="[^"]*" src="data:image/svg\+xml;base64,([^"]+)"', page)
+    assert data and "onload" in base64.b64decode(data[1]).decode()  # where no browser runs it
+    assert "<svg onload" not in page and "img-src data:" in html.unescape(page)
 
 
 def test_earlier_results_are_replaced_and_nothing_else(tmp_path):

@@ -25,6 +25,17 @@ def test_a_student_is_a_file_or_a_folder_of_files(write, tmp_path):
     ]
 
 
+def test_folders_and_files_of_moodle_are_their_students(write, tmp_path):
+    for name in ("Ana Pérez_71_assignsubmission_file/01.ipynb", "Bo_72_assignsubmission_file_01.ipynb",
+                 "Bo_72_assignsubmission_file_02.ipynb", "c_3.ipynb"):  # fmt: skip
+        write(name, "x = 1")
+    found = [(each.student, each.participant) for each in find_submissions(tmp_path / "class")]
+    assert found == [("Ana Pérez", "71"), ("Bo", "72"), ("Bo", "72"), ("c_3", "")]
+    write("Bo_73_assignsubmission_file_01.ipynb", "x = 1")
+    with pytest.raises(GradingError, match="the student 'Bo' is there twice"):
+        find_submissions(tmp_path / "class")
+
+
 @pytest.mark.parametrize(
     ("names", "message"),
     [
