@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from pathlib import Path
 
 from armproof.course.errors import PrintError
 from armproof.course.figures.drawing.style import MM
 from armproof.course.figures.output.save import save_figure
 from armproof.course.figures.registry import KINDS, caption_kind, draw_kind, find_kind
+from armproof.course.printing.tex import tex_body
+from armproof.course.sheet.body import Body
 from armproof.course.sheet.editions import for_students, has_solutions, with_solutions
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Picture, Sheet, Text, plain
@@ -22,13 +25,13 @@ from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import existing_language, written
 from armproof.verification.document import Document
 from armproof.verification.document.catalogue import translated_sentence, translation_of
-from armproof.verification.document.front_matter import read_text, split_front_matter
+from armproof.verification.document.front_matter import read_any_text, read_text, split_front_matter
 from armproof.verification.document.markdown import markdown_reader
 from armproof.verification.document.notebook import read_cells, split_cells
 from armproof.verification.naming.reading import read_names
 from armproof.verification.verdict import DocumentResult
 
-PRINTED = (".md", ".qmd", ".ipynb")
+PRINTED = (".md", ".qmd", ".ipynb", ".tex", ".rst")
 DEFAULT = "sketch"
 _ANY = "planar_2r"  # what a figure that shows no arm in particular is given
 
@@ -63,10 +66,10 @@ def make_sheet(document: Document, result: DocumentResult, edition: Edition, fig
     inline = InlineReader(read_names(arm, document.front).reader.read, document.path.parent, lang)
     bodies = _bodies(document.path, lang)
     reader = BlockReader(inline, result, number_equations(result.equations, bodies))
-    blocks = [block for body, first, cell in bodies for block in reader.read(body, first, cell)]
+    blocks = [block for body in bodies for block in reader.read(body)]
     reader.close()
     title, blocks = _titled(document, blocks, inline)
-    warnings = list(reader.warnings)
+    warnings = [*reader.warnings, *(warning for body in bodies for warning in body.warnings)]
     if edition.solutions and not has_solutions(blocks):
         warnings.append(written(
             "{path}: no solution in it: one is a section or a block quote that begins with 'Solution'",
@@ -87,16 +90,28 @@ def _in_language(document: Document, lang: str) -> Document:
     return replace(document, front={**document.front, **told})
 
 
-def _bodies(path: Path, lang: str) -> Sequence[tuple[str, int, int | None]]:
-    """Return the Markdown of a document in a language: each text with its first line, and the notebook's cell."""
+def _bodies(path: Path, lang: str) -> list[Body]:
+    """Return the Markdown of a document in a language."""
     if path.suffix not in PRINTED:
         raise PrintError("{path}: '{suffix}' files are not printed; those that are: {printed}",
             path=path, suffix=path.suffix, printed=list(PRINTED))  # fmt: skip
+    if path.suffix == ".tex":
+        return [tex_body(path, read_any_text(path)[0])]
+    if path.suffix == ".rst":
+        return [_rst_body(path, read_any_text(path)[0])]
     text = read_text(path)
     if path.suffix != ".ipynb":
         _, body, first = split_front_matter(path, in_language(path, text, lang))
-        return [(body, first, None)]
-    return split_cells(path, read_cells(path, text))[1]
+        return [Body(body, first)]
+    return [Body(*part) for part in split_cells(path, read_cells(path, text))[1]]
+
+
+def _rst_body(path: Path, text: str) -> Body:
+    if find_spec("docutils") is None:
+        raise PrintError("reStructuredText is read by docutils, which is not installed: pip install 'armproof[print]'")
+    from armproof.course.printing.rst import rst_body
+
+    return rst_body(path, text)
 
 
 def _titled(document: Document, blocks: list[Block], inline: InlineReader) -> tuple[tuple[Inline, ...], list[Block]]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from armproof.course.printing.pdf import check_installed, write_pdf
+from armproof.course.sheet.body import Body
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Heading, Sheet
 from armproof.course.sheet.reading import BlockReader
@@ -25,6 +26,6 @@ def errata_printer() -> Callable[[Iterable[Mistake]], bytes]:
 def print_errata(found: Iterable[Mistake]) -> bytes:
     """Return an errata sheet as PDF."""
     inline = InlineReader(read_names(None, {}).reader.read, Path())
-    title, *blocks = BlockReader(inline, DocumentResult("", "", ())).read(write_sheet(found, MARKDOWN), 1)
+    title, *blocks = BlockReader(inline, DocumentResult("", "", ())).read(Body(write_sheet(found, MARKDOWN)))
     assert isinstance(title, Heading)
     return write_pdf(Sheet(title.parts, (), spoken(), "", tuple(blocks), foot=f"Armproof {version_of('armproof')}"))

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
+from armproof.course.sheet.body import Body
 from armproof.verification.verdict import Record
 
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}$\\]{1,20})\}")
@@ -51,8 +52,8 @@ def tag_of(record: Record) -> str:
     return found.group(1).strip() if found else ""
 
 
-def number_equations(records: Sequence[Record], texts: Sequence[tuple[str, int, int | None]]) -> Numbers:
-    """Return the numbers of a document's displays; `texts` are its texts with their first lines and cells."""
+def number_equations(records: Sequence[Record], bodies: Sequence[Body]) -> Numbers:
+    """Return the numbers of a document's displays; `bodies` are its texts."""
     own = [tag_of(record) for record in records]
     free = (str(number) for number in count(1) if str(number) not in own)
     numbers = tuple(tag or ("" if record.erratum else next(free)) for tag, record in zip(own, records, strict=True))
@@ -61,10 +62,10 @@ def number_equations(records: Sequence[Record], texts: Sequence[tuple[str, int, 
         for record, number in zip(records, numbers, strict=True)
         for label in _INSIDE.findall(record.latex)
     }
-    for text, first, cell in texts:
-        for found in _BESIDE.finditer(text):
-            line = first + text.count("\n", 0, found.start())
-            above = [k for k, record in enumerate(records) if record.cell == cell and record.line <= line]
+    for body in bodies:
+        for found in _BESIDE.finditer(body.text):
+            line = body.line(body.text.count("\n", 0, found.start()))
+            above = [k for k, record in enumerate(records) if record.cell == body.cell and record.line <= line]
             if above:
                 labels[next(filter(None, found.groups()))] = numbers[above[-1]]
     return Numbers(numbers, {label: number for label, number in labels.items() if number})

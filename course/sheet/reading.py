@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from markdown_it.token import Token
 from markdown_it.tree import SyntaxTreeNode
 
 from armproof.course.errors import PrintError
+from armproof.course.sheet.body import Body
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import (
     Block,
@@ -65,17 +67,16 @@ class BlockReader:
         self.left = iter(self.numbers.of_displays)
         self.tables = {(record.line, record.cell): record for record in result.tables}
         self.warnings: list[str] = []
-        self.first = 1
-        self.cell: int | None = None
+        self.body = Body("")
 
-    def read(self, body: str, first: int, cell: int | None = None) -> list[Block]:
-        """Return the blocks of a Markdown text that begins on line `first` of the file or of the cell.
+    def read(self, body: Body) -> list[Block]:
+        """Return the blocks of a Markdown text.
 
         Raises:
             PrintError: a display has no verdict of its own.
         """
-        self.first, self.cell = first, cell
-        tree = SyntaxTreeNode(display_reader().parse(without_labels(self.numbers.referred(body))))
+        self.body = body
+        tree = SyntaxTreeNode(display_reader().parse(without_labels(self.numbers.referred(body.text))))
         return list(self._blocks(tree.children))
 
     def close(self) -> None:
@@ -166,10 +167,10 @@ class BlockReader:
 
     def _inside(self, node: SyntaxTreeNode) -> list[Block]:
         """Return the blocks in a directive, whose lines are counted from that of its opening."""
-        outer = self.first
-        self.first += (node.map[0] if node.map else 0) + 1
+        outer = self.body
+        self.body = replace(outer, first=self._line(node) + 1, lines=())
         blocks = list(self._blocks(SyntaxTreeNode(display_reader().parse(node.content)).children))
-        self.first = outer
+        self.body = outer
         return blocks
 
     def _html(self, node: SyntaxTreeNode) -> Iterator[Block]:
@@ -191,8 +192,11 @@ class BlockReader:
             yield Paragraph((Text("["), *caption, Text("]")))
 
     def _place(self, node: SyntaxTreeNode) -> str:
-        line = self.first + (node.map[0] if node.map else 0)
-        return f"{self.path}:{line}" if self.cell is None else f"{self.path}: cell {self.cell}, line {line}"
+        line, cell = self._line(node), self.body.cell
+        return f"{self.path}:{line}" if cell is None else f"{self.path}: cell {cell}, line {line}"
+
+    def _line(self, node: SyntaxTreeNode) -> int:
+        return self.body.line(node.map[0] if node.map else 0)
 
     # -- mathematics ------------------------------------------------------------------------------------------------
 
@@ -232,8 +236,7 @@ class BlockReader:
             for row in part.children:
                 rows.append(tuple(self.inline.parts(_tokens(cell)) for cell in row.children))
                 columns = columns or tuple(_alignment(cell) for cell in row.children)
-        line = self.first + (node.map[0] if node.map else 0)
-        return Table(rows[0], tuple(rows[1:]), columns, self.tables.get((line, self.cell)))
+        return Table(rows[0], tuple(rows[1:]), columns, self.tables.get((self._line(node), self.body.cell)))
 
 
 def _tokens(node: SyntaxTreeNode) -> list[Token]:

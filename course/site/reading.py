@@ -9,6 +9,7 @@ from urllib.parse import unquote
 
 from markdown_it.token import Token
 
+from armproof.course.sheet.body import Body
 from armproof.course.sheet.editions import is_solution, with_solutions
 from armproof.course.sheet.inline import InlineReader
 from armproof.course.sheet.model import Block, Heading, Inline, Link, Paragraph, Styled, Text, with_inner
@@ -94,7 +95,7 @@ class LessonReader:
 
     def cell(self, cell: Cell) -> tuple[Block, ...]:
         """Return the blocks of a Markdown cell, its worked solutions as quotes, or left out."""
-        blocks = with_solutions(self._blocks.read(cell.source, cell.line, cell.number))
+        blocks = with_solutions(self._blocks.read(Body(cell.source, cell.line, cell.number)))
         return blocks if self.solutions else _without_solutions(blocks)
 
     def text(self, text: str) -> tuple[Block, ...]:
@@ -102,7 +103,7 @@ class LessonReader:
         empty = DocumentResult(self.result.path, self.result.arm, ())
         return tuple(
             Paragraph((Styled("strong", block.parts),)) if isinstance(block, Heading) else block
-            for block in _QuestionReader(self.inline, empty).read(text, 1)
+            for block in _QuestionReader(self.inline, empty).read(Body(text))
         )
 
     def close(self) -> None:
@@ -118,4 +119,4 @@ class _QuestionReader(BlockReader):
     """Reads Markdown whose displays have no verdicts."""
 
     def _display(self, latex: str | None) -> Block:
-        return self._written(Record(self.first, latex or "", Verdict.DEFINED, cell=self.cell))
+        return self._written(Record(self.body.first, latex or "", Verdict.DEFINED, cell=self.body.cell))

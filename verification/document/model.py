@@ -68,6 +68,14 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Words:
+    """What stands between the displays of a document, from its line on: as its format has it, macros expanded."""
+
+    line: int
+    text: str
+
+
+@dataclass(frozen=True)
 class Accept:
     """A comment by which the author accepts a finding, on its last line; `target` is the place of what it is about."""
 

@@ -129,16 +129,15 @@ def _block(lines: list[str], row: int, found: re.Match[str], erratum: bool, sect
         options = options and not line.strip() and not group
         if line.strip():
             group.append((number, line.strip()))
-        elif group and _is_whole(group):
+        elif group and is_whole("\n".join(text for _, text in group)):
             yield _display(lines, opening, group, erratum, section)
             group, opening = [], -1
     if group:
         yield _display(lines, opening, group, erratum, section)
 
 
-def _is_whole(group: list[tuple[int, str]]) -> bool:
+def is_whole(text: str) -> bool:
     r"""Whether no environment is open: a blank line within a matrix ends no equation."""
-    text = "\n".join(line for _, line in group)
     return text.count("\\begin{") == text.count("\\end{")
 
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
-from armproof.verification.document.model import INLINE, Display, Document, Table
+from armproof.verification.document.model import INLINE, Display, Document, Table, Words
 from armproof.verification.document.postures import postures
 from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import blank, closing_brace
@@ -37,6 +37,9 @@ _HIDDEN = re.compile(
     r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\verb\*?([^\w\s*]).*?\2|\\(?:short)?intertext\s*\{[^{}]*\}",
     re.DOTALL,
 )
+_LISTING = re.compile(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)
+_VERB = re.compile(r"\\verb\*?([^\w\s*])[^\n]*?\1")
+_TITLE = re.compile(r"\\title\s*(?:\[[^\]]*\]\s*)?\{")
 _TOKEN = re.compile(
     r"\\begin\s*\{(?P<begin>\w+\*?)\}|\\end\s*\{(?P<end>\w+\*?)\}|\\(?P<section>chapter|(?:sub)*section|paragraph|frametitle)\*?\s*(?:\[[^\]]*\])?\s*\{"
     r"|(?P<bracket>\\\[)|(?P<macro>\\[A-Za-z]+)|\\.|(?P<dollars>\$\$?)",
@@ -52,18 +55,39 @@ def read_tex(path: Path, text: str) -> Document:
     """Return the document of a LaTeX file."""
     text = text.replace("\r\n", "\n")
     front = _front_matter(path, text)
-    project = Project(path.parent.resolve(), _without_comments)
-    project.add(text, path.name, (path.resolve(),))
+    project = _project(path, text)
     scanner = _Scanner(project)
     displays = tuple(scanner.displays())
     remarks = (*front.remarks, *project.left_out.values())
     return Document(path, front.values, displays, tuple(scanner.tables), front.lines, remarks=remarks)
 
 
+def read_parts(path: Path, text: str) -> Iterator[Words | Display]:
+    r"""Yield the displays of a LaTeX file, as `read_tex` reads them, and what stands between them.
+
+    Its title, a tabular and code (\begin{verbatim}) are each by itself.
+    """
+    yield from _Scanner(_project(path, text.replace("\r\n", "\n"))).parts()
+
+
+def begins_as_erratum(text: str, at: int) -> bool:
+    """Whether the environment whose content begins at a place is an erratum by its first words."""
+    return _ERRATUM.match(text, at) is not None
+
+
+def _project(path: Path, text: str) -> Project:
+    project = Project(path.parent.resolve(), _without_comments)
+    project.add(text, path.name, (path.resolve(),))
+    return project
+
+
 def _without_comments(text: str) -> str:
     """Return a text with its comments and what is shown as it is typed blank, as long as it was."""
-    visible = _COMMENT.sub(lambda m: m.group(1) + " " * (len(m.group()) - len(m.group(1))), text)
-    return _HIDDEN.sub(lambda m: blank(m.group()), visible)
+    return _HIDDEN.sub(lambda m: blank(m.group()), _uncommented(text))
+
+
+def _uncommented(text: str) -> str:
+    return _COMMENT.sub(lambda m: m.group(1) + " " * (len(m.group()) - len(m.group(1))), text)
 
 
 def _front_matter(path: Path, text: str) -> FrontMatter:
@@ -111,6 +135,7 @@ class _Scanner:
         self.section = ""
         self.regions: list[_Region] = []
         self.tables: list[Table] = []
+        self.spans: list[tuple[int, int, Display | None]] = []  # of displays and tabulars, once they are read
 
     def line(self, offset: int) -> int:
         """Return the line (from 1) of a place in its file."""
@@ -135,7 +160,8 @@ class _Scanner:
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
                 if token.group() not in ("$", "\\("):
-                    yield self._display(token, begin, end)
+                    yield (display := self._display(token, begin, end))
+                    self.spans.append((token.start(), after, display))
                 elif end >= 0:
                     latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
                     yield Display(
@@ -146,6 +172,32 @@ class _Scanner:
                 position = self._enter(token)
             elif token.group("end"):
                 self._leave(token.group("end"))
+
+    def parts(self) -> Iterator[Words | Display]:
+        """Yield the displays and the words between them."""
+        for _ in self.displays():
+            pass
+        if (title := _TITLE.search(self.visible)) is not None and title.start() < self.start:
+            yield self._words(title.start(), closing_brace(self.visible, title.end() - 1) + 1)
+        listings = {found.start(): found for found in _LISTING.finditer(_uncommented(self.text))}
+        cursor = self.start
+        for begin, end, display in sorted([*self.spans, *((*each.span(), None) for each in listings.values())], key=lambda span: span[0]):  # fmt: skip
+            if not cursor <= begin < self.stop:
+                continue
+            yield self._words(cursor, begin)
+            if begin in listings:
+                yield Words(self.line(begin), self.text[begin:end])
+            else:
+                yield display or self._words(begin, end)
+            cursor = end
+        yield self._words(cursor, self.stop)
+
+    def _words(self, begin: int, end: int) -> Words:
+        """Return a stretch of text, its macros expanded; code within words, which is no mathematics, is seen again."""
+        visible = self.visible[begin:end]
+        for found in _VERB.finditer(_uncommented(self.text[begin:end])):
+            visible = visible[: found.start()] + found.group() + visible[found.end() :]
+        return Words(self.line(begin), self.macros.expanded(visible, begin, self.place)[0])
 
     def _opened(self, token: re.Match[str]) -> tuple[int, int, int] | None:
         """Return where the mathematics that a token opens begins, ends (-1: never), and what is read next; or None."""
@@ -211,8 +263,10 @@ class _Scanner:
                     context = {"line": line, "erratum": erratum, "section": self.section, **self.where(token.start())}
                     self.tables.append(replace(table, **context))
                     self.marks = [mark for mark in self.marks if mark > token.start()]
+                closing = self.visible.index("}", end) + 1
+                self.spans.append((token.start(), closing, None))
                 return end
-        is_erratum = name.lower().startswith("errat") or _ERRATUM.match(self.visible, token.end()) is not None
+        is_erratum = name.lower().startswith("errat") or begins_as_erratum(self.visible, token.end())
         self.regions.append(_Region(name, is_erratum))
         return token.end()
 

@@ -34,6 +34,31 @@ def read_tabular(content: str, offset: int, place: Callable[[int], tuple[int, in
     return Table(place(offset)[0], texts[0], tuple(texts[1:]), pieces=pieces)
 
 
+def tabular_cells(tabular: str) -> list[list[str]]:
+    r"""Return the cells of a whole tabular as they stand, rules removed; one that is merged stands in the first column of its own."""
+    content = re.sub(r"\A\\begin\s*\{[\w*]+\}|\\end\s*\{[\w*]+\}\s*\Z", "", tabular)
+    arguments = _ARGUMENTS.match(content)
+    rows = [
+        [_merged(_RULE.sub("", content[begin:end])) for begin, end in row]
+        for row in _rows(content, arguments.end() if arguments else 0)
+    ]
+    return [
+        [cell.strip() for cells in row for cell in cells]
+        for row in rows
+        if any("".join(cells).strip() for cells in row)
+    ]
+
+
+def _merged(cell: str) -> list[str]:
+    """Return a cell and the empty ones that it is merged with."""
+    found = re.match(r"\s*\\multicolumn\s*\{(\d+)\}\s*\{[^{}]*\}", cell)
+    return (
+        [cell[found.end() :], *[""] * (int(found[1]) - 1)]
+        if found
+        else [re.sub(r"\\multirow\s*\{[^{}]*\}\s*\{[^{}]*\}", "", cell)]
+    )
+
+
 def _rows(content: str, start: int) -> list[list[tuple[int, int]]]:
     """Return the places of the cells, cut at & and the ends of rows outside braces."""
     rows: list[list[tuple[int, int]]] = [[]]

@@ -181,9 +181,11 @@ def test_a_notebook_is_printed_without_its_code(document, pdf_text, tmp_path):
 
 
 def test_a_format_that_is_not_printed_is_named(tmp_path, make):
-    path = tmp_path / "sheet.tex"
-    path.write_text("\\[ x = x \\]\n", encoding="utf-8")
-    with pytest.raises(PrintError, match=r"'\.tex' files are not printed; those that are: \.md, \.qmd, \.ipynb"):
+    path = tmp_path / "sheet.py"
+    path.write_text("# %% [markdown]\n# $$ x = x $$\n", encoding="utf-8")
+    with pytest.raises(
+        PrintError, match=r"'\.py' files are not printed; those that are: \.md, \.qmd, \.ipynb, \.tex, \.rst"
+    ):
         make(path)
 
 
