@@ -255,7 +255,7 @@ def total_derivative(above: n.Node, below: n.Node, span: tuple[int, int]) -> n.N
         operand = (
             above.factors[1]
             if len(above.factors) == 2
-            else n.Product(above.factors[1:], above.operators[1:], span=above.span)
+            else n.Product(above.factors[1:], above.operators[1:], span=span_of(above.factors[1:]))
         )
         return n.Derivative(operand, variable, order, span=span)
     return None
