@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -62,22 +62,29 @@ class NumericKinematics:
             self._jacobians[key] = _read_only(self._calc_jacobians(*key))
         return self._jacobians[key]
 
+    @cached_property
+    def _context(self) -> Any:
+        return plant_of(self._arm).CreateDefaultContext()
+
     def _world_poses(self, *names: str) -> list[np.ndarray]:
         """Return the world poses of frames; those that are new in one pass over the configurations."""
         new = [name for name in dict.fromkeys(names) if name not in self._poses]
         if new:
-            plant, context = plant_of(self._arm), plant_of(self._arm).CreateDefaultContext()
+            plant, context = plant_of(self._arm), self._context
             frames = [frame_of(self._arm, name) for name in new]
             poses = np.empty((len(new), len(self._positions), 4, 4))
-            for k, positions in enumerate(self._positions):
+            moving = [(i, frame) for i, frame in enumerate(frames) if not plant.IsAnchored(frame.body())]
+            for k, positions in enumerate(self._positions if moving else ()):
                 plant.SetPositions(context, positions)
-                for i, frame in enumerate(frames):
+                for i, frame in moving:
                     poses[i, k] = frame.CalcPoseInWorld(context).GetAsMatrix4()
+            for i in set(range(len(frames))).difference(i for i, _ in moving):
+                poses[i] = frames[i].CalcPoseInWorld(context).GetAsMatrix4()
             self._poses.update(zip(new, poses, strict=True))
         return [self._poses[name] for name in names]
 
     def _calc_jacobians(self, frame: str, expressed_in: str, reference: str) -> np.ndarray:
-        plant, context = plant_of(self._arm), plant_of(self._arm).CreateDefaultContext()
+        plant, context = plant_of(self._arm), self._context
         frames = [frame_of(self._arm, name) for name in (frame, reference, expressed_in)]
         jacobians = np.empty((len(self._positions), 6, plant.num_velocities()))
         for k, positions in enumerate(self._positions):

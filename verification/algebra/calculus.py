@@ -86,11 +86,15 @@ def _replacements(ring: Ring, values: Mapping[str, Scalar]) -> dict[Generator, S
 
 def _replaced(value: Scalar, replacements: Mapping[Generator, Scalar]) -> Scalar:
     numerator = _replace(value.ring, value.numerator, replacements)
+    if value.denominator.is_one():
+        return numerator
     return numerator / _replace(value.ring, value.denominator, replacements)
 
 
 def _replace(ring: Ring, polynomial: fmpq_mpoly, replacements: Mapping[Generator, Scalar]) -> Scalar:
     held = [g for _, g in ring.generators_of(polynomial) if g in replacements or g[0] in ("radical", "arc")]
+    if not held:
+        return ring.scalar(ring.polynomials.lift(polynomial))
     parts = ring.polynomials.split(polynomial, held)
     new = {generator: _replacement(ring, generator, replacements) for generator in held}
     products = (

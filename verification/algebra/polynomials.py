@@ -169,6 +169,8 @@ class Polynomials:
 
     def generators_of(self, polynomial: fmpq_mpoly) -> list[tuple[int, Generator]]:
         """Return the generators that a polynomial holds, each with its place among the exponents of a term."""
+        if polynomial.is_constant():
+            return []
         last = self._slots - 1
         degrees = self.lift(polynomial).degrees()
         return [(k, self._generator_at[last - k]) for k, degree in enumerate(degrees) if degree > 0]

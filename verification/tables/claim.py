@@ -15,7 +15,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.tables.cells import Cell
 from armproof.verification.tables.columns import Columns
 from armproof.verification.tables.frames import Frames
-from armproof.verification.tables.row import PARAMETERS, RightRow
+from armproof.verification.tables.row import PARAMETERS, RightRow, right_row
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,10 @@ class RowVerdict:
 
 @dataclass(frozen=True)
 class Claim:
-    """A table's claim about an arm. `lengths`: values for the arm's lengths, where the table gives them in numbers."""
+    """A table's claim about an arm. `lengths`: values for the arm's lengths, where the table gives them in numbers.
+
+    What its frames call for, and what stands in its cells, is found once for all readings.
+    """
 
     names: Names
     arm: Arm
@@ -61,11 +64,29 @@ class Claim:
     columns: Columns
     rows: tuple[Row, ...]
     lengths: Mapping[str, Scalar] = field(default_factory=dict)
+    _right: dict[tuple[Frames, str], RightRow | None] = field(default_factory=dict, init=False, repr=False)
+    _values: dict[tuple[int, int], list[Scalar]] = field(default_factory=dict, init=False, repr=False)
 
     def pose(self, frame: str, reference: str) -> Matrix:
         """Return the arm's pose {}^{reference}T_{frame}."""
         pose: Matrix = self.algebra.quantity(Quantity("pose", frame, reference))
         return self.algebra.substitute(pose, self.lengths) if self.lengths else pose
+
+    def right_row(self, frames: Frames, convention: str) -> RightRow | None:
+        """Return the row of the convention that a row's frames call for; None: they are no such DH frames."""
+        if (frames, convention) not in self._right:
+            pose, variables = self.pose(frames.frame, frames.reference), [joint.symbol for joint in self.arm.joints]
+            self._right[frames, convention] = right_row(pose, convention, variables)
+        return self._right[frames, convention]
+
+    def values(self, row: Row, column: int) -> list[Scalar]:
+        """Return the values of a cell, with the lengths in numbers; raises EvaluationError."""
+        if (row.number, column) not in self._values:
+            values = row.cells[column].values(self.names, self.algebra)
+            if self.lengths:
+                values = [self.algebra.substitute(value, self.lengths) for value in values]
+            self._values[row.number, column] = values
+        return self._values[row.number, column]
 
     def joint_symbol(self, row: Row) -> str | None:
         """Return the variable of a row's joint."""

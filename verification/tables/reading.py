@@ -17,7 +17,7 @@ from armproof.verification.tables.cells import Cell
 from armproof.verification.tables.claim import Claim, Row, RowVerdict
 from armproof.verification.tables.columns import Reading
 from armproof.verification.tables.frames import Frames
-from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES, right_row, row_matrix
+from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES, row_matrix
 
 
 class TableReading:
@@ -113,11 +113,11 @@ class TableReading:
     def _judge(self, row: Row) -> RowVerdict:
         verdict = RowVerdict(row)
         if row.frames is not None:
-            verdict.right = right_row(self.pose(row.frames), self.convention, self._variables)
+            verdict.right = self.claim.right_row(row.frames, self.convention)
         for parameter in PARAMETERS:
             cell = row.cells[self.reading.columns[parameter]]
             try:
-                values = self._values(parameter, cell, verdict)
+                values = self._values(parameter, verdict)
             except EvaluationError as problem:
                 verdict.problems[parameter] = finding_of(problem)
                 if isinstance(problem, UnboundName) and cell.name is not None:
@@ -141,15 +141,16 @@ class TableReading:
         letters = symbols_of(right) & set(self.arm.lengths) if number and right is not None else set()
         return min(letters) if number and letters else None
 
-    def _values(self, parameter: str, cell: Cell, verdict: RowVerdict) -> list[Scalar]:
-        algebra = self.claim.algebra
+    def _values(self, parameter: str, verdict: RowVerdict) -> list[Scalar]:
+        column = self.reading.columns[parameter]
+        cell = verdict.row.cells[column]
         if cell.kind == "blank":
             self._note(say(Kind.EMPTY_AS_ZERO))
-            return [algebra.ring.zero]
+            return [self.claim.algebra.ring.zero]
         if cell.kind == "variable":
             return [self._variable(parameter, cell, verdict)]
-        unit = self.claim.columns.headers[self.reading.columns[parameter]].unit
-        values = [algebra.substitute(value, self.claim.lengths) for value in cell.values(self.claim.names, algebra)]
+        unit = self.claim.columns.headers[column].unit
+        values = self.claim.values(verdict.row, column)
         if parameter not in ANGLES:
             scale = 1 if cell.has_unit else SCALES.get(unit, 1)
             return [v * scale if v.as_fraction() is not None else v for v in values]
