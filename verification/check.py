@@ -26,7 +26,7 @@ from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.reading import read_names, spelling_of
-from armproof.verification.naming.state import Stated, settle_definitions
+from armproof.verification.naming.state import DocumentState, Stated, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -317,6 +317,7 @@ class DocumentChecker:
             return replace(record, verdict=Verdict.DEFINED, findings=(say(Kind.NO_EQUATION),))
         if self.direction == ("lower", display.line):
             outcomes[0].also(say(Kind.LOWER_IS_REFERENCE))
+        outcomes = [self._of_this_exercise(outcome) for outcome in outcomes]
         verdict = worst([outcome.verdict for outcome in outcomes])
         leading = [outcome for outcome in outcomes if outcome.verdict is verdict]
         errors = [outcome.max_error for outcome in outcomes if outcome.max_error is not None]
@@ -338,6 +339,26 @@ class DocumentChecker:
             if self.correct:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
         return replace(record, outcomes=tuple(self._result(outcome, record) for outcome in outcomes))
+
+    @cached_property
+    def _exercise_of_arm(self) -> int:
+        """The exercise with an arm of its own in which the arm was shown, counted from 1; 0 where it holds for all of them."""
+        if (taken := self.inferred.arm) is None:
+            return 0
+        both: list[Display | Table] = [*self.document.displays, *self.document.tables]
+        parts = sorted(both, key=lambda one: (one.cell or 0, one.line))
+        begun = DocumentState()
+        for part in parts:
+            if (part.cell or 0, part.line) <= (taken.cell or 0, taken.line):
+                begun.enter(part.section)
+        return begun.apart
+
+    def _of_this_exercise(self, outcome: Outcome) -> Outcome:
+        """The arm of one exercise refutes nothing in another, which may be about an arm that is only drawn."""
+        taken, where = self.inferred.arm, self._exercise_of_arm
+        if outcome.verdict is not Verdict.REFUTED or taken is None or where in (0, self.names.state.apart):
+            return outcome
+        return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
 
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""

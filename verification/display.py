@@ -25,7 +25,7 @@ from armproof.verification.equations.readings import counted
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.latex.statements import ARROWS, PREVIOUS
 from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import Told
@@ -36,7 +36,6 @@ CHANGES = re.compile(
     re.I,
 )
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
-ARROWS = ("⇒", "⇔", "⇐")
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
@@ -49,6 +48,7 @@ class _Display:
         latex: in which the nodes have their places.
         equation, index: the number of the next equation, the place of the next statement.
         links: of a chain of arrows: what stands before the arrow at hand has been concluded.
+        above: the implications of the lines before.
     """
 
     statements: list[n.Statement]
@@ -60,6 +60,7 @@ class _Display:
     equation: int = 1
     index: int = 0
     links: list[Implication] = field(default_factory=list)
+    above: list[Implication] = field(default_factory=list)
 
     @cached_property
     def asked(self) -> list[n.Statement]:
@@ -70,6 +71,9 @@ class _Display:
     def is_connected(self) -> bool:
         """Whether a connective stands among the statements."""
         return any(isinstance(statement, n.Connective) for statement in self.statements)
+
+
+Judgement = tuple[Outcome, dict[str, float]] | None  # the verdict of an implication and what refutes it
 
 
 class Statements:
@@ -145,6 +149,8 @@ class Statements:
         self.checker.redefinitions.enabled = True
         self._begin()
         judged = self._implication(implication, [o for found in steps for o in found], display.equation, display.links)
+        judged = self._beside(display, implication, judged)
+        display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
             for chain, found in zip(premises, steps, strict=True):
                 display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
@@ -161,6 +167,17 @@ class Statements:
         display.links = [*display.links, implication] if goes_on else []
         display.equation += sum(len(chain.relations) for chain in (premises if goes_on else implication.chains))
         display.index = implication.behind_at if goes_on else implication.after
+
+    def _beside(self, display: _Display, implication: Implication, judged: Judgement) -> Judgement:
+        """Leave open what does not follow from its own line, where it may from those above: the lines of one system."""
+        if judged is None or judged[0].verdict is not Verdict.REFUTED or not display.above:
+            return judged
+        above = [chain for each in display.above for chain in each.chains]
+        with self.ring.budget.paused():
+            from armproof.verification.conditions.judgement import check_implication
+        wider = replace(implication, before=[[*above, *chains] for chains in implication.before])
+        again = check_implication(self.checker, wider, display.equation)[0]
+        return judged if again.verdict is Verdict.REFUTED else (judged[0].left_open(say(Kind.UNDER_MORE)), {})
 
     def _tell_what_is_left_out(
         self, statement: n.Statement, statements: list[n.Statement], outcomes: list[Outcome], latex: str
@@ -217,7 +234,7 @@ class Statements:
 
     def _implication(
         self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
-    ) -> tuple[Outcome, dict[str, float]] | None:
+    ) -> Judgement:
         """Return what `_judged` does; what holds with other rows of J, and nothing tells these, is left open."""
         judged = self._judged(implication, steps, equation, links)
         if judged is None:
@@ -233,7 +250,7 @@ class Statements:
 
     def _judged(
         self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
-    ) -> tuple[Outcome, dict[str, float]] | None:
+    ) -> Judgement:
         """Return the verdict of an implication and its counterexample, or None where its premises are claims themselves."""
         premises, conclusions = implication.premises, implication.conclusions
         holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in steps)

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from fractions import Fraction
 
 from armproof.verification.algebra.calculus import leaves_open
+from armproof.verification.algebra.matrix import as_matrix
+from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import FEWEST, SecondRoute
+from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
+FINE = 3  # decimals: a number of so many may be rounded
 COARSE = 2  # decimals: what holds to these is neither confirmed nor refuted
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
 
@@ -72,6 +77,28 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
     marks = [b.operator for b in n.walk(cell) if isinstance(b, n.Postfix)]
     unit = 10.0 ** -max(decimals) * min((UNITS[mark] for mark in marks if mark in UNITS), default=1.0)
     return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
+
+
+def may_be_rounded(members: Members, outcome: Outcome) -> bool:
+    """Whether the numbers of an equation between numbers, each half a unit off, can make it right: 18.106 − 8·0.643 = 12.964.
+
+    Those of fewer than three decimals count as exact: a length of 0.5 is no rounded one.
+    """
+    pair = outcome.pair
+    if pair is None or not (is_constant(pair.true) and is_constant(pair.printed)):
+        return False
+    slack = dict.fromkeys(outcome.wrong, Fraction(0))
+    for side, value in ((outcome.true, pair.true), (outcome.printed, pair.printed)):
+        assert side is not None
+        for number in (b for b in n.walk(side.node) if isinstance(b, n.Number) and b.decimals >= FINE):
+            off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
+            moved = as_matrix(members.evaluate(n.substitute(side.node, number, off)).value)
+            if moved.shape != value.shape:
+                return False
+            for row, column in slack:
+                slack[row, column] += abs((moved.rows[row][column] - value.rows[row][column]).as_fraction() or 0)
+    apart = {(r, c): (pair.true.rows[r][c] - pair.printed.rows[r][c]).as_fraction() for r, c in slack}
+    return all(size is not None and abs(size) <= slack[place] for place, size in apart.items())
 
 
 def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:

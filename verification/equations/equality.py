@@ -22,7 +22,7 @@ from armproof.verification.equations.alignment import (
     exactly_equal,
 )
 from armproof.verification.equations.at_stated_values import StatedValues
-from armproof.verification.equations.decimals import holds_to_its_decimals
+from armproof.verification.equations.decimals import holds_to_its_decimals, may_be_rounded
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members, beyond_size
@@ -88,6 +88,8 @@ class Equality:
         outcome.findings = _noted(best[0])
         if rounded and holds_to_its_decimals(self.route, outcome, branches):
             return outcome
+        if rounded and not branches and may_be_rounded(self.members, outcome):
+            return outcome.left_open(say(Kind.MADE_OF_ROUNDED))
         return self.route.doubt(outcome, branches)
 
     def equals_block(self, true: Value, printed: Value) -> bool:

@@ -10,6 +10,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.tokens import span_of_token
 from armproof.verification.latex.vocabulary import LAYOUTS, SPOKEN
 
+ARROWS = ("⇒", "⇔", "⇐")
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
 
@@ -65,6 +66,11 @@ class _Statements:
         self.close()
         self.done.append(n.Connective(kind, token.value, span=span_of_token(token)))
 
+    def together(self, place: int) -> None:
+        """Let what follows hold together with the equation before it."""
+        self.close()
+        self.done.append(n.Connective("and", "", span=(place, place)))
+
 
 def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
     """Read the lines of a display, or of a layout environment, as statements."""
@@ -78,8 +84,11 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
             parts = parts[parts.index(first) + 1 :]
         elif not (found.members and len(found.relations) == len(found.members)):
             found.close()
+        joined = _joined_cells(row)
         for part in parts:
             if isinstance(part, n.Node):
+                if any(part is first for first in joined):
+                    found.together(part.span[0])
                 found.expression(part)
             elif part.type == "REL":
                 found.relation(part)
@@ -91,6 +100,22 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
                 found.close()
     found.close()
     return found.done
+
+
+def _joined_cells(row: list[Cell]) -> list[n.Node]:
+    """Return the first nodes of equations that fill a cell each, one after the other before an arrow: they hold together."""
+    arrow = next((k for k, cell in enumerate(row) if _arrow_in(cell)), 0)
+    cells = [cell for cell in row[:arrow] if cell]
+    filled = [isinstance(cell[0], n.Node) and _holds(cell, "REL") for cell in cells]
+    return [cells[k][0] for k in range(1, len(cells)) if filled[k - 1] and filled[k]]
+
+
+def _holds(cell: Cell, kind: str) -> bool:
+    return any(isinstance(part, Token) and part.type == kind for part in cell)
+
+
+def _arrow_in(cell: Cell) -> bool:
+    return any(isinstance(part, Token) and part.type == "CONN" and part.value in ARROWS for part in cell)
 
 
 def _word_kind(text: str) -> str:

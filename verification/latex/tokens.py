@@ -149,6 +149,7 @@ class Spelling:
     told_apart: frozenset[str] = frozenset()
     decimal_comma: bool = False
     variables: str = ""  # "both" where it has q_i beside θ_i, "told" where it says what θ_i is by q_i
+    angle: str = "theta"  # what c_1 is the cosine of where there is no arm: q_1, where it has no θ_1
     reference_below: bool = False  # {}_0^1T is the pose of frame 1 in frame 0
 
 

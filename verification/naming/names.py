@@ -137,7 +137,7 @@ class Names:
             if key in self.symbols:
                 return self.symbols[key]
         if self.arm is None:
-            return f"theta_{index}"
+            return f"{self.reader.spelling.angle}_{index}"
         joint = self._joint_of_index(index)
         return str(joint.symbol) if joint is not None and joint.kind == "revolute" else None
 

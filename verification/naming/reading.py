@@ -77,10 +77,13 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
     apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
     said = "\n".join(each for display in document.displays for each in (display.latex, *display.said))
-    both = all(re.search(rf"{letter}\s*_\s*\{{?\s*\d", said) for letter in (r"theta", r"(?<![A-Za-z])q"))
+    letters = (r"theta", r"(?<![A-Za-z])q", r"(?<![A-Za-z])[cCsS]")
+    of_theta, of_q, of_cosine = (set(re.findall(rf"{letter}\s*_\s*\{{?\s*(\d)", said)) for letter in letters)
+    both = of_theta and of_q
     variables = ("told" if _TOLD.search(re.sub(r"[\s{}&]", "", said)) else "both") if both else ""
     comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
-    return Spelling(words, frozenset(apart), comma, variables, _refers_below(text))
+    angle = "q" if of_q & of_cosine and not of_theta else "theta"
+    return Spelling(words, frozenset(apart), comma, variables, angle, _refers_below(text))
 
 
 def _refers_below(text: str) -> bool:

@@ -16,8 +16,11 @@ from armproof.verification.latex.writer import Notation
 from armproof.verification.verdict import EquationResult, Record, Role, Verdict, worst
 
 Key = tuple[str, int]  # a name and the line of the display that defines it
-_KINDS = r"exerci[sc]e|problem|problème|question|aufgabe|task|tâche|part|partie"
-EXERCISE = re.compile(rf"(?:{_KINDS})\s*(?:n[°o]\.?\s*)?(?:\d+|[ivx]+|[a-z])\b", re.I)
+_OF_ITS_OWN = r"exerci[sc]e|exercício|ejercicio|esercizio|problem|problema|problème|aufgabe|example|exemple|beispiel|ejemplo|esempio"
+_KINDS = rf"{_OF_ITS_OWN}|question|task|tâche|part|partie"
+_NUMBER = r"\s*(?:n[°o]\.?\s*)?(?:\d+|[ivx]+|[a-z])\b"
+EXERCISE = re.compile(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
+WITH_ITS_ARM = re.compile(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
 
 
 @dataclass(frozen=True)
@@ -122,6 +125,7 @@ class DocumentState:
         angles: what the letter of a joint with an offset in the DH table means, "variable" or "table", once that is shown.
         section: the heading under which the display stands that is being checked.
         exercise: that of the exercise to which it belongs.
+        apart: how many exercises that mostly have an arm of their own have begun.
         subject: the first member of the last display: one that begins with a relation goes on about it.
         definitions: what names mean.
         inferred: names whose meaning the other side of an equation told.
@@ -145,6 +149,7 @@ class DocumentState:
     angles: str = ""
     section: str = ""
     exercise: str = ""
+    apart: int = 0
     subject: n.Node | None = None
     definitions: dict[str, Definition] = field(default_factory=dict)
     inferred: dict[str, Quantity] = field(default_factory=dict)
@@ -173,6 +178,7 @@ class DocumentState:
         """Go on under a heading, in a new exercise where it says so."""
         if section != self.section:
             self.section, self.told = section, Told()
+            self.apart += WITH_ITS_ARM.match(section) is not None
         self.exercise = section if EXERCISE.match(section) else self.exercise
 
     def foreign(self) -> list[Key]:

@@ -295,3 +295,27 @@ def test_two_roots_whose_product_is_a_third_are_compared(judge: Judge) -> None:
     front = {"P_x": {"origin": 6, "component": "x"}, "P_y": {"origin": 6, "component": "y"}}
     record = judge(r"C_3 = 0 \iff S_5 = \pm\sqrt{P_x^2 + P_y^2}", arm="rx90", quantities=front)
     assert record.verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\begin{matrix} c_2 = 1 & s_2 = 0 & \Rightarrow & \theta_2 = 0 \end{matrix}", Verdict.PROVED),
+        (r"\begin{matrix} c_2 = 1 & s_2 = 0 & \Rightarrow & \theta_2 = \pi \end{matrix}", Verdict.REFUTED),
+        (r"\begin{matrix} s_2 = 0 & \Rightarrow & \theta_2 = 0 \end{matrix}", Verdict.REFUTED),
+        (  # the lines of one system: the first says what the second needs
+            r"\begin{matrix} c_1 = 1 & s_1 = 0 & \Rightarrow & \theta_1 = 0 \\ s_{12} = 0 && \Rightarrow & s_2 = 0 \end{matrix}",
+            Verdict.UNCHECKED,
+        ),
+    ],
+)
+def test_equations_in_the_cells_before_an_arrow_hold_together(judge: Judge, latex: str, verdict: Verdict) -> None:
+    assert judge(latex, **PLANAR).verdict is verdict
+
+
+def test_a_cosine_without_an_arm_is_of_the_letter_that_the_document_uses(judge: Judge) -> None:
+    premises = r"c_1 = 1 \text{ and } s_1 = 0 \Rightarrow q_1 = 0"
+    assert (
+        judge(r"R = \begin{bmatrix} c_1 & -s_1 \\ s_1 & c_1 \end{bmatrix}", premises, arm=None).verdict
+        is not Verdict.REFUTED
+    )

@@ -113,3 +113,21 @@ def test_a_zero_stands_for_a_block_of_zeros(check: Callable[..., DocumentResult]
     displays = [column % cells for cells in (("z_2", "0"), ("0", "z_2"), ("z_2", "z_2"), ("z_2", "1"))]
     found = verdicts(check, *displays, arm="scara", quantities={"J": {"jacobian": 4}})
     assert found == "proved refuted refuted refuted"
+
+
+@pytest.mark.parametrize(
+    ("display", "verdict"),
+    [
+        (r"18.106 - 8 \cdot 0.643 = 12.964", "unchecked"),  # 8 times half a thousandth
+        (
+            r"\begin{bmatrix} 18.106 - 8 \cdot 0.643 \\ 2 \end{bmatrix} = \begin{bmatrix} 12.964 \\ 2 \end{bmatrix}",
+            "unchecked",
+        ),
+        (r"18.106 - 8 \cdot 0.643 = 12.974", "refuted"),
+        (r"0.5 \cdot 3 = 1.6", "refuted"),  # a length of 0.5 is exact
+    ],
+)
+def test_a_sum_of_rounded_numbers_is_as_near_as_they_are(
+    check: Callable[..., DocumentResult], display: str, verdict: str
+) -> None:
+    assert verdicts(check, display) == verdict

@@ -59,3 +59,11 @@ def test_other_link_matrices_under_another_heading_are_another_arm() -> None:
 def test_link_matrices_of_another_exercise_are_not_refuted_by_the_table_of_the_first() -> None:
     result = verify_text("# A\n\n" + PLAIN + "\n" + CLASSIC + "# B\n\n" + OF_CRAIG)
     assert [arm.source for arm in result.arms] == ["table", "matrices"] and verdicts(result) == ["proved"] * 6
+
+
+def test_the_arm_of_one_exercise_refutes_nothing_in_the_next() -> None:
+    wrong = whole(y="l_1 s_1 - l_2 s_{12}")
+    for heading, verdict in (("## Problem 2", "unchecked"), ("## The tool", "refuted")):
+        result = verify_text(f"## Problem 1\n\n{PLAIN}\n{CLASSIC}{heading}\n\n{wrong}")
+        assert verdicts(result) == ["proved"] * 3 + [verdict]
+    assert verdicts(verify_text(f"{PLAIN}\n{CLASSIC}## Problem 2\n\n{wrong}"))[-1] == "refuted"  # that of all of them
