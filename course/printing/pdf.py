@@ -60,6 +60,7 @@ class TypstWriter:
             "lang": quoted(sheet.lang),
             "draft": quoted(say("draft", sheet.lang)) if sheet.draft else "none",
             "proof": quoted(sheet.foot or proof_line(sheet.records, sheet.lang, sheet.arm)),
+            "own": quoted(say("own_are", sheet.lang)) if sheet.has_own else "none",
             "edition": quoted(say("edition", sheet.lang)) if sheet.solutions else "none",
             "named": "none"
             if sheet.solutions
@@ -86,8 +87,13 @@ class TypstWriter:
         if not block.lines:
             return f"#raw-display({quoted_lines(block.record.latex)}, {note})"
         lines = "".join(f"{_line(line)}, " for line in block.lines)
-        number = self._content((s.Text(f"({block.number})"),)) if block.number else "none"
+        number = self._number(f"({block.number})" if block.number else "", block.own)
         return f"#displayed(({lines}), note: {note}, number: {number})"
+
+    def _number(self, number: str, own: bool) -> str:
+        """Return what stands beside a display or a table: its number, a dagger if it is not the source's."""
+        mark = "#super[†]" if own else ""
+        return f"[{escaped(number, self.lang)}{mark}]" if number or own else "none"
 
     def _table(self, block: s.Table) -> str:
         aligns = ", ".join("auto" if column == "auto" else column for column in block.columns)
@@ -95,7 +101,8 @@ class TypstWriter:
         width = len(block.header)
         cells = [cell for row in block.rows for cell in (*row, *[()] * (width - len(row)))[:width]]
         rows = "".join(f"{self._content(cell)}, " for cell in cells)
-        return f"#data-table({width}, ({aligns},), ({header}), ({rows}), {quoted(remark(block.record, self.lang))})"
+        note, number = quoted(remark(block.record, self.lang)), self._number("", block.own)
+        return f"#data-table({width}, ({aligns},), ({header}), ({rows}), {note}, number: {number})"
 
     def _list(self, block: s.Listing) -> str:
         items = ", ".join(f"[{self._body(item)}]" for item in block.items)

@@ -46,10 +46,13 @@ class HtmlWriter:
         return Markup("<{0}>{1}</{0}>").format(tag, self.words(block.parts))
 
     def _display(self, block: s.Display) -> Markup:
-        written = self._formulas(block)
-        if not block.number:
+        return self._tagged(self._formulas(block), f"({block.number})" if block.number else "", block.own)
+
+    def _tagged(self, written: Markup, number: str, own: bool) -> Markup:
+        if not number and not own:
             return written
-        return Markup('<div class="tagged">{}<span class="tag">({})</span></div>').format(written, block.number)
+        mark = Markup('<abbr title="{}">†</abbr>').format(say("own", self.lang)) if own else ""
+        return Markup('<div class="tagged">{}<span class="tag">{}{}</span></div>').format(written, number, mark)
 
     def _formulas(self, block: s.Display) -> Markup:
         note = self._note(block.record)
@@ -73,9 +76,10 @@ class HtmlWriter:
             )
 
         rows = Markup("\n").join(row("td", cells) for cells in block.rows)
-        return Markup("<div class=table><table><thead>{}</thead>\n<tbody>{}</tbody></table>{}</div>").format(
+        written = Markup("<div class=table><table><thead>{}</thead>\n<tbody>{}</tbody></table>{}</div>").format(
             row("th", block.header), rows, self._note(block.record)
         )
+        return self._tagged(written, "", block.own)
 
     def _note(self, record: Record | None) -> Markup:
         note = remark(record, self.lang)

@@ -8,23 +8,27 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from urllib.parse import unquote
 
 from markdown_it.token import Token
 
 from armproof.course.sheet.model import Break, Code, Formula, Inline, Link, Styled, Text, plain
+from armproof.course.words import say
 from armproof.models.errors import ArmproofError
 from armproof.models.language import ENGLISH
 from armproof.verification.document import SUFFIXES, read_document
 from armproof.verification.document.catalogue import translated_sentence, translation_of
 from armproof.verification.errors import ReadError
+from armproof.verification.latex.mathml.box import Box
 from armproof.verification.latex.mathml.display import pieces, write_display
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.latex.plain import plain_text
 
 _INLINE = 24.0  # em of a formula within words; a wider one may end a line at its relations
 _SAFE = re.compile(r"(?:https?://|mailto:)[^\s\x00-\x1f]+", re.IGNORECASE)
+_JOINED = re.compile(r"(?<=<mtext>\u2002)(?:or|and|if)(?=\u2002</mtext>)")
 _STYLES = {"strong": "strong", "em": "emphasis"}
 
 
@@ -51,9 +55,15 @@ class InlineReader:
     def formula(self, latex: str) -> Formula | Text:
         """Return a formula within words; as plain text where it cannot be read."""
         try:
-            return Formula(tuple(pieces(write_display(latex, self.read, widest=_INLINE))))
+            return Formula(tuple(map(self.in_words, pieces(write_display(latex, self.read, widest=_INLINE)))))
         except ReadError:
             return Text(plain_text(latex))
+
+    def in_words(self, box: Box) -> Box:
+        """Return a formula with the English words that join statements (or, and, if) in the language of the sheet."""
+        if self.lang == ENGLISH:
+            return box
+        return replace(box, markup=_JOINED.sub(lambda found: say(f"joined_{found[0]}", self.lang), box.markup))
 
     def _leaf(self, token: Token) -> Iterable[Inline]:
         if token.type == "math_inline":

@@ -79,11 +79,15 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Display:
-    """A display with its verdict and its number; without lines it could not be read, and its source is printed."""
+    """A display with its verdict and its number; without lines it could not be read, and its source is printed.
+
+    `own` says that the document's source does not have it, in this and in tables.
+    """
 
     lines: tuple[Line, ...]
     record: Record
     number: str = ""
+    own: bool = False
 
 
 @dataclass(frozen=True)
@@ -94,6 +98,7 @@ class Table:
     rows: tuple[tuple[tuple[Inline, ...], ...], ...]
     columns: tuple[str, ...]
     record: Record | None = None
+    own: bool = False
 
 
 @dataclass(frozen=True)
@@ -174,6 +179,11 @@ class Sheet:
         """The verdicts of the displays and tables that stand on the sheet."""
         found = (block.record for block in walk(self.blocks) if isinstance(block, Display | Table))
         return tuple(record for record in found if record is not None)
+
+    @property
+    def has_own(self) -> bool:
+        """Whether something on the sheet is marked as not being the source's."""
+        return any(isinstance(block, Display | Table) and block.own for block in walk(self.blocks))
 
 
 def inner(block: Block) -> tuple[tuple[Block, ...], ...]:

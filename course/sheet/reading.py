@@ -51,6 +51,7 @@ _SOLUTION = re.compile(r"[#*_\s]*(?:worked\s+)?(?:solution|corrigé)s?\b", re.IG
 _SOLUTION_HEADING = re.compile(r"(?:worked )?(?:solution|corrigé)s?(?: *\d[\w.]*)?(?: *[.:–—-].*)?", re.IGNORECASE)
 _MATRIX = 64.0  # em beyond which a matrix's cells are broken into lines: one a little too wide is made smaller instead
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_OWN = re.compile(r"<!--\s*own\s*-->")  # what the source does not have: the display or table below it, or the section
 
 
 class BlockReader:
@@ -68,6 +69,8 @@ class BlockReader:
         self.tables = {(record.line, record.cell): record for record in result.tables}
         self.warnings: list[str] = []
         self.body = Body("")
+        self.next_is_own = False
+        self.own_level = 0  # of the heading whose whole section is the document's own; 0: none
 
     def read(self, body: Body) -> list[Block]:
         """Return the blocks of a Markdown text.
@@ -93,7 +96,7 @@ class BlockReader:
 
     def _block(self, node: SyntaxTreeNode) -> Iterator[Block]:
         if node.type == "heading":
-            yield Heading(int(node.tag[1:]), self.inline.parts(_tokens(node)))
+            yield self._heading(node)
         elif node.type == "paragraph":
             yield from self._paragraph(node)
         elif node.type in ("math_block", "math_block_label", "amsmath"):
@@ -133,6 +136,19 @@ class BlockReader:
                 continue
             words = []
         yield from self._words(words)
+
+    def _heading(self, node: SyntaxTreeNode) -> Heading:
+        level = int(node.tag[1:])
+        if level <= self.own_level:
+            self.own_level = 0
+        if self.next_is_own:
+            self.own_level, self.next_is_own = level, False
+        return Heading(level, self.inline.parts(_tokens(node)))
+
+    def _own(self) -> bool:
+        """Whether the display or table that is read is the document's own."""
+        own, self.next_is_own = self.next_is_own or self.own_level > 0, False
+        return own
 
     def _words(self, tokens: list[Token], *, leads: bool = False) -> Iterator[Block]:
         parts = self.inline.parts(tokens)
@@ -174,6 +190,7 @@ class BlockReader:
         return blocks
 
     def _html(self, node: SyntaxTreeNode) -> Iterator[Block]:
+        self.next_is_own = self.next_is_own or _OWN.search(node.content) is not None
         text = _COMMENT.sub("", node.content)
         if "$$" in text:
             yield self._display(None)
@@ -210,8 +227,9 @@ class BlockReader:
 
     def _written(self, record: Record) -> Block:
         number = next(self.left, "") or tag_of(record)
+        own = self._own() and not record.erratum
         if record.verdict is Verdict.UNREADABLE:
-            return Display((), record, number)
+            return Display((), record, number, own)
         spans = [entry.span for entry in record.entries if entry.span is not None] or [
             (len(normalise_unicode(record.latex[: edit.start])), len(normalise_unicode(record.latex[: edit.end])))
             for edit in edits(record)
@@ -222,12 +240,13 @@ class BlockReader:
         except ReadError:
             array = read_array(Source(record.line, record.latex))
             if array is None:
-                return Display((), record, number)
+                return Display((), record, number, own)
             cells = [
                 tuple((self.inline.formula(cell),) for cell in row) for row in (array.table.header, *array.table.rows)
             ]
-            return Table(cells[0], tuple(cells[1:]), ("center",) * len(cells[0]), record)
-        return Display(lines, record, number)
+            return Table(cells[0], tuple(cells[1:]), ("center",) * len(cells[0]), record, own)
+        spoken = tuple(tuple(tuple(map(self.inline.in_words, each)) for each in line) for line in lines)
+        return Display(spoken, record, number, own)
 
     def _table(self, node: SyntaxTreeNode) -> Table:
         rows: list[tuple[tuple[Inline, ...], ...]] = []
@@ -236,7 +255,9 @@ class BlockReader:
             for row in part.children:
                 rows.append(tuple(self.inline.parts(_tokens(cell)) for cell in row.children))
                 columns = columns or tuple(_alignment(cell) for cell in row.children)
-        return Table(rows[0], tuple(rows[1:]), columns, self.tables.get((self._line(node), self.body.cell)))
+        return Table(
+            rows[0], tuple(rows[1:]), columns, self.tables.get((self._line(node), self.body.cell)), self._own()
+        )
 
 
 def _tokens(node: SyntaxTreeNode) -> list[Token]:

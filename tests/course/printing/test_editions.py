@@ -10,6 +10,7 @@ import pytest
 
 from armproof.course.errors import PrintError
 from armproof.course.printing.document import Edition, make_sheet
+from armproof.course.printing.printing import render
 from armproof.course.sheet.model import Blank, Display, Heading, Paragraph, Picture, Quote, Sheet, Text, walk
 from armproof.course.sheet.proof import proof_line
 from armproof.models.errors import LanguageError
@@ -168,6 +169,15 @@ def test_what_is_unchecked_is_counted_as_such(document, tmp_path):
 @pytest.mark.parametrize(("lang", "words"), [("en", "Teacher"), ("fr", "Édition de l’enseignant")])
 def test_the_sheet_speaks_its_language(lang: str, words: str, document, pdf_text):
     assert words in pdf_text(document(RIGHT), solutions=True, lang=lang)
+
+
+def test_the_words_within_a_formula_are_in_the_language_of_the_sheet(document, make):
+    path = document(r"$$ \det J_2 = 0 \iff \theta_2 = 0 \text{ or } \theta_2 = \pi \qquad x = \text{floor} $$")
+    words = {
+        lang: re.findall(r"<mtext>\s*(\w+)", render(make(path, lang=lang, draft=True), "html").decode())
+        for lang in ("en", "fr")
+    }
+    assert words["en"] == ["or", "floor"] and words["fr"] == ["ou", "floor"]
 
 
 def test_an_unknown_language_is_refused(document, make):
