@@ -27,12 +27,20 @@
 # %%
 import numpy as np
 
-from armproof import open_lesson
+from armproof import load_arm, open_lesson
 from armproof.course.figures.drawing.placed import draw_scheme
+from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.course.tasks.planar_dh import ARM, RAM
 
 lesson = open_lesson("planar_dh")
 lesson
+
+# %% [markdown]
+# The four parameters of one row, where the axes are neither parallel nor meet: read the modified one, on the right; lesson 3 comes to the other. In a
+# plane arm all axes are parallel, and $\alpha_{i-1}$ and $d_i$ are zero.
+
+# %%
+draw_kind(find_kind("link"), load_arm("planar_2r"))
 
 # %% [markdown]
 # ## The drawing

@@ -32,6 +32,7 @@ import numpy as np
 
 from armproof import load_arm, open_lesson
 from armproof.course.figures.kinds.sketch import sketch
+from armproof.course.figures.registry import draw_kind, find_kind
 from armproof.course.tasks.placing_frames import RIG
 
 lesson = open_lesson("placing_frames")
@@ -67,6 +68,12 @@ lesson.numbers.check(counted)
 cases = ["a", "c", "e"]
 ### END SOLUTION
 lesson.cases.check(cases)
+
+# %% [markdown]
+# The three cases side by side. Where $O_{i-1}$ and $x_{i-1}$ are yours to choose is what steps 3 and 4 are about.
+
+# %%
+draw_kind(find_kind("axes"), load_arm("planar_2r"))
 
 # %% [markdown]
 # The common normal (*normale commune*) of two lines carries the shortest segment between them. Let axis $i$ be the $z$ axis, and let axis

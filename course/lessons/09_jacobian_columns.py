@@ -39,6 +39,7 @@ import numpy as np
 
 from armproof import load_arm, open_lesson
 from armproof.course.figures.kinds.sketch import sketch
+from armproof.course.figures.registry import draw_kind, find_kind
 
 lesson = open_lesson("jacobian_columns")
 lesson
@@ -112,6 +113,12 @@ lesson.turning.check(of_point)
 pushed = r"\begin{bmatrix} \cos\theta \\ \sin\theta \\ 0 \\ 0 \\ 0 \\ 0 \end{bmatrix}"
 ### END SOLUTION
 lesson.slide.check(pushed)
+
+# %% [markdown]
+# Both kinds in one arm, each joint moving alone: $\theta$ turns the tool about $z$, at a right angle to the lever $p$; $r$ pushes it along its own axis.
+
+# %%
+draw_kind(find_kind("columns"), load_arm("polar_rp"))
 
 # %% [markdown]
 # ## Axes

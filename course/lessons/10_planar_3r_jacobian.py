@@ -81,6 +81,12 @@ lesson.prediction.check(zero_rows)
 # $$ J = \begin{bmatrix} z_0 \times P_{0,G} & z_1 \times P_{1,G} & z_2 \times P_{2,G} \\
 # z_0 & z_1 & z_2 \end{bmatrix} $$
 #
+# Here is what each joint does alone: its lever, called $p$, and the velocity across it. The shorter the lever, the slower the gripper.
+
+# %%
+draw_kind(find_kind("columns"), load_arm("planar_3r"))
+
+# %% [markdown]
 # Write the vector $P_{1,G}$ from joint 2 to the gripper, in frame 0.
 
 # %%

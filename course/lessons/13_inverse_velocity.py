@@ -117,6 +117,12 @@ determinant = r"l_1 l_2 \sin\theta_2"
 lesson.determinant.check(determinant)
 
 # %% [markdown]
+# Its absolute value, drawn over $\theta_2$ within the limits of the joint, is the *manipulability* (*manipulabilité*) of the arm: the nearer to zero, the faster the joints must turn.
+
+# %%
+draw_kind(find_kind("manipulability"), load_arm("planar_2r"))
+
+# %% [markdown]
 # Then the adjugate of $J$, $2 \times 2$, all that is left to write for the inverse.
 
 # %%

@@ -67,6 +67,12 @@ postures = [2, 1, 0]
 lesson.predict.check(postures)
 
 # %% [markdown]
+# The circles for a target inside the ring, seen from above. They meet twice: elbow up and elbow down. Where they only touch, the two postures are one.
+
+# %%
+draw_kind(find_kind("elbow"), load_arm("scara_column"))
+
+# %% [markdown]
 # ## The equations
 #
 # The document (section 1) multiplies four link transforms (*matrices de passage*); the lower index names the reference

@@ -51,7 +51,7 @@ draw_kind(find_kind("sketch"), load_arm("scara_column"))
 #
 # $$ q_\ell = q_0 + (q_f - q_0) \frac{t}{t_f} $$
 #
-# $$ \frac{\partial q_\ell}{\partial t} = \frac{q_f - q_0}{t_f} $$
+# $$ \frac{dq_\ell}{dt} = \frac{q_f - q_0}{t_f} $$
 #
 # The joint stands still before the start. What would its acceleration have to be at the start: `"zero"`, `"constant"`,
 # `"falling"` (large, then falling to zero) or `"infinite"`?
@@ -79,9 +79,9 @@ lesson.conditions.check(count)
 #
 # $$ q = a_0 + a_1 t + a_2 t^2 + a_3 t^3 + a_4 t^4 + a_5 t^5 $$
 #
-# $$ v = \frac{\partial q}{\partial t} = a_1 + 2a_2 t + 3a_3 t^2 + 4a_4 t^3 + 5a_5 t^4 $$
+# $$ v = \frac{dq}{dt} = a_1 + 2a_2 t + 3a_3 t^2 + 4a_4 t^3 + 5a_5 t^4 $$
 #
-# $$ w = \frac{\partial v}{\partial t} = 2a_2 + 6a_3 t + 12a_4 t^2 + 20a_5 t^3 $$
+# $$ w = \frac{dv}{dt} = 2a_2 + 6a_3 t + 12a_4 t^2 + 20a_5 t^3 $$
 #
 # At the start only three coefficients are left:
 #
@@ -120,7 +120,7 @@ lesson.system.check(system)
 # $$ u = q_0 + (q_f - q_0) \left( 3\frac{t^2}{t_f^2} - 2\frac{t^3}{t_f^3} \right) $$
 #
 # $$
-# \left. \frac{\partial u}{\partial t} \right|_{t = 0} = \left. \frac{\partial u}{\partial t} \right|_{t = t_f} = 0
+# \left. \frac{du}{dt} \right|_{t = 0} = \left. \frac{du}{dt} \right|_{t = t_f} = 0
 # $$
 #
 # Write its acceleration at $t = 0$ in $q_0$, $q_f$, $t_f$.
@@ -187,6 +187,12 @@ def peak_acceleration(q_0, q_f, t_f):
 
 
 lesson.peak_acceleration.check(peak_acceleration)
+
+# %% [markdown]
+# Four joints that start and stop together, with their peaks: speeds half-way, accelerations before and behind. Angles and lengths stand on axes of their own.
+
+# %%
+draw_kind(find_kind("quintic"), load_arm("scara_column"))
 
 # %% [markdown]
 # ## Limits

@@ -426,7 +426,7 @@ LESSON = Lesson(
                 (
                     Line(
                         "Differentiate each term.",
-                        r"\frac{\partial}{\partial t}\left( 10\frac{t^3}{t_f^3} - 15\frac{t^4}{t_f^4} + 6\frac{t^5}{t_f^5} \right) = \frac{30 t^2}{t_f^3} - \frac{60 t^3}{t_f^4} + \frac{30 t^4}{t_f^5}",
+                        r"\frac{d}{dt}\left( 10\frac{t^3}{t_f^3} - 15\frac{t^4}{t_f^4} + 6\frac{t^5}{t_f^5} \right) = \frac{30 t^2}{t_f^3} - \frac{60 t^3}{t_f^4} + \frac{30 t^4}{t_f^5}",
                     ),
                     Line(
                         "Take out what all three have in common.",

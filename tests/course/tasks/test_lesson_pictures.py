@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,7 +12,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from armproof.course.feedback.notebook import Shown
+from armproof.course.figures.registry import find_kind
 from armproof.course.tasks import inverse_velocity, proofread, quintic, scara_inverse
+from armproof.models.catalogue import load_arm
 
 TARGET = {"X": 0.35, "Y": 0.4, "Z": 0.25, "psi": 0.3}
 PICTURES: list[Any] = [
@@ -19,6 +23,9 @@ PICTURES: list[Any] = [
     pytest.param(quintic.show_motion, quintic.coefficients, id="motion"),
     pytest.param(quintic.show_tracking, quintic.coefficients, id="tracking"),
 ]
+LESSONS = (Path(__file__).resolve().parents[3] / "course" / "lessons").glob("*.py")
+DRAWN = re.compile(r'draw_kind\(find_kind\("(\w+)"\), load_arm\("(\w+)"\)\)')
+SHOWN = sorted({each for path in LESSONS for each in DRAWN.findall(path.read_text(encoding="utf-8"))})
 EVERY_PICTURE = pytest.mark.parametrize(("show", "right"), PICTURES)
 SHEET = "---\narm: planar_2r\n---\n\n$$ p_2 = \\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\\\ l_1 S_1 + l_2 S_{12} \\\\ 0 \\end{bmatrix} $$\n"
 
@@ -75,3 +82,10 @@ def test_what_is_no_sheet_gets_a_sentence() -> None:
 
 def test_a_sheet_is_shown_without_its_front_matter() -> None:
     assert str(proofread.show_sheet(SHEET)).startswith("$$ p_2")
+
+
+def test_a_figure_in_a_lesson_has_something_to_show() -> None:
+    """A kind that an arm does not have would be drawn as the reason why."""
+    assert {"link", "axes", "columns", "elbow", "quintic", "manipulability"} <= {kind for kind, _ in SHOWN}
+    assert not [each for each in SHOWN if find_kind(each[0]).applies(load_arm(each[1]), "en") is not None]
+    assert find_kind("elbow").applies(load_arm("polar_rp"), "en") is not None
