@@ -4,10 +4,11 @@ import atexit
 import gc
 import os
 import re
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 import pytest
+from _pytest.runner import runtestprotocol
 from xdist.remote import Producer
 from xdist.scheduler import LoadFileScheduling
 from xdist.workermanage import WorkerController
@@ -91,6 +92,7 @@ def pytest_configure(config: pytest.Config) -> None:
         atexit.register(os._exit, 0)  # the reports are sent: to take all that was loaded apart would take seconds
 
 
+@pytest.hookimpl(tryfirst=True)  # no other need look at what waits
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if os.environ.get("ARMPROOF_SWEEP"):
         return
@@ -102,6 +104,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def pytest_collection_finish() -> None:
     gc.freeze()  # nor is what has been loaded and collected
+
+
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool | None:
+    """Tell the process that counts of a test once, and of its phases where they fail: five messages a test took its time."""
+    if not hasattr(item.config, "workerinput") or item.config.getoption("verbose") > 0:
+        return None
+    for report in runtestprotocol(item, log=False, nextitem=nextitem):
+        if report.when == "call" or not report.passed:
+            item.ihook.pytest_runtest_logreport(report=report)
+    return True
 
 
 class Together(LoadFileScheduling):
@@ -128,22 +140,24 @@ def parameters(item: pytest.Item) -> str:
 
 def waits_for_the_sweep(nodeid: str, named: str) -> bool:
     place = nodeid.removeprefix("tests/")
-    kept = next((kept for start, kept in SWEPT.items() if place.startswith(start)), None)
-    if kept is None or (kept and not named) or not names_a_member(named, kept):
+    if not place.startswith(tuple(SWEPT)):
         return False
-    return not any(re.search(rf"(?<![\w-]){name}(?![\w-])|(?:^|-){name}(?:$|-|\.)", named) for name in kept)
+    kept = next(kept for start, kept in SWEPT.items() if place.startswith(start))
+    if kept and not (named and members().search(named)):  # others are never swept
+        return False
+    return not (kept and holding(kept).search(named))
 
 
-def names_a_member(named: str, kept: tuple[str, ...]) -> bool:
-    """Whether parameters name a document or an arm at all: others are never swept."""
-    if not kept:
-        return True
-    return any(name in named for name in members())
-
-
-@lru_cache(maxsize=1)
-def members() -> frozenset[str]:
+@cache
+def members() -> re.Pattern[str]:
     """The documents and the arms that there are."""
     documents = {path.stem for path in (TESTS.parent / "course/handouts").glob("*.md")}
     arms = {path.parent.name for path in (TESTS.parent / "models").glob("*/arm.yaml")}
-    return frozenset(documents | arms | set(OTHERS))
+    return re.compile("|".join(map(re.escape, sorted(documents | arms | set(OTHERS)))))
+
+
+@cache
+def holding(kept: tuple[str, ...]) -> re.Pattern[str]:
+    """One of these names as a whole, among the parameters of a test."""
+    names = "|".join(map(re.escape, kept))
+    return re.compile(rf"(?<![\w-])(?:{names})(?![\w-])|(?:^|-)(?:{names})(?:$|-|\.)")

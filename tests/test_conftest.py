@@ -1,8 +1,11 @@
 """What waits for the sweep: parameters that name another document or arm, and nothing else."""
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
-from tests.conftest import LONG, SWEPT, TESTS, TOGETHER, waits_for_the_sweep
+from tests.conftest import LONG, SWEPT, TESTS, TOGETHER, pytest_runtest_protocol, waits_for_the_sweep
 
 WRONG_ANSWERS = "tests/course/tasks/test_tasks.py::test_every_wrong_answer_gets_its_own_message"
 
@@ -46,3 +49,22 @@ def test_what_is_swept_exists(start: str) -> None:
 
 def test_files_that_one_worker_runs_or_that_are_begun_first_exist() -> None:
     assert all((TESTS.parent / place).exists() for files in (LONG, *TOGETHER.values()) for place in files)
+
+
+@pytest.mark.parametrize(
+    ("passed", "told"),
+    [((True, True, True), ["call"]), ((False, True), ["setup"]), ((True, False, False), ["call", "teardown"])],
+)
+def test_a_worker_tells_the_call_and_every_phase_that_does_not_pass(
+    monkeypatch: pytest.MonkeyPatch, passed: tuple[bool, ...], told: list[str]
+) -> None:
+    phases = ("setup", "call", "teardown") if len(passed) == 3 else ("setup", "teardown")
+    reports = [SimpleNamespace(when=when, passed=each) for when, each in zip(phases, passed, strict=True)]
+    monkeypatch.setattr("tests.conftest.runtestprotocol", lambda *_, **__: reports)
+    sent: list[str] = []
+    hook = SimpleNamespace(pytest_runtest_logreport=lambda report: sent.append(report.when))
+    config = SimpleNamespace(workerinput={}, getoption=lambda name: 0)
+    item: Any = SimpleNamespace(config=config, ihook=hook)
+    assert pytest_runtest_protocol(item, None) and sent == told
+    del config.workerinput  # in a process of its own pytest tells it all
+    assert pytest_runtest_protocol(item, None) is None and sent == told
