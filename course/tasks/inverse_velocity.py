@@ -573,6 +573,23 @@ LESSON = Lesson(
                 "$2\\sigma(\\sigma\\dot q - v) + 2\\lambda^2 \\dot q = 0$.",
                 "Collect $\\dot q$: $(\\sigma^2 + \\lambda^2)\\,\\dot q = \\sigma v$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Differentiate by the joint rate, here $x$.",
+                        r"\frac{\partial}{\partial x} \left( (\sigma x - v)^2 + \lambda^2 x^2 \right) = 2\sigma(\sigma x - v) + 2\lambda^2 x",
+                    ),
+                    Line(
+                        "Collect what stands with $x$.",
+                        r"2\sigma(\sigma x - v) + 2\lambda^2 x = 2 \left( (\sigma^2 + \lambda^2) x - \sigma v \right)",
+                    ),
+                    Line(
+                        "The solution makes it zero.",
+                        r"(\sigma^2 + \lambda^2) \frac{\sigma}{\sigma^2 + \lambda^2} v - \sigma v = 0",
+                    ),
+                ),
+                {"symbols": {"sigma": "free", "lambda": "free", "x": "free", "v": "free"}},
+            ),
             right=(
                 gain,
                 r"\frac{\sigma}{\sigma^2 + \lambda^2}",
@@ -609,6 +626,23 @@ LESSON = Lesson(
                 "The gain is 0 at $\\sigma = 0$ and falls again for large $\\sigma$. Where is it largest?",
                 "Differentiate, or look at $1/\\text{gain} = \\sigma + \\lambda^2 / \\sigma$, which is smallest where both terms are equal.",
                 "At $\\sigma = \\lambda$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Differentiate the gain by $\\sigma$.",
+                        r"\frac{\partial}{\partial \sigma} \left( \frac{\sigma}{\sigma^2 + \lambda^2} \right) = \frac{\lambda^2 - \sigma^2}{(\sigma^2 + \lambda^2)^2}",
+                    ),
+                    Line(
+                        "It vanishes at $\\sigma = \\lambda$; there the gain is",
+                        r"\left. \frac{\sigma}{\sigma^2 + \lambda^2} \right|_{\sigma = \lambda} = \frac{1}{2\lambda}",
+                    ),
+                    Line(
+                        "No other gain is larger: a square is never negative.",
+                        r"\frac{1}{2\lambda} - \frac{\sigma}{\sigma^2 + \lambda^2} = \frac{(\sigma - \lambda)^2}{2\lambda(\sigma^2 + \lambda^2)}",
+                    ),
+                ),
+                {"symbols": {"sigma": "free", "lambda": "free"}},
             ),
             right=(
                 bound,

@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import (
+    Choice,
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Table,
+    Task,
+    WithSympy,
+    Wrong,
+)
 
 # The arm of the lesson, a drill rig: axes 1 and 2 cross, axes 2 and 3 are parallel, axes 3 and 4 are skew. Frame 0 at the shoulder.
 RIG = {
@@ -208,6 +220,23 @@ LESSON = Lesson(
                 "The first point is $[0, 0, s]^T$. What is the second?",
                 "The second is $[a, -t\\sin\\alpha, t\\cos\\alpha]^T$. Take the difference, and add the squares of its entries.",
                 "$a^2 + t^2\\sin^2\\alpha + (s - t\\cos\\alpha)^2$; the squares of sine and cosine add up to one.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "From the point at $s$ on the first axis to the point at $t$ on the second.",
+                        r"\begin{bmatrix} a \\ 0 \\ 0 \end{bmatrix} + t \begin{bmatrix} 0 \\ -S\alpha \\ C\alpha \end{bmatrix} - \begin{bmatrix} 0 \\ 0 \\ s \end{bmatrix} = \begin{bmatrix} a \\ -t S\alpha \\ t C\alpha - s \end{bmatrix}",
+                    ),
+                    Line(
+                        "Its square is the sum of the three squares.",
+                        r"\begin{bmatrix} a & -t S\alpha & t C\alpha - s \end{bmatrix} \begin{bmatrix} a \\ -t S\alpha \\ t C\alpha - s \end{bmatrix} = a^2 + t^2 \sin^2\alpha + (t C\alpha - s)^2",
+                    ),
+                    Line(
+                        "Multiplied out, sine and cosine of $\\alpha$ join.",
+                        r"a^2 + t^2 \sin^2\alpha + (t C\alpha - s)^2 = a^2 + s^2 + t^2 - 2 s t \cos\alpha",
+                    ),
+                ),
+                {"symbols": {"s": "free", "t": "free", "a": "free", "alpha": "free"}},
             ),
             right=(distance, DISTANCE, WithSympy(_distance_sympy)),
             wrong=(
@@ -574,6 +603,27 @@ LESSON = Lesson(
                 "Look at the rig from the side first, with $\\theta_1 = 0$: how far out and how high?",
                 "The boom: $a_2$ along $[C_2, S_2]$. The distance $e$: along $[C_{23}, S_{23}]$. The ram: at right angles to it, downwards.",
                 "Outwards $a_2 C_2 + e C_{23} + d_4 S_{23}$, up $a_2 S_2 + e S_{23} - d_4 C_{23}$; then turn by $\\theta_1$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Rows 1 and 2: the boom turns about $z_2$.",
+                        r"{}^0T_2 = \begin{bmatrix} C_1 C_2 & -C_1 S_2 & S_1 & 0 \\ S_1 C_2 & -S_1 S_2 & -C_1 & 0 \\ S_2 & C_2 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 3 goes $a_2$ along the boom, and its angle adds up with the one before.",
+                        r"{}^0T_3 = \begin{bmatrix} C_1 C_{23} & -C_1 S_{23} & S_1 & a_2 C_1 C_2 \\ S_1 C_{23} & -S_1 S_{23} & -C_1 & a_2 S_1 C_2 \\ S_{23} & C_{23} & 0 & a_2 S_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 4 goes $e$ along $x_3$ and $d_4$ along $z_4$, which is $-y_3$.",
+                        r"{}^3T_4 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} e \\ -d_4 \\ 0 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Put it into frame 0.",
+                        r"p_4 = \begin{bmatrix} (a_2 C_2 + e C_{23} + d_4 S_{23}) C_1 \\ (a_2 C_2 + e C_{23} + d_4 S_{23}) S_1 \\ a_2 S_2 + e S_{23} - d_4 C_{23} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": RIG},
             ),
             right=(tool, TOOL, WithSympy(_tool_sympy)),
             wrong=(

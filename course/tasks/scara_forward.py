@@ -307,6 +307,27 @@ LESSON = Lesson(
                 "Turns about parallel axes add up: $C_2 C_4 - S_2 S_4 = C_{24}$.",
                 "The last column is $[a_2 + a_3 C_2,\\ a_3 S_2,\\ -d_2,\\ 1]^T$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Row 2 of the table.",
+                        r"{}^1T_2 = \begin{bmatrix} C_2 & -S_2 & 0 & a_2 \\ S_2 & C_2 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Your $U_2$ stands to its right.",
+                        r"{}^2T_4 = \begin{bmatrix} C_4 & -S_4 & 0 & a_3 \\ S_4 & C_4 & 0 & 0 \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply.",
+                        r"{}^1T_4 = {}^1T_2 {}^2T_4 = \begin{bmatrix} C_2 C_4 - S_2 S_4 & -C_2 S_4 - S_2 C_4 & 0 & a_2 + a_3 C_2 \\ S_2 C_4 + C_2 S_4 & C_2 C_4 - S_2 S_4 & 0 & a_3 S_2 \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Sines and cosines of a sum.",
+                        r"{}^1T_4 = \begin{bmatrix} C_{24} & -S_{24} & 0 & a_2 + a_3 C_2 \\ S_{24} & C_{24} & 0 & a_3 S_2 \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "scara_modified"},
+            ),
             right=(
                 pose_in_1,
                 U_1,
@@ -337,6 +358,27 @@ LESSON = Lesson(
                 "Start with `U = np.eye(4)`, and multiply a link matrix to its left, row 4 first.",
                 "`for row in reversed(rows): U = link(*row) @ U`, with rows in the order in which `link` takes its arguments.",
                 "The result is a turn by $\\theta_1 + \\theta_2 + \\theta_4$ with the origin $[a_2 C_1 + a_3 C_{12},\\ a_2 S_1 + a_3 S_{12},\\ -d_2]^T$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The loop begins at the tool, with row 4.",
+                        r"{}^3T_4 = \begin{bmatrix} C_4 & -S_4 & 0 & 0 \\ S_4 & C_4 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 3 comes to its left.",
+                        r"{}^2T_4 = {}^2T_3 {}^3T_4 = \begin{bmatrix} C_4 & -S_4 & 0 & a_3 \\ S_4 & C_4 & 0 & 0 \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Then row 2.",
+                        r"{}^1T_4 = {}^1T_2 {}^2T_4 = \begin{bmatrix} C_{24} & -S_{24} & 0 & a_2 + a_3 C_2 \\ S_{24} & C_{24} & 0 & a_3 S_2 \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 1 comes last.",
+                        r"{}^0T_4 = {}^0T_1 {}^1T_4 = \begin{bmatrix} C_{124} & -S_{124} & 0 & a_2 C_1 + a_3 C_{12} \\ S_{124} & C_{124} & 0 & a_2 S_1 + a_3 S_{12} \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "scara_modified"},
             ),
             right=(forward, U_0, WithSympy(_forward_sympy)),
             wrong=(

@@ -551,6 +551,21 @@ LESSON = Lesson(
                 "$\\psi = \\theta_1 + \\theta_2 - \\theta_4$. The minus sign comes from $z_3$, which points down.",
                 "Solve this line for $\\theta_4$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The turns about the vertical: the last axis points down.",
+                        r"{}^0R_4 = R_z(\theta_1 + \theta_2 - \theta_4) R_x(\pi)",
+                    ),
+                    Line(
+                        "Its first column has the angle of the tool.",
+                        r"{}^0R_4 \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix} = \begin{bmatrix} \cos(\theta_1 + \theta_2 - \theta_4) \\ \sin(\theta_1 + \theta_2 - \theta_4) \\ 0 \end{bmatrix}",
+                    ),
+                    Line("Call that angle $\\psi$.", r"\psi = \theta_1 + \theta_2 - \theta_4"),
+                    Line("Solve for the last joint.", r"\theta_4 = \theta_1 + \theta_2 - \psi"),
+                ),
+                {"arm": "scara_column"},
+            ),
             right=(
                 wrist,
                 r"\theta_1 + \theta_2 - \psi",

@@ -447,6 +447,24 @@ LESSON = Lesson(
                 "Across the arm: $(a_1 + a_2)\\dot\\theta_1 + a_2\\dot\\theta_2 = 0$. Along $z$: $\\dot d_3 = 0$. About $z$: $\\dot\\theta_1 + \\dot\\theta_2 - \\dot\\theta_4 = 0$.",
                 "With $\\dot\\theta_1 = a_2$ the first equation gives $\\dot\\theta_2 = -(a_1 + a_2)$; the last one then gives $\\dot\\theta_4$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Stretched, four rows of the Jacobian differ from zero.",
+                        r"\left. J \right|_{\theta_2 = 0} = \begin{bmatrix} -(a_1 + a_2) S_1 & -a_2 S_1 & 0 & 0 \\ (a_1 + a_2) C_1 & a_2 C_1 & 0 & 0 \\ 0 & 0 & -1 & 0 \\ 0 & 0 & 0 & 0 \\ 0 & 0 & 0 & 0 \\ 1 & 1 & 0 & -1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Across the arm the velocities of joints 1 and 2 must cancel.",
+                        r"(a_1 + a_2) a_2 + a_2 (-(a_1 + a_2)) = 0",
+                    ),
+                    Line("Joint 4 undoes the turn that is left.", r"a_2 - (a_1 + a_2) - (-a_1) = 0"),
+                    Line(
+                        "The test: the tool neither moves nor turns.",
+                        r"\left. J \begin{bmatrix} a_2 \\ -(a_1 + a_2) \\ 0 \\ -a_1 \end{bmatrix} \right|_{\theta_2 = 0} = \begin{bmatrix} 0 \\ 0 \\ 0 \\ 0 \\ 0 \\ 0 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "scara", "transforms": "upper", "quantities": {"J": {"jacobian": 4}}},
+            ),
             right=(
                 null_motion,
                 r"\begin{bmatrix} a_2 \\ -(a_1 + a_2) \\ 0 \\ -a_1 \end{bmatrix}",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import Derivation, Formula, Lesson, Line, Number, Quantity, Table, Task, WithSympy, Wrong
 from armproof.course.links import product, shift, turn
 
 UP, DOWN = "scara_modified", "scara"  # the SCARA of document 001, all z up; that of document 000, with the tool down
@@ -266,6 +266,23 @@ LESSON = Lesson(
                 "Its first row is $C\\theta,\\ S\\theta S\\psi,\\ S\\theta C\\psi$, its second $0,\\ C\\psi,\\ -S\\psi$.",
                 "$\\mathbf{Rot}_z(\\phi)$ mixes these two rows and leaves the third.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The last two first.",
+                        r"R_y(\theta) R_x(\psi) = \begin{bmatrix} C\theta & S\theta S\psi & S\theta C\psi \\ 0 & C\psi & -S\psi \\ -S\theta & C\theta S\psi & C\theta C\psi \end{bmatrix}",
+                    ),
+                    Line(
+                        "A turn about $z$ mixes the first two rows.",
+                        r"R_z(\phi) = \begin{bmatrix} C\phi & -S\phi & 0 \\ S\phi & C\phi & 0 \\ 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply.",
+                        r"R_z(\phi) R_y(\theta) R_x(\psi) = \begin{bmatrix} C\phi C\theta & C\phi S\theta S\psi - S\phi C\psi & C\phi S\theta C\psi + S\phi S\psi \\ S\phi C\theta & S\phi S\theta S\psi + C\phi C\psi & S\phi S\theta C\psi - C\phi S\psi \\ -S\theta & C\theta S\psi & C\theta C\psi \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"phi": "free", "theta": "free", "psi": "free"}},
+            ),
             right=(rpy, RPY, WithSympy(_rpy_sympy)),
             wrong=(
                 Wrong(
@@ -364,6 +381,21 @@ LESSON = Lesson(
                 "Entry (1, 2) becomes $C\\phi S\\psi - S\\phi C\\psi$. You know that difference.",
                 "Every entry has $\\psi - \\phi$ only: turning both by the same angle changes nothing.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Put the angle into your matrix: $C\\theta = 0$, $S\\theta = 1$.",
+                        r"R_z(\phi) R_y(\tfrac{\pi}{2}) R_x(\psi) = \begin{bmatrix} 0 & C\phi S\psi - S\phi C\psi & C\phi C\psi + S\phi S\psi \\ 0 & S\phi S\psi + C\phi C\psi & S\phi C\psi - C\phi S\psi \\ -1 & 0 & 0 \end{bmatrix}",
+                    ),
+                    Line("The sine of a difference,", r"C\phi S\psi - S\phi C\psi = \sin(\psi - \phi)"),
+                    Line("and its cosine.", r"C\phi C\psi + S\phi S\psi = \cos(\psi - \phi)"),
+                    Line(
+                        "One angle is left.",
+                        r"R_z(\phi) R_y(\tfrac{\pi}{2}) R_x(\psi) = \begin{bmatrix} 0 & \sin(\psi - \phi) & \cos(\psi - \phi) \\ 0 & \cos(\psi - \phi) & -\sin(\psi - \phi) \\ -1 & 0 & 0 \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"phi": "free", "theta": "free", "psi": "free"}},
+            ),
             right=(lock, LOCK, WithSympy(_lock_sympy)),
             wrong=(
                 Wrong(
@@ -393,6 +425,27 @@ LESSON = Lesson(
                 "${}^0T_1$ is a turn by $\\theta_1$ about $z$: what does it do to the angle, and to the origin?",
                 "Turns about parallel axes add up: $\\theta_1 + \\theta_2 + \\theta_4$.",
                 "The origin of $U_1$ is $[a_2 + a_3 C_2,\\ a_3 S_2,\\ -d_2]^T$; turn it by $\\theta_1$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Row 1 of the table.",
+                        r"{}^0T_1 = \begin{bmatrix} C_1 & -S_1 & 0 & 0 \\ S_1 & C_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "$U_1$, from lesson 6.",
+                        r"{}^1T_4 = \begin{bmatrix} C_{24} & -S_{24} & 0 & a_2 + a_3 C_2 \\ S_{24} & C_{24} & 0 & a_3 S_2 \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The turn takes the origin with it.",
+                        r"R_z(\theta_1) \begin{bmatrix} a_2 + a_3 C_2 \\ a_3 S_2 \\ -d_2 \end{bmatrix} = \begin{bmatrix} a_2 C_1 + a_3 C_{12} \\ a_2 S_1 + a_3 S_{12} \\ -d_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The angles add up.",
+                        r"{}^0T_1 {}^1T_4 = \begin{bmatrix} C_{124} & -S_{124} & 0 & a_2 C_1 + a_3 C_{12} \\ S_{124} & C_{124} & 0 & a_2 S_1 + a_3 S_{12} \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "scara_modified"},
             ),
             right=(last_product, U_0, WithSympy(_last_sympy)),
             wrong=(
@@ -463,6 +516,20 @@ LESSON = Lesson(
                 "Which of the three factors $\\mathbf{Rot}_z\\,\\mathbf{Rot}_y\\,\\mathbf{Rot}_x$ are there?",
                 "No turn about $y$. About $x$ it is half a turn.",
                 "$z_4$ points down, against $z_0$: that is $\\psi = \\pi$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line("The rotation of the document.", r"{}^0R_4 = R_z(\theta_1 + \theta_2 - \theta_4) R_x(\pi)"),
+                    Line(
+                        "A turn by zero about $y$ may stand between.",
+                        r"{}^0R_4 = R_z(\theta_1 + \theta_2 - \theta_4) R_y(0) R_x(\pi)",
+                    ),
+                    Line(
+                        "The pitch is zero, as its cosine is positive: $z_4$ points down.",
+                        r"{}^0R_4 \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} 0 \\ 0 \\ -1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "scara"},
             ),
             right=(
                 down,
