@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Task, WithSympy, Wrong
+from armproof.course.feedback import Choice, Derivation, Formula, Lesson, Line, Number, Quantity, Task, WithSympy, Wrong
 
 _SIX = ("v_1", "v_2", "v_3", "w_1", "w_2", "w_3")
 
@@ -614,6 +614,27 @@ LESSON = Lesson(
                 "Two ways: cross products with two levers, or derivatives of the position.",
                 "Column 1 has both links, column 2 the second one.",
                 "Row 1 is minus the sines, row 2 the cosines.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The tool.",
+                        r"p_2 = \begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 1: the axis times the lever from the base.",
+                        r"z_0 \times (p_2 - p_0) = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 2: the lever from the elbow.",
+                        r"z_1 \times (p_2 - p_1) = \begin{bmatrix} -l_2 S_{12} \\ l_2 C_{12} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The rows of the plane, side by side.",
+                        r"J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} & -l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} & l_2 C_{12} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "planar_2r", "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}},
             ),
             right=(planar_2r, PLANAR_2R, WithSympy(_planar_sympy)),
             wrong=(

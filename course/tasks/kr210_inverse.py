@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Formula, Lesson, Number, Task, WithSympy, Wrong
+from armproof.course.feedback import Derivation, Formula, Lesson, Line, Number, Task, WithSympy, Wrong
 
 ARM = "kr210"
 _FREE = {"rho": "free", "beta": "free", "gamma": "free"}
@@ -293,6 +293,24 @@ LESSON = Lesson(
                 "Put $\\theta_2 = 0$ for the sum of the squares: it does not depend on it.",
                 "$x^2 + y^2 = a_2^2 + a_3^2 + L^2 - 2 a_2 (L S_3 + a_3 C_3)$.",
                 "Solve for the parenthesis.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Square both and add: only the angle between upper arm and forearm is left.",
+                        r"x^2 + y^2 = a_2^2 + a_3^2 + L^2 - 2 a_2 (L\sin\theta_3 + a_3\cos\theta_3)",
+                    ),
+                    Line(
+                        "Bring the parenthesis to the left.",
+                        r"2 a_2 (L\sin\theta_3 + a_3\cos\theta_3) = a_2^2 + a_3^2 + L^2 - x^2 - y^2",
+                    ),
+                    Line("Divide.", r"L\sin\theta_3 + a_3\cos\theta_3 = \frac{a_2^2 + a_3^2 + L^2 - x^2 - y^2}{2 a_2}"),
+                ),
+                {"symbols": {"a_2": "free", "a_3": "free", "L": "free", "theta_2": "free", "theta_3": "free"}},
+                given=(
+                    r"x = a_2 \sin\theta_2 + L\cos(\theta_2 + \theta_3) - a_3\sin(\theta_2 + \theta_3)",
+                    r"y = a_2 \cos\theta_2 - L\sin(\theta_2 + \theta_3) - a_3\cos(\theta_2 + \theta_3)",
+                ),
             ),
             right=(elbow, ELBOW, WithSympy(_elbow_sympy)),
             wrong=(

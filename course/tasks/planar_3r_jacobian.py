@@ -270,6 +270,31 @@ LESSON = Lesson(
                 "Column 1 has all three links behind it, column 3 only the last one. All axes are $[0, 0, 1]^T$.",
                 "Row 1 of column $i$ is minus the sum of the $l S$ of links $i$ to 3, row 2 the sum of their $l C$; the last row is $1, 1, 1$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "All three axes point out of the plane.",
+                        r"z_0 = z_1 = z_2 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 1: the lever is the whole arm.",
+                        r"z_0 \times (p_3 - p_0) = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} - l_3 S_{123} \\ l_1 C_1 + l_2 C_{12} + l_3 C_{123} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 2: without the first link.",
+                        r"z_1 \times (p_3 - p_1) = \begin{bmatrix} -l_2 S_{12} - l_3 S_{123} \\ l_2 C_{12} + l_3 C_{123} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 3: the last link alone.",
+                        r"z_2 \times (p_3 - p_2) = \begin{bmatrix} -l_3 S_{123} \\ l_3 C_{123} \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Put them together, the axes below.",
+                        r"J = \begin{bmatrix} z_0 \times (p_3 - p_0) & z_1 \times (p_3 - p_1) & z_2 \times (p_3 - p_2) \\ z_0 & z_1 & z_2 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "planar_3r", "quantities": {"J": {"jacobian": 3}}},
+            ),
             right=(jacobian, WithSympy(_jacobian_sympy), JACOBIAN, _crossed),
             wrong=(
                 Wrong(

@@ -475,6 +475,23 @@ LESSON = Lesson(
                 "Half-way, at $t = t_f/2$.",
                 "$30 \\cdot (1/2)^2 \\cdot (1/2)^2$, over $t_f$, times the distance.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Half-way, the acceleration is zero: the two factors grow and fall alike.",
+                        r"\left. \frac{d}{dt} \left( t^2 (t_f - t)^2 \right) \right|_{t = \frac{t_f}{2}} = 0",
+                    ),
+                    Line(
+                        "Put half the time into the velocity.",
+                        r"\left. \frac{30 (q_f - q_0) t^2 (t_f - t)^2}{t_f^5} \right|_{t = \frac{t_f}{2}} = \frac{15}{8} \cdot \frac{q_f - q_0}{t_f}",
+                    ),
+                    Line(
+                        "No other velocity is higher: the difference is a square times what is positive on the way.",
+                        r"\frac{15}{8} \cdot \frac{q_f - q_0}{t_f} - \frac{30 (q_f - q_0) t^2 (t_f - t)^2}{t_f^5} = \frac{15}{8} \cdot \frac{(q_f - q_0)(t_f - 2t)^2 \left( t_f^2 + 4t(t_f - t) \right)}{t_f^5}",
+                    ),
+                ),
+                {"symbols": {"t": "free", "q_0": "free", "q_f": "free", "t_f": "free"}},
+            ),
             right=(
                 peak_speed,
                 r"\frac{15}{8} \cdot \frac{q_f - q_0}{t_f}",
@@ -511,6 +528,27 @@ LESSON = Lesson(
                 "The acceleration is largest where its own derivative, the jerk, is zero.",
                 "With $s = t/t_f$ the acceleration is $60 s (1 - s)(1 - 2s)$ times the distance over $t_f^2$, the jerk $60(1 - 6s + 6s^2)$ times the distance over $t_f^3$.",
                 "$s = 1/2 - \\sqrt{3}/6$, where $s(1 - s) = 1/6$ and $1 - 2s = 1/\\sqrt{3}$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The acceleration, in factors.",
+                        r"\frac{d}{dt} \left( \frac{30 (q_f - q_0) t^2 (t_f - t)^2}{t_f^5} \right) = \frac{60 (q_f - q_0) t (t_f - t) (t_f - 2t)}{t_f^5}",
+                    ),
+                    Line(
+                        "Its derivative is a square less a constant.",
+                        r"\frac{d}{dt} \left( t (t_f - t) (t_f - 2t) \right) = 6 \left( t - \frac{t_f}{2} \right)^2 - \frac{t_f^2}{2}",
+                    ),
+                    Line(
+                        "It vanishes here, before the middle.",
+                        r"\left. 6 \left( t - \frac{t_f}{2} \right)^2 - \frac{t_f^2}{2} \right|_{t = t_f \left( \frac{1}{2} - \frac{\sqrt{3}}{6} \right)} = 0",
+                    ),
+                    Line(
+                        "There the acceleration is",
+                        r"\left. \frac{60 (q_f - q_0) t (t_f - t) (t_f - 2t)}{t_f^5} \right|_{t = t_f \left( \frac{1}{2} - \frac{\sqrt{3}}{6} \right)} = \frac{10}{\sqrt{3}} \cdot \frac{q_f - q_0}{t_f^2}",
+                    ),
+                ),
+                {"symbols": {"t": "free", "q_0": "free", "q_f": "free", "t_f": "free"}},
             ),
             right=(
                 peak_acceleration,

@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong, drawn
+from armproof.course.feedback import (
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Table,
+    Task,
+    WithSympy,
+    Wrong,
+    drawn,
+)
 from armproof.course.links import classic_link, modified_link, product, shift, turn
 
 ARM, WRIST = "rx90", "spherical_wrist"
@@ -305,6 +317,27 @@ LESSON = Lesson(
                 "Each entry of the first row is $C_4$ times row 1 of $U_4$ minus $S_4$ times its row 2.",
                 "Entry (1, 1) is $C_4 C_5 C_6 - S_4 S_6$, entry (3, 1) $-S_4 C_5 C_6 - C_4 S_6$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Row 4 of the table.",
+                        r"{}^3T_4 = \begin{bmatrix} C_4 & -S_4 & 0 & 0 \\ 0 & 0 & 1 & d_3 \\ -S_4 & -C_4 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "$U_4$, from the task before.",
+                        r"{}^4T_6 = \begin{bmatrix} C_5 C_6 & -C_5 S_6 & -S_5 & 0 \\ S_6 & C_6 & 0 & 0 \\ S_5 C_6 & -S_5 S_6 & C_5 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The second row of the first matrix takes the third row of the second, and $d_3$.",
+                        r"\begin{bmatrix} 0 & 0 & 1 & d_3 \end{bmatrix} {}^4T_6 = \begin{bmatrix} S_5 C_6 & -S_5 S_6 & C_5 & d_3 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The other two mix its first two rows.",
+                        r"{}^3T_4 {}^4T_6 = \begin{bmatrix} C_4 C_5 C_6 - S_4 S_6 & -C_4 C_5 S_6 - S_4 C_6 & -C_4 S_5 & 0 \\ S_5 C_6 & -S_5 S_6 & C_5 & d_3 \\ -S_4 C_5 C_6 - C_4 S_6 & S_4 C_5 S_6 - C_4 C_6 & S_4 S_5 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "rx90"},
+            ),
             right=(third_product, U_3, WithSympy(lambda sp: _links_sympy(sp, 4))),
             wrong=(
                 Wrong(
@@ -328,6 +361,23 @@ LESSON = Lesson(
                 "Origins 4, 5 and 6 are one point. On which joints does it depend?",
                 "In the vertical plane of the arm: how far from axis 1, and how high, are the elbow and the wrist?",
                 "The radius is $a_3 C_2 - d_3 S_{23}$, the height $a_3 S_2 + d_3 C_{23}$; then turn by $\\theta_1$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The elbow, in the plane of the arm.",
+                        r"{}^1T_3 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} a_3 C_2 \\ 0 \\ a_3 S_2 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "And the forearm, at a right angle to the upper arm where $\\theta_3 = 0$.",
+                        r"{}^1T_6 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} a_3 C_2 - d_3 S_{23} \\ 0 \\ a_3 S_2 + d_3 C_{23} \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Joint 1 turns the plane.",
+                        r"p_6 = \begin{bmatrix} C_1 (a_3 C_2 - d_3 S_{23}) \\ S_1 (a_3 C_2 - d_3 S_{23}) \\ a_3 S_2 + d_3 C_{23} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "rx90"},
             ),
             right=(wrist_centre, CENTRE, WithSympy(lambda sp: _links_sympy(sp, 1)[:3, 3])),
             wrong=(

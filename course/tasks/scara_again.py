@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import (
+    Choice,
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Table,
+    Task,
+    WithSympy,
+    Wrong,
+)
 from armproof.course.links import shift, turn
 
 DOWN, COLUMN, UP = "scara", "scara_column", "scara_modified"
@@ -498,6 +510,21 @@ LESSON = Lesson(
                 "Square both, and add: which squares of sine and cosine go together?",
                 "What is left over is $2 a_1 a_2 (C_1 C_{12} + S_1 S_{12})$.",
                 "That is the cosine of the difference, $\\theta_2$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line("The square of the first,", r"X^2 = a_1^2 C_1^2 + a_2^2 C_{12}^2 + 2 a_1 a_2 C_1 C_{12}"),
+                    Line("and of the second.", r"Y^2 = a_1^2 S_1^2 + a_2^2 S_{12}^2 + 2 a_1 a_2 S_1 S_{12}"),
+                    Line(
+                        "Added: squares of sine and cosine make one, twice.",
+                        r"X^2 + Y^2 = a_1^2 + a_2^2 + 2 a_1 a_2 (C_1 C_{12} + S_1 S_{12})",
+                    ),
+                    Line("The cosine of a difference is left.", r"X^2 + Y^2 = a_1^2 + a_2^2 + 2 a_1 a_2 \cos\theta_2"),
+                ),
+                {
+                    "arm": "scara_column",
+                    "quantities": {"X": {"origin": 4, "component": "x"}, "Y": {"origin": 4, "component": "y"}},
+                },
             ),
             right=(squares, SQUARES, WithSympy(_squares_sympy)),
             wrong=(

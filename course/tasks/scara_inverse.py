@@ -260,6 +260,27 @@ LESSON = Lesson(
                 "$H_3 H_4$ moves it to $[0, 0, d_3 + d_4, 1]^T$. $H_2$ turns z over: its third row is $[0, 0, -1, 0]$.",
                 "After $H_2$ it is $[a_2 C_2, a_2 S_2, -d_3 - d_4, 1]^T$. $H_1$ turns this by $\\theta_1$, moves it by $a_1$ along the first arm and up by $d_1$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The slide and the tool hang along one axis.",
+                        r"{}^2T_4 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} 0 \\ 0 \\ d_3 + d_4 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The second arm turns that axis over.",
+                        r"{}^1T_4 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} a_2 C_2 \\ a_2 S_2 \\ -d_3 - d_4 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The first arm turns all of it by $\\theta_1$ and lifts it by $d_1$.",
+                        r"{}^0T_4 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} a_1 C_1 + a_2 (C_1 C_2 - S_1 S_2) \\ a_1 S_1 + a_2 (S_1 C_2 + C_1 S_2) \\ d_1 - d_3 - d_4 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Cosine and sine of a sum.",
+                        r"p_4 = \begin{bmatrix} a_1 C_1 + a_2 C_{12} \\ a_1 S_1 + a_2 S_{12} \\ d_1 - d_3 - d_4 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "scara_column"},
+            ),
             right=(
                 position,
                 r"\begin{bmatrix} a_1 C_1 + a_2 C_{12} \\ a_1 S_1 + a_2 S_{12} \\ d_1 - d_3 - d_4 \end{bmatrix}",

@@ -269,6 +269,22 @@ LESSON = Lesson(
                 "Add them row by row; $C_1$ and $S_1$ can be taken out of rows 1 and 2.",
                 "The reach in the arm's plane is $l_2 C_2 + l_3 S_{23}$, the height $l_1 + l_2 S_2 - l_3 C_{23}$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The elbow.", r"p_3 = \begin{bmatrix} l_2 C_1 C_2 \\ l_2 S_1 C_2 \\ l_1 + l_2 S_2 \end{bmatrix}"
+                    ),
+                    Line(
+                        "The axis of the forearm.",
+                        r"z_3 = \begin{bmatrix} C_1 S_{23} \\ S_1 S_{23} \\ -C_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "From the elbow $l_3$ along it.",
+                        r"p_3 + l_3 z_3 = \begin{bmatrix} C_1(l_2 C_2 + l_3 S_{23}) \\ S_1(l_2 C_2 + l_3 S_{23}) \\ l_1 + l_2 S_2 - l_3 C_{23} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "spatial_rrr"},
+            ),
             right=(point, WithSympy(_point_sympy), POINT),
             wrong=(
                 Wrong(_point_along_x, "that goes along x_3: the reading takes l_3 along z_3", own=True),
