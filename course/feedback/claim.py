@@ -136,13 +136,18 @@ class Claim:
 
     def values_at(self, latex: str, at: Mapping[str, float]) -> np.ndarray:
         """Return a formula at given values of joints and letters, (rows, columns)."""
+        return np.array(self.values_over(latex, {name: np.array([value]) for name, value in at.items()})[0])
+
+    def values_over(self, latex: str, at: Mapping[str, np.ndarray]) -> np.ndarray:
+        """Return a formula at values of joints and letters, N of each: (N, rows, columns)."""
         joints = self.arm.joints if self.arm is not None else ()
-        q = np.array([[at.get(joint.symbol, 0.0) for joint in joints]])
-        sampled = SampledAlgebra(self._checker.exact, q, SEED, {name: np.array([value]) for name, value in at.items()})
+        count = max((len(values) for values in at.values()), default=1)
+        q = np.array([at.get(joint.symbol, np.zeros(count)) for joint in joints]).reshape(len(joints), count).T
+        sampled = SampledAlgebra(self._checker.exact, q, SEED, at)
         node = self._checker.names.reader.read_expression(latex)
         with self._budget.of(SECONDS_TO_DECIDE), np.errstate(all="ignore"):
             value = Evaluator(self._checker.names, sampled).evaluate(node)
-        return np.array(sampled.stacked(value)[0])
+        return sampled.stacked(value)
 
     @cached_property
     def samples(self) -> SampledAlgebra:
@@ -270,7 +275,7 @@ def judge_formula(claim: Claim, answer: Any) -> Feedback:
     """Return what becomes of a formula in any form; numbers are no formula where what is asked depends on letters."""
     feedback = claim.judge(as_latex(answer))
     if feedback.outcome is Outcome.WRONG and is_number(answer) and np.ptp(claim.values(ASKED), axis=0).max() > 0:
-        return replace(feedback, message=look_up("these are the values for one case, and what is asked changes with its letters: hand over a formula, or a function itself, without brackets behind it"))  # fmt: skip
+        return replace(feedback, message=look_up("these are the values for one case, and what is asked changes with its letters: hand over a formula, or a function itself, without brackets behind it"), findings=())  # fmt: skip
     return feedback
 
 

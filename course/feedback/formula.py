@@ -6,7 +6,8 @@ import inspect
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,10 @@ from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
+from armproof.course.feedback.relation import Letters, Values, letters_astray, relation, units_astray
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up
+from armproof.verification.findings import Kind, say
 from armproof.verification.functions.guarded_call import CallError, Guard
 from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.returned import NotAttempted, NotNumbers, read_returned
@@ -26,6 +29,8 @@ from armproof.verification.naming.reading import FREE
 SECONDS = 2.0  # that a function may run
 FEW = 8  # samples by which two answers are told apart
 _TOLERANCE = 1e-9
+_DRAWN = 48  # values of each letter
+_TIME = re.compile(r"t(_|$)")
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,6 +83,8 @@ class Formula:
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the arguments, or a formula."""
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        if feedback.is_general and (words := self._relation(answer)):
+            feedback = replace(feedback, message=words)
         if feedback.at and set(self.given) & set(self.arguments):
             return replace(feedback, at=self._at_arguments(feedback.at))
         return feedback
@@ -101,6 +108,63 @@ class Formula:
         if any(call.error is not None for call in calls):
             raise AnswerError("the answer has no values")
         return np.array([read_returned(call.value, 1)[0] for call in calls])
+
+    # -- relations -----------------------------------------------------------------------------------------------------
+
+    def _relation(self, answer: Any) -> str:
+        """Return how an answer with no known slip relates to what is asked, in values and in its letters."""
+        try:
+            if set(self.arguments) & set(self.given):
+                return relation(self._true[:FEW], self.signature(answer), {})
+            return next(filter(None, self._relations(answer)), "")
+        except ArmproofError:
+            return ""
+
+    def _relations(self, answer: Any) -> Iterator[str]:
+        at = {name: _drawn(name, k) for k, name in enumerate(self.arguments)}
+        asked = partial(self.claim.values_over, ASKED)
+        given = self._called(answer) if is_function(answer) else partial(self.claim.values_over, as_latex(answer))
+        true, obtained = asked(at), given(at)
+        if true.shape == obtained.shape:
+            yield letters_astray(asked, given, at)
+            yield relation(true, obtained, self._factors(at))
+            yield units_astray(asked, given, at, self._units)
+
+    def _called(self, function: Callable[..., Any]) -> Values:
+        """Return a function of single values as one of arrays."""
+        function = self._in_order(function)
+
+        def values(at: Letters) -> np.ndarray:
+            with Guard(SECONDS) as guard, np.errstate(all="ignore"):
+                rows = zip(*(at[name].tolist() for name in self.arguments), strict=True)
+                calls = [guard.call(lambda row=row: function(*row)) for row in rows]  # type: ignore[misc]
+            if any(call.error is not None for call in calls):
+                raise AnswerError("the answer has no values")
+            found = np.array([read_returned(call.value, 1)[0] for call in calls])
+            return found.reshape(len(found), *self._true.shape[1:]) if found[0].size == self._true[0].size else found
+
+        return values
+
+    @cached_property
+    def _units(self) -> tuple[tuple[str, ...], ...]:
+        """The letters of one unit each: times, angles of a motion, and the lengths that are left."""
+        times = tuple(name for name in self.arguments if _TIME.match(name))
+        motion = tuple(name for name in self.arguments if name.startswith("q_"))
+        lengths = tuple(name for name in self.arguments if name not in times and not ANGLE.match(name))
+        return tuple(dict.fromkeys([lengths, times, motion, lengths + times]))
+
+    def _factors(self, at: Letters) -> Letters:
+        """Return what may be a factor too many: letters, sums and differences of a unit, sines and cosines of angles."""
+        pairs = [pair for unit in self._units[:3] for pair in combinations(unit, 2)]
+        angles = {_as_latex(name): at[name] for name in at if ANGLE.match(name) and not name.startswith("q_")}
+        sums = {f"({one} + {other})": angles[one] + angles[other] for one, other in combinations(angles, 2)}
+        return {
+            **{_as_latex(name): values for name, values in at.items() if _as_latex(name) not in angles},
+            **{f"sin {name}": np.sin(values) for name, values in {**angles, **sums}.items()},
+            **{f"cos {name}": np.cos(values) for name, values in {**angles, **sums}.items()},
+            **{f"{_as_latex(one)} + {_as_latex(other)}": at[one] + at[other] for one, other in pairs},
+            **{f"{_as_latex(other)} - {_as_latex(one)}": at[other] - at[one] for one, other in pairs},
+        }
 
     # -- functions -----------------------------------------------------------------------------------------------------
 
@@ -233,6 +297,7 @@ class Formula:
                     Outcome.WRONG, look_up("the values differ from what is asked"),
                     self._rows(true, obtained.reshape(true.shape), wrong),
                     dict(zip(self.arguments, values, strict=True)),
+                    findings=(say(Kind.UNEQUAL),),
                 )  # fmt: skip
         why = reason if "Error" not in reason else look_up("it computes with numbers only")
         return Feedback(
@@ -277,6 +342,16 @@ def _stopped(value: Any, error: CallError | None) -> Feedback | None:
     except NotNumbers as problem:
         return Feedback(Outcome.ERROR, str(problem))
     return None
+
+
+def _drawn(name: str, seed: int) -> np.ndarray:
+    """Return values of a letter at random: angles of either sign; of other letters one half is positive."""
+    rng = np.random.default_rng([seed, _DRAWN])
+    if ANGLE.match(name):
+        return rng.uniform(-2.6, 2.6, _DRAWN)
+    values = rng.uniform(0.3, 2.2, _DRAWN)
+    values[_DRAWN // 2 :] *= rng.choice([-1, 1], _DRAWN - _DRAWN // 2)
+    return values
 
 
 def _as_latex(name: str) -> str:

@@ -22,7 +22,12 @@ from armproof.verification.verdict import WrongEntry
 
 ASKED = r"\Xi"  # the name that what is asked has in a claim; no course uses it
 MOST_PLACES = 4
-GENERAL = (Kind.UNEQUAL, Kind.ONLY_WRONG_ENTRY)  # what is said where no mistake is recognised
+GENERAL = (
+    Kind.UNEQUAL,
+    Kind.ONLY_WRONG_ENTRY,
+    Kind.FEW_WRONG_ENTRIES,
+    Kind.WRONG_ENTRIES,
+)  # where no mistake is recognised
 MOST_ROWS = 8
 _NOTHING = 1e-12
 _SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-zΑ-ωϑ])_(?:(\d+)|\{{(\d+)\}})(?!\w)")
@@ -131,6 +136,11 @@ class Feedback:
     def is_right(self) -> bool:
         """Whether the answer is correct, proved or confirmed."""
         return self.outcome.is_right
+
+    @property
+    def is_general(self) -> bool:
+        """Whether the answer is wrong, and no mistake is recognised in it."""
+        return self.outcome is Outcome.WRONG and any(finding.kind in GENERAL for finding in self.findings)
 
     def as_json(self) -> dict[str, Any]:
         """Return the feedback as JSON writes it, without its picture."""

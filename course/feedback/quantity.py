@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -16,6 +16,7 @@ from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, place, told
 from armproof.course.feedback.picture import call_at, draw_answer
+from armproof.course.feedback.relation import relation
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
@@ -71,7 +72,21 @@ class Quantity:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the joint values, or a formula."""
-        return self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        if feedback.is_general and (words := self._relation(answer)):
+            return replace(feedback, message=words)
+        return feedback
+
+    def _relation(self, answer: Any) -> str:
+        """Return how the values of an answer with no known slip relate to what is asked."""
+        try:
+            obtained = self.signature(answer)
+        except ArmproofError:
+            return ""
+        true = self.claim.values(ASKED)[:FEW]
+        joints = dict(zip(self._symbols, self.claim.samples.q[:FEW].T, strict=True))
+        factors = {f"{name} {s}": f(q) for s, q in joints.items() for name, f in (("sin", np.sin), ("cos", np.cos))}
+        return relation(true, obtained, factors)
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""

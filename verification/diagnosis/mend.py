@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import chain
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
-from armproof.verification.diagnosis.slips import Letters, single_edits
+from armproof.verification.diagnosis.slips import Letters, sign_pairs, single_edits
 from armproof.verification.equations.alignment import exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -101,7 +102,7 @@ class Mender:
         """
         if (agrees := self.agreement(true)) is None:
             return "", None
-        for count, edit in enumerate(single_edits(cell, self.learnt.letters(cell))):
+        for count, edit in enumerate(chain(single_edits(cell, self.learnt.letters(cell)), sign_pairs(cell))):
             if count > MAX_EDITS or self.exact.budget.is_spent:
                 break
             if not agrees(edit.node):

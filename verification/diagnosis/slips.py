@@ -58,6 +58,17 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from _added_factors(root, letters)
 
 
+def sign_pairs(root: n.Node) -> Iterator[Edit]:
+    """Yield the trees with two signs of one sum turned: both are mistaken, or a bracket was opened without its minus."""
+    for node in n.walk(root):
+        if not isinstance(node, n.Sum):
+            continue
+        for one, other in combinations(range(len(node.terms)), 2):
+            terms = tuple((_FLIPPED[sign] if k in (one, other) else sign, term) for k, (sign, term) in enumerate(node.terms))  # fmt: skip
+            finding = say(Kind.WRONG_SIGNS_OF_TERMS, one=one + 1, other=other + 1)
+            yield Edit(n.substitute(root, node, replace(node, terms=terms)), "sign", finding)
+
+
 def _negated(node: n.Node) -> n.Node:
     if isinstance(node, n.Sum):
         return replace(node, terms=tuple((_FLIPPED[sign], term) for sign, term in node.terms), span=node.span)
@@ -231,8 +242,13 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
     for power in powers:
         assert isinstance(power.exponent, n.Number)
         higher = n.Number(power.exponent.value + 1, str(power.exponent.value + 1), span=power.exponent.span)
-        for other in (power.base, replace(power, exponent=higher)):
+        for other in (_first_power(power.base), replace(power, exponent=higher)):
             yield Edit(n.substitute(root, power, other), "number", say(Kind.WRONG_POWER))
+
+
+def _first_power(base: n.Node) -> n.Node:
+    """Return the base of a power as it is written alone: \\cos of \\cos^2."""
+    return replace(base, head=bare_head(base)) if isinstance(base, n.Call) else base
 
 
 def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:

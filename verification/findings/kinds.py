@@ -277,6 +277,7 @@ class Kind(MessageKind):
     FOLLOWS = "follows", "follows from line {line}"
     WRONG_SIGN = "wrong_sign", "wrong sign"
     WRONG_SIGN_OF_TERM = "wrong_sign_of_term", "wrong sign of term {term}"
+    WRONG_SIGNS_OF_TERMS = "wrong_signs_of_terms", "wrong signs of terms {one} and {other}"
     WRONG_SIGN_OF_ANGLE = "wrong_sign_of_angle", "wrong sign of angle {index}"
     SINE_FOR_COSINE = "sine_for_cosine", "sine for cosine"
     COSINE_FOR_SINE = "cosine_for_sine", "cosine for sine"
@@ -298,8 +299,8 @@ class Kind(MessageKind):
     MISSING_FUNCTION_OF = "missing_function_of", "a factor {function} of `{angle}` is missing"
     EXTRA_TERM = "extra_term", "the {term:nth} term does not belong"
     MISSING_TERM = "missing_term", "the term ${term}$ is missing"
-    WRONG_NUMBER = "wrong_number", "the number {number}"
-    WRONG_POWER = "wrong_power", "the power"
+    WRONG_NUMBER = "wrong_number", "the number {number}", "the number {number} is wrong"
+    WRONG_POWER = "wrong_power", "the power", "the power is wrong"
     MISSING_SQUARE = "missing_square", "a square is missing"
 
     # -- a matrix as a whole: what was printed or computed instead ------------------------------------------------------

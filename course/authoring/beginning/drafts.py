@@ -125,18 +125,11 @@ def _wrong_answers(task: Task, draft: Draft, arm: Arm) -> Iterator[tuple[str, st
 
     found: dict[str, Feedback] = {}
     for number, latex in enumerate(slips(draft.latex, arm)):
-        if number >= TRIED or sum(not _is_general(feedback) for feedback in found.values()) >= WRONG:
+        if number >= TRIED or sum(not feedback.is_general for feedback in found.values()) >= WRONG:
             break
         feedback = task.check(latex)
         said = {feedback.message for feedback in found.values()}
         if feedback.outcome is Outcome.WRONG and feedback.message and feedback.message not in said:
             found[latex] = feedback
-    own_first = sorted(found.items(), key=lambda item: _is_general(item[1]))
+    own_first = sorted(found.items(), key=lambda item: item[1].is_general)
     yield from ((latex, feedback.message) for latex, feedback in own_first[:WRONG])
-
-
-def _is_general(feedback: Feedback) -> bool:
-    """Whether a mistake was not recognised: only where the answer is wrong is said."""
-    from armproof.course.feedback.outcome import GENERAL
-
-    return any(finding.kind in GENERAL for finding in feedback.findings)

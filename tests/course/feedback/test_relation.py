@@ -1,0 +1,85 @@
+"""A wrong answer in which no slip of the pen is recognised is told how it relates to what is asked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from armproof.course.feedback import Formula, Number, Outcome, Quantity
+
+COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
+SPEED = Formula(r"\frac{30(q_f - q_0) t^2 (t_f - t)^2}{t_f^5}", ("t", "q_0", "q_f", "t_f"))
+SQUARE = Formula(r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta_2", ("theta_2", "l_1", "l_2"))
+RADIUS = Formula(r"\sqrt{x^2 + y^2}", ("x", "y"))
+VELOCITY = Formula(r"u \cos\theta - r w \sin\theta", ("r", "theta", "u", "w"), arm="polar_rp")
+FACING = Formula(
+    r"\operatorname{atan2}(y, x)", ("x", "y"), unit="rad",
+    given={"x": r"\rho\cos(3\gamma)", "y": r"\rho\sin(3\gamma)"}, symbols={"rho": "free", "gamma": "free"},
+)  # fmt: skip
+INVERSE = Formula(
+    r"\frac{1}{l_1 S_2} \begin{bmatrix} C_1 & S_1 \\ -l_1 S_1 & l_1 C_1 \end{bmatrix}",
+    ("theta_1", "theta_2", "l_1"),
+    arm="planar_2r",
+)
+TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
+PLACE = Number((0.0, 0.3, -0.4), labels=("x", "y", "z"))
+
+
+def squared(answer: str) -> str:
+    return rf"\left({answer}\right)^2"
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer", "words"),
+    [
+        (COSINE, rf"\sqrt{{1 - {squared(COSINE.latex)}}}", "a sine stands where the cosine"),
+        (COSINE, rf"\arccos\left({COSINE.latex}\right)", "your answer is the angle: its cosine is asked"),
+        (COSINE, r"\frac{x^2 + y^2 - l_1 - l_2}{2 l_1 l_2}", "the units do not fit"),
+        (COSINE, r"\frac{x^2 + y^2 + l_1^2 + l_2^2}{2 l_1 l_2}", "wrong signs of terms 3 and 4"),
+        (COSINE, r"\frac{x^2 - l_1^2 - l_2^2}{2 l_1 l_2}", "y is missing"),
+        (SPEED, r"\frac{30(q_f - q_0) t^2 (t_f - t)}{t_f^5}", "your answer is 1 / (t_f - t) times what is asked"),
+        (SPEED, r"\frac{30 t^2 (t_f - t)^2}{t_f^5}", "q_0 is missing"),
+        (SPEED, lambda t, q_0, q_f, t_f: q_0 + (q_f - q_0) * t / t_f, "the units do not fit: with twice"),
+        (SQUARE, lambda theta_2, l_1, l_2: (l_1 + l_2 * np.cos(theta_2)) ** 2, "minus l_2^2 (sin \\theta_2)^2"),
+        (SQUARE, r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos^2\theta_2", "the power is wrong"),
+        (SQUARE, r"\sqrt{l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta_2}", "your answer is the root"),
+        (RADIUS, "(x^2 + y^2)", "your answer is the square of what is asked"),
+        (RADIUS, r"\frac{1}{\sqrt{x^2 + y^2}}", "numerator and denominator are exchanged"),
+        (SPEED, SPEED.latex.replace("30", "47"), "your answer is 1.567 times too large"),
+        (RADIUS, "x", "y is missing: what is asked depends on it"),
+        (VELOCITY, r"w \cos\theta - r u \sin\theta", "u and w are exchanged"),
+        (FACING, r"\arccos\frac{x}{\sqrt{x^2 + y^2}}", "for some values only"),
+        (INVERSE, INVERSE.latex.replace("l_1 S_2", "l_1 C_2"), r"your answer is sin \theta_2 / cos \theta_2 times"),
+        (TOOL, r"\begin{bmatrix} 0 \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}", "what is asked is not zero"),
+        (PLACE, [0, -0.3, -0.4], "the sign is wrong"),
+        (PLACE, [0.3, 0, -0.4], "their order is not"),
+        (PLACE, [0.3, 0, 0.4], "their order and signs are not"),
+        (PLACE, [0, 300, -400], "millimetres"),
+        (PLACE, [0, 0.6, -0.8], "wrong by a factor of 2"),
+        (Number((0.0, np.pi / 2)), [0, 90], "in degrees"),
+        (Number((5, 4)), [5, 3], "one too few"),
+    ],
+)  # fmt: skip
+def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answer: Any, words: str) -> None:
+    feedback = asks.judge(answer)
+    assert feedback.outcome is Outcome.WRONG
+    assert words in feedback.message
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer"),
+    [
+        (COSINE, r"\frac{x^2 + y^2 - l_1^2 - l_1 l_2}{2 l_1 l_2} + \frac{x}{y}"),
+        (RADIUS, "x + y"),
+        (RADIUS, lambda x, y: [1, 2, 3]),
+        (RADIUS, lambda x, y: 1 / 0),
+        (PLACE, [0.1, 0.37, -0.42]),
+    ],
+)
+def test_what_has_no_simple_relation_is_told_none(asks: Any, answer: Any) -> None:
+    feedback = asks.judge(answer)
+    assert not feedback.is_right
+    said = ("units", "exchanged", "missing", "times", "plus", "minus", "root", "square of", "factor", "order")
+    assert [word for word in said if word in feedback.message] == []
