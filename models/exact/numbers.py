@@ -178,5 +178,4 @@ def _radical(value: float) -> Entry | None:
 
 def _decimal(value: Fraction) -> str:
     """Return a rational as decimal text without trailing zeros: 3/10 as "0.3"."""
-    text = f"{float(value):.15f}".rstrip("0").rstrip(".")
-    return text or "0"
+    return f"{float(value):.15f}".rstrip("0").rstrip(".")

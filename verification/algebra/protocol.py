@@ -65,6 +65,10 @@ class Algebra(Protocol):
         """Return the partial derivative with respect to a variable."""
         ...
 
+    def symbols(self, value: Any) -> set[str]:
+        """Return the symbols that a scalar holds, wherever they stand in it."""
+        ...
+
     def rank(self, matrix: Matrix) -> Any:
         """Return the rank of a matrix, as a scalar."""
         ...

@@ -67,8 +67,8 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
     if (exact := evaluator.algebra.exact) is not None:
         return evaluator.algebra.from_exact(evaluator.within(exact).evaluate(node))
     value = sized(evaluator.evaluate(plain))
-    for order in range(node.dots):
-        value = _in_time(evaluator, value, order)
+    for _ in range(node.dots):
+        value = _in_time(evaluator, value)
     return value
 
 
@@ -76,17 +76,17 @@ def _is_variable(evaluator: Evaluating, symbol: str) -> bool:
     return evaluator.names.arm is not None and any(joint.symbol == symbol for joint in evaluator.names.arm.joints)
 
 
-def _in_time(evaluator: Evaluating, value: Value, orders: int = 1) -> Value:
+def _in_time(evaluator: Evaluating, value: Value) -> Value:
+    """Return the derivative in time, by each joint variable, and each rate of one, that stands in a value."""
     if evaluator.names.arm is None:
         raise EvaluationError(say(Kind.RATE_WITHOUT_ARM))
     if isinstance(value, Matrix):
-        return value.map(lambda cell: _in_time(evaluator, cell, orders))
+        return value.map(lambda cell: _in_time(evaluator, cell))
     algebra = evaluator.algebra
     total = algebra.rational(Fraction(0))
-    for joint in evaluator.names.arm.joints:
-        for order in range(orders + 1):
-            variable = algebra.symbol(rate_symbol(joint.symbol, order))
-            total = total + algebra.derivative(value, variable) * algebra.symbol(rate_symbol(joint.symbol, order + 1))
+    for symbol in sorted(algebra.symbols(value)):
+        if _is_variable(evaluator, symbol.rpartition(" ")[2]):
+            total = total + algebra.derivative(value, algebra.symbol(symbol)) * algebra.symbol(rate_symbol(symbol, 1))
     return total
 
 

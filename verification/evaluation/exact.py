@@ -12,7 +12,7 @@ from armproof.models.exact.polynomial import Entry, Rows
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.angles import cos_sin
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.calculus import derivative, substitute
+from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
 from armproof.verification.algebra.matrix import Matrix, exact_rank
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
@@ -135,6 +135,9 @@ class ExactAlgebra(TracedAlgebra):
 
     def derivative(self, value: Scalar, variable: Scalar) -> Scalar:
         return derivative(value, variable)
+
+    def symbols(self, value: Scalar) -> set[str]:
+        return symbols_in([value])
 
     def rank(self, matrix: Matrix) -> Scalar:
         return self.ring.rational(exact_rank(matrix))

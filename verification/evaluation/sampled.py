@@ -132,6 +132,9 @@ class SampledAlgebra(ArmAlgebra):
     def derivative(self, value: np.ndarray, variable: np.ndarray) -> np.ndarray:
         raise EvaluationError("a derivative is taken exactly, then sampled")
 
+    def symbols(self, value: np.ndarray) -> set[str]:
+        raise EvaluationError("a derivative is taken exactly, then sampled")
+
     def from_exact(self, value: Value) -> Value:
         """Return an exact value at the samples."""
         if isinstance(value, Matrix):

@@ -133,6 +133,9 @@ class NumericAlgebra(GivenTarget):
     def derivative(self, value: Any, variable: Any) -> Any:
         raise OutsideAlgebra("a derivative")
 
+    def symbols(self, value: Any) -> set[str]:
+        raise OutsideAlgebra("a derivative")
+
     def rank(self, matrix: Matrix) -> Any:
         raise OutsideAlgebra("a rank")
 

@@ -84,7 +84,7 @@ def _is_entry(name: n.Name) -> bool:
 
 def applied(name: n.Name, arm: Arm) -> tuple[Quantity, ...]:
     """Return what f(q) or FK(q) may stand for: the tool's position, its pose, or its position and orientation in a plane."""
-    if name.base not in FUNCTIONS or name.sub or name.sup or name.pre_sub or name.pre_sup or name.dots:
+    if name.base not in FUNCTIONS or name != n.Name(name.base):  # f'(q) is another function
         return ()
     tools, bases = dict.fromkeys((_tool(arm), _last(arm))), dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))
     kinds = ("origin", "pose", "task") if is_planar(arm) else ("origin", "pose")
