@@ -86,10 +86,10 @@ class Matrix:
             raise EvaluationError(say(Kind.NO_VECTOR, size=self.size))
         return self.cells
 
-    def minors(self, size: int, rows: tuple[int, ...]) -> dict[tuple[int, ...], Cell]:
-        """Return the determinants of the given rows with every choice of `size` columns, by columns."""
+    def minors(self, rows: tuple[int, ...]) -> dict[tuple[int, ...], Cell]:
+        """Return the determinants of the given rows with every choice of as many columns, by columns."""
         found: dict[tuple[int, ...], Cell] = {(c,): self.rows[rows[0]][c] for c in range(self.shape[1])}
-        for row in rows[1:size]:
+        for row in rows[1:]:
             grown: dict[tuple[int, ...], Cell] = {}
             for columns, minor in found.items():
                 for c in range(self.shape[1]):
@@ -110,7 +110,7 @@ class Matrix:
             raise ShapeError(say(Kind.NO_DETERMINANT, size=self.size))
         if size > 8:
             raise EvaluationError(say(Kind.LARGE_DETERMINANT, size=self.size))
-        return self.minors(size, tuple(range(size)))[tuple(range(size))]
+        return self.minors(tuple(range(size)))[tuple(range(size))]
 
     def adjugate(self) -> Matrix:
         """Return the transposed matrix of cofactors."""
@@ -129,7 +129,7 @@ class Matrix:
         rows = []
         for r in everything:
             others = tuple(row for row in everything if row != r)
-            minors = self.minors(size - 1, others)
+            minors = self.minors(others)
             row = [minors[tuple(c for c in everything if c != k)] for k in everything]
             rows.append(tuple(-cell if (r + k) % 2 else cell for k, cell in enumerate(row)))
         return Matrix(tuple(rows))
@@ -150,10 +150,10 @@ def column(cells: Iterable[Cell]) -> Matrix:
 def exact_rank(matrix: Matrix) -> int:
     """Return the rank over the field of quotients: the size of the largest minor that is not zero (bordering)."""
     size, width = matrix.shape
-    rows: tuple[int, ...] = ()
-    columns: tuple[int, ...] = ()
-    while len(rows) < min(size, width):
-        bordered = next(
+    largest: tuple[tuple[int, ...], tuple[int, ...]] | None = (), ()
+    while largest is not None:
+        rows, columns = largest
+        largest = next(
             (
                 ((*rows, r), (*columns, c))
                 for r in range(size)
@@ -163,9 +163,6 @@ def exact_rank(matrix: Matrix) -> int:
             ),
             None,
         )
-        if bordered is None:
-            break
-        rows, columns = bordered
     return len(rows)
 
 
@@ -211,4 +208,4 @@ def is_zero(value: Any) -> bool:
         return all(map(is_zero, value.cells))
     if hasattr(value, "is_zero"):
         return bool(value.is_zero())
-    return bool((value == 0).all()) if hasattr(value, "all") else value == 0
+    return bool((value == 0).all())

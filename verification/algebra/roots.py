@@ -85,7 +85,7 @@ def sqrt(value: Scalar) -> Scalar:
         ring.signs_chosen |= power > 1 and not _is_symbol(ring, factor)
         if power % 2:
             inside = inside * ring.polynomials.lift(factor)
-    if len(outside.numerator) > 1 and is_negative(ring, outside.numerator):
+    if is_negative(ring, outside.numerator):
         outside = -outside
     return outside if inside.is_one() else outside * ring.radical(inside, sqrt)
 

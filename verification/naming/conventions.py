@@ -14,7 +14,7 @@ from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import is_planar
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames, transform_pair
+from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames
 
 END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".split())
 PERHAPS_END = frozenset("P T t G g h H OT ot".split())
@@ -42,7 +42,7 @@ def is_usual(name: n.Name) -> bool:
 
 def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:
     """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
-    if name.primes or (name.pre_sub and name.pre_sup and name.sub):
+    if name.primes or (name.pre_sub and name.sub):
         return ()
     if name.base == "WC":  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
         name = replace(name, base="p", sub=f"WC,{name.sub}".rstrip(","))
@@ -50,13 +50,9 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
     if not placed:
         bases = dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))
         return tuple(dict.fromkeys(each for base in bases for each in _unplaced(name, base, arm)))
-    if name.base in POSES | {"R"} and (name.pre_sub or name.sub):
-        first, index = transform_pair(name, arm, transforms) or ("", "")
-    else:
-        first = name.pre_sup or name.sup
-        if name.sup and name.sub and transforms == "lower":
-            name = replace(name, sub=first, sup=(first := name.sub))
-        index = name.pre_sub or name.sub
+    first, index = name.pre_sup or name.sup, name.pre_sub or name.sub
+    if name.sup and name.sub and transforms == "lower":
+        first, index = index, first
     reference = _frame(first, arm)
     if reference is None or (name.pre_sup and name.sup) or (index != first and _frame(index, arm) == reference):
         return ()  # {}^3T_E where frame 3 is the last: a tool beyond it

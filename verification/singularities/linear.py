@@ -34,7 +34,7 @@ def maximal_minors(matrix: Matrix, size: int) -> list[Scalar]:
     found = []
     for chosen in combinations(range(rows), size):
         matrix.rows[0][0].ring.budget.check()
-        found += [minor for minor in matrix.minors(size, chosen).values() if not minor.is_zero()]
+        found += [minor for minor in matrix.minors(chosen).values() if not minor.is_zero()]
     return found
 
 

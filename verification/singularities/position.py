@@ -87,7 +87,7 @@ class Placement:
         moved = Matrix(image_rows(variety, self.rows, self.sampler)).map(variety.substituted)
         if size == 0 or moved.shape[0] != size or sum(map(len, moved.cells)) > MOST_TERMS:
             return []
-        minors = [m for m in moved.minors(size, tuple(range(size))).values() if not m.is_zero()]
+        minors = [m for m in moved.minors(tuple(range(size))).values() if not m.is_zero()]
         common = reduce(lambda a, b: a.gcd(b), minors)
         factors = [Factor(half, f, self.positive) for f, _ in half.factors(common)]
         return [factor for factor in factors if factor.kind is Kind.LENGTHS]

@@ -58,7 +58,7 @@ def shown(node: object) -> str:
             return "<" + "; ".join(map(shown, node.statements)) + ">"
         case n.Chain():
             relations = (*(f" {each} " for each in node.relations), "")
-            return "".join(f"{shown(m)}{r}" for m, r in zip(node.members, relations, strict=False))
+            return "".join(f"{shown(m)}{r}" for m, r in zip(node.members, relations, strict=True))
         case n.Connective():
             return f"[{node.kind}{f' {node.text}' if node.text != node.kind else ''}]"
     raise AssertionError(node)
@@ -120,6 +120,7 @@ theta_1 theta1 alpha WC_x  ⟶  (theta_1 theta_1 alpha WC_x)
 l1 q12 C12 q3x x2.5 \theta_1 2 x3 \pi 2  ⟶  (l_1 q_12 cos(+1+2) q_3 x x 5/2 theta_1 2 x_3 pi 2)
 elbow up \quad mass \quad abc \quad abcd \quad xyzw  ⟶  (elbow u p); mass; (a b c); abcd; xyzw
 \angle ABC \angle x  ⟶  (angleABC angle x)
+{{}^0T}_1 {{}_1^0T} {{}_1T}  ⟶  ({}^0T_1 {}^0_1T {}_1T)
 {C}_1 {T}^0_1 {x_1}^2 {^0}T_1 {_1^0}T {^{i-1}}T_i {^0p}_2  ⟶  (cos(+1) T_1^0 x_1**2 {}^0T_1 {}^0_1T {}^i-1T_i {}^0p_2)
 R[0,1] R[0,1]^T T[0, 2] R[0,x] R(0,1) R_1[0,1] Q[0,1]  ⟶  (R_0,1 R_0,1^<T> T_0,2 R [0, x] name(R, 0, 1) name(R_1, 0, 1) name(Q, 0, 1))
 """,
@@ -148,6 +149,7 @@ Rot_z(\theta_1) Rot_{z,\theta_1} Rot_{z,\theta_1}^T Rot(z, \theta_1) Trans_{x, a
 T_x(a_1) T_x(\theta_1) D_z(d_1) R_w(x) R_{x}(a, b) {}^0R_z(\theta)  ⟶  (Trans(x, a_1) name(T_x, theta_1) Trans(z, d_1) name(R_w, x) name(R_x, a, b) name({}^0R_z, theta))
 R_{0,1} R_{ab} R_{x,a} R_{x, y\alpha}  ⟶  (R_0,1 R_ab R_x,a Rot3(x, (y alpha)))
 J(q) J(\theta_1, \theta_2) f(x) f(x, y) g(q, t) f_1(x) a_1(x) T(\theta) J^T(q) J(q)^T J^{-1}(\theta_1) J'(q)  ⟶  (name(J, q) name(J, theta_1, theta_2) f (x) f (x, y) name(g, q, t) f_1 (x) a_1 (x) name(T, theta) name(J, q)^<T> name(J, q)^<T> name(J, theta_1)^<-1> name(J', q))
+p(0) x(1) w(2)  ⟶  (p (0) x (1) w (2))
 p(0, 0) p_1(\theta_1) w(0, 0) x(t) x(y) p_x(q) h(a + b) K(x) K(a + b) d(t) p(x, y) a(x, y) a(q)  ⟶  (name(p, 0, 0) name(p_1, theta_1) w (0, 0) name(x, t) x (y) name(p_x, q) h ((+ a + b)) name(K, x) K ((+ a + b)) name(d, t) name(p, x, y) a (x, y) name(a, q))
 S(v) S(\theta) S_1(v) C(v) R(\phi, \theta)  ⟶  (name(S, v) sin(theta) sin(+1) (v) C (v) name(R, phi, theta))
 A_1(0) A_1(90^\circ) T(1, 2) T(\pi/2) T(2 \theta_1) T(2\theta_1, 0) J(x_1, 0) l(2) \theta_1(0) J(2 l) T(30^{-1})  ⟶  (name(A_1, 0) name(A_1, 90^<deg>) name(T, 1, 2) name(T, (pi / 2)) T ((2 theta_1)) name(T, (2 theta_1), 0) J (x_1, 0) l (2) theta_1 (0) J ((2 l)) T (30^<-1>))
@@ -180,6 +182,7 @@ x = \left\{ \begin{array}{l} b \\ c \end{array} \right. \quad \left\{ \begin{arr
 a = b = c \quad a \approx b \quad a \le b < c \quad a \in b \quad a \neq b \quad a := b \quad a \triangleq b \quad a \overset{!}{=} b \quad a \overset{\text{def}}{=} b \quad a \not= b  ⟶  a = b = c; a ≈ b; a ≤ b < c; a ∈ b; a ≠ b; a = b; a = b; a ≟ b; a = b; a ≠ b
 = a  ⟶  = = a
 a = b \\ = c \\ d = e  ⟶  a = b = c; d = e
+a =  ⟶  a
 a = \\ b = c \quad a = b = \\ c  ⟶  a = b = c; a = b = c
 a \Rightarrow b \iff c \quad a \therefore b \lor c \land d \Leftarrow e \to f  ⟶  a; [⇒]; b; [⇔]; c; a; [⇒]; b; [or]; c; [and]; d; [⇐]; e; [⇒]; f
 a = b \text{ and } c = d \text{ or } e \text{ if } f \text{ some words } g  ⟶  a = b; [and]; c = d; [or]; e; [if]; f; [words some words]; g
@@ -244,7 +247,7 @@ PLACES = r"""
 R_z(\theta_1) R_{x,\alpha_1} Rot(z, \theta_1) Rot_z(\theta_1) Rot_{z,\theta_1} Trans_{x, a_1}
 R_{z,\theta_1}^T R_z(\theta_1)^{-1} Rot_{z,\theta_1}^T
 \begin{bmatrix} c_1 & -s_{12} \\ \frac{1}{2} & x^{2} \end{bmatrix}^T \begin{pmatrix} 1 \\ 2 \end{pmatrix}
-\underbrace{a + b}_{c} + \overbrace{l_1}^{2}
+\underbrace{a + b}_{k} + \overbrace{l_1 c}^{m}
 \dot\theta_1 + \ddot{q}_2 + \dot{\mathbf{p}}_3
 |a + b|^2 + \lVert p \rVert + l |s|
 J(q) \dot{q} + \mathbf{J}(\theta_1, \theta_2)^{-1}
@@ -289,3 +292,9 @@ def test_what_stands_at_the_place_of_a_node_is_the_node(latex: str) -> None:
 def test_a_place_is_told_from_the_beginning_of_the_display() -> None:
     first, second = Reader().read(r"a = b \quad \text{so } c = 2 d")[0::2]
     assert (first.span, second.span) == ((0, 5), (23, 30))
+
+
+def test_a_name_at_a_configuration_ends_before_the_bar() -> None:
+    latex = r"J_v|_{\theta_1 = 0} + x"
+    names = [node for node in n.walk(Reader().read_expression(latex)) if isinstance(node, n.Name)]
+    assert [latex[slice(*name.span)] for name in names if name.base in "Jx"] == ["J_v", "x"]
