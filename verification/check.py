@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache, partial
 from itertools import accumulate
+from operator import methodcaller
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +32,7 @@ from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
     difference,
+    entries_by_place,
     infer_arm,
     links_of,
     links_that_explain,
@@ -160,6 +162,7 @@ class DocumentChecker:
         self.names.state.transforms = self.direction[0]
         self.lengths = self.lengths_in(document)
         self.names.state.configuration.update(self.lengths)
+        self._name_entries()
 
     def direction_in(self, document: Document) -> tuple[str, int]:
         """Return which index names the reference, as a document's first link matrix shows it, and its line; else ("", 0)."""
@@ -176,6 +179,15 @@ class DocumentChecker:
             return {}
         with self.ring.budget.of(SECONDS_TO_DECIDE):
             return stated_lengths(document, self.names, self.exact)
+
+    def _name_entries(self) -> None:
+        """Let a_2 and d_3 be the numbers of the rows of the table that the arm was taken from."""
+        taken = self.inferred.arm
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            for key, value in (
+                entries_by_place(self.document, taken, self.names, self.exact) if taken is not None else ()
+            ):
+                self.names.define(key, methodcaller("rational", value), taken.line if taken else 0, by_table=True)
 
     def sampled(self) -> SampledAlgebra:
         """The double plant at the configurations of the six families; raises NotSampled where none may be taken."""

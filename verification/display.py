@@ -16,7 +16,7 @@ from armproof.verification.conditions.implication import (
     is_rank_condition,
 )
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.general_links import GeneralStatements
+from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.misreadings import sizes_of_convention, without_misreading
@@ -25,6 +25,7 @@ from armproof.verification.equations.readings import counted
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.statements import ARROWS, PREVIOUS
 from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.quantities import is_inverse_link
@@ -294,11 +295,15 @@ class Statements:
             outcomes = [outcome.left_open(doubt) for outcome in outcomes]
         if not chain.relations and not outcomes:
             return [] if _is_label(chain) else [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]
+        outcomes = [self._of_own_sums(outcome, chain) for outcome in outcomes]
         foreign = self.names.state.foreign()
         for outcome in outcomes if foreign else ():
             if outcome.verdict is Verdict.REFUTED:
                 other = say(Kind.OTHER_EXERCISE, name=foreign[0][0], line=foreign[0][1])
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
+        if by_table := self.names.state.from_table():
+            doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
+            outcomes = [each.left_open(doubt) if each.verdict is Verdict.REFUTED else each for each in outcomes]
         if (
             text := self.names.state.from_text()
         ):  # it may speak of one case: only a slip in what follows from it is refuted
@@ -308,6 +313,15 @@ class Statements:
             met = {key for key in self._consulted() if key[0] not in outcome.defines and key != outcome.repeats}
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
         return outcomes
+
+    def _of_own_sums(self, outcome: Outcome, chain: n.Chain) -> Outcome:
+        """A θ_{34} that the document says to be θ_3 - θ_4 is what it says: that is no claim, and what then fails is left open."""
+        digits = next(filter(None, map(self.names.own_sum, n.walk(chain))), "")
+        alone = [each.arguments[0] if isinstance(each, n.Call) else each for each in map(bare, chain.members)]
+        says_so = any(self.names.own_sum(each) for each in alone)
+        if not digits or not (outcome.verdict is Verdict.REFUTED or (says_so and outcome.verdict is Verdict.PROVED)):
+            return outcome
+        return outcome.left_open(say(Kind.OWN_SUM, digits=digits))
 
     def _begin(self) -> None:
         self.names.state.consulted.clear()
@@ -363,6 +377,8 @@ class Statements:
             return Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))
         if any(relation != "=" for relation in chain.relations):
             return None
+        if is_sum_of_indices(chain):
+            return Outcome(Verdict.PROVED, (), equation, role=Role.LAW)
         if (doubt := counted(chain, self.names)) is not None:
             return Outcome(Verdict.UNCHECKED, (doubt,), equation)
         if (given := self.given.read(chain, line, define)) is not None:

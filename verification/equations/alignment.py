@@ -101,6 +101,8 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
                 yield Pair(true.block(range(3), range(3)), printed, ROTATION)
             elif _is_planar(true):
                 yield Pair(true.block([0, 1, 3], [0, 1, 3]), printed, say(Kind.PLANAR_TRANSFORM))
+            elif equal_matrices(true.block(range(3), range(3)), printed):  # T_{03} = R: right, or no claim about a pose
+                yield Pair(true.block(range(3), range(3)), printed, ROTATION)
     if (m, k, r, c) == (3, 3, 2, 2) and _is_constant(true.rows[2][2], 1) and _is_planar_rotation(true):
         yield Pair(true.block([0, 1], [0, 1]), printed, say(Kind.PLANAR_ROTATION))
     if (m, k, r, c) == (3, 3, 4, 4) and _is_constant(printed.rows[3][3], 1):

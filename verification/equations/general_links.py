@@ -145,6 +145,22 @@ class GeneralStatements:
         return (("classic",) if classic else ()) + (("modified",) if modified else ())
 
 
+def is_sum_of_indices(chain: n.Chain) -> bool:
+    """Whether a chain says what c_{ij} abbreviates, as everybody means it: cos(θ_i + θ_j)."""
+    if len(chain.members) != 2:
+        return False
+    name, call = map(n.bare, chain.members)
+    if not (isinstance(name, n.Name) and isinstance(call, n.Call) and len(call.arguments) == 1):
+        return False
+    angle = n.bare(call.arguments[0])
+    terms = angle.terms if isinstance(angle, n.Sum) else ()
+    added = [term for sign, term in terms if sign == "+" and isinstance(term, n.Name)]
+    one_letter = len({term.base for term in added}) == 1 and added[0].base in ("theta", "q")
+    indices = "".join(term.sub for term in added)
+    function = {"c": "cos", "s": "sin"}.get(name.base.lower())
+    return one_letter and len(added) == len(terms) and (name.sub.replace(",", ""), function) == (indices, call.function)
+
+
 def replace_arm(checker: ChainChecker) -> Any:
     """Return an exact algebra over the same ring in which no arm binds any symbol."""
     from armproof.verification.evaluation.exact import ExactAlgebra

@@ -22,16 +22,18 @@ from armproof.verification.latex.runs import (
     total_derivative,
 )
 from armproof.verification.latex.statements import Cell, build_statements, environment_node
-from armproof.verification.latex.tokens import span_of_token
+from armproof.verification.latex.tokens import Spelling, canonical_script, span_of_token
 
 
 class TreeBuilder(Transformer):
     """Callbacks of the grammar's rules; `is_bound(key)` tells the names that the front matter gives a meaning."""
 
-    def __init__(self, text: str, is_bound: Callable[[str], bool], parse: Callable[[str, int], n.Node]) -> None:
+    def __init__(
+        self, text: str, is_bound: Callable[[str], bool], parse: Callable[[str, int], n.Node], spelling: Spelling
+    ) -> None:
         super().__init__()
         self.text = text
-        self.runs = RunReader(text, is_bound, parse)
+        self.runs = RunReader(text, is_bound, parse, spelling)
 
     # -- layout ----------------------------------------------------------------------------------------------------
 
@@ -274,6 +276,12 @@ class TreeBuilder(Transformer):
         if token.value != "underset" and not isinstance(above, n.Layout):  # an arrow leaves a name what it is
             raise ReadError(say(Kind.MARK_ABOVE, text=self.text[slice(*above.span)]), token.start_pos)
         span = (token.start_pos, argument_end(self.text, below.span[1]))
+        index = token.value == "underset" and isinstance(above, n.Name | n.Number)
+        if isinstance(below, n.Name) and index:  # p with a 2 under it is p_2
+            if below.sub not in ("", "x", "y", "z"):
+                raise ReadError(say(Kind.MARK_ABOVE, text=self.text[slice(*above.span)]), token.start_pos)
+            index_below = canonical_script(self.text[slice(*above.span)])
+            below = replace(below, sub=f"{index_below},{below.sub}".rstrip(","))
         return node_item(replace(below, span=span) if isinstance(below, n.Name) else below)
 
     # -- runs ------------------------------------------------------------------------------------------------------

@@ -113,6 +113,10 @@ class CallReader(NameReader):
         canonical = canonical_script(raw)
         if _JOINT_DIGITS.fullmatch(canonical):
             found = re.findall(r"([+-]?),?(\d)", canonical)
+            if not any(sign for sign, _ in found):
+                digits = "".join(digit for _, digit in found)
+                signs = self.spelling.joint_signs(digits)
+                return n.JointAngles(tuple(zip(signs, map(int, digits), strict=True)), span=span)
             return n.JointAngles(tuple((-1 if sign == "-" else 1, int(digit)) for sign, digit in found), span=span)
         if canonical in ("i", "j", "k", "n", "i-1", "i+1", "n-1"):
             return n.Name("theta", sub=canonical, text=raw, span=span)

@@ -11,7 +11,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import OPERATORS, Item, Script
-from armproof.verification.latex.tokens import canonical_script
+from armproof.verification.latex.tokens import Spelling, canonical_script
 
 MAX_EXPONENT = 24
 TRANSFORM_LETTERS = frozenset("TAHR")
@@ -31,7 +31,10 @@ STARRED = frozenset(["theta", "q", "d", "r", "a", "alpha", "l", "L", "phi", "bet
 class NameReader:
     """Reads items with their scripts; `parse` reads a piece of LaTeX, `is_bound` tells the names the front matter binds."""
 
-    def __init__(self, text: str, is_bound: Callable[[str], bool], parse: Callable[[str, int], n.Node]) -> None:
+    def __init__(
+        self, text: str, is_bound: Callable[[str], bool], parse: Callable[[str, int], n.Node], spelling: Spelling
+    ) -> None:
+        self.spelling = spelling
         self.text = text
         self.is_bound = is_bound
         self.parse = parse

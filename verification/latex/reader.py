@@ -75,7 +75,7 @@ class Reader:
         text = prepared(normalise_unicode(latex))
         try:
             tree: Tree = _grammar().parse((text, self.spelling))  # type: ignore[arg-type]
-            return TreeBuilder(text, self.is_bound, self.read_expression).transform(tree)  # type: ignore[return-value]
+            return TreeBuilder(text, self.is_bound, self.read_expression, self.spelling).transform(tree)  # type: ignore[return-value]
         except UnexpectedToken as error:
             raise _unbalanced(text, self.spelling) or _unexpected(error, text) from None
         except UnexpectedInput as error:

@@ -150,7 +150,12 @@ class Spelling:
     decimal_comma: bool = False
     variables: str = ""  # "both" where it has q_i beside θ_i, "told" where it says what θ_i is by q_i
     angle: str = "theta"  # what c_1 is the cosine of where there is no arm: q_1, where it has no θ_1
+    sums: tuple[tuple[str, tuple[int, ...]], ...] = ()  # digits of θ_{34} = θ_3 - θ_4 → the signs that it says
     reference_below: bool = False  # {}_0^1T is the pose of frame 1 in frame 0
+
+    def joint_signs(self, digits: str) -> tuple[int, ...]:
+        """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""
+        return dict(self.sums).get(digits, (1,) * len(digits))
 
 
 def _turned(found: re.Match[str]) -> str:

@@ -155,7 +155,16 @@ class Names:
         rising = all(a < b for a, b in pairwise(digits))
         if self.arm is None or not rising or any(self.joint_angle(digit) is None for digit in digits):
             return None
-        return n.JointAngles(tuple((1, digit) for digit in digits), span=name.span)
+        signs = self.reader.spelling.joint_signs(name.sub)
+        return n.JointAngles(tuple(zip(signs, digits, strict=True)), span=name.span)
+
+    def own_sum(self, node: n.Node) -> str:
+        """Return the digits of a c_{34} or θ_{34} that the document says to be another sum of angles than usual, or nothing."""
+        if isinstance(node, n.JointAngles):
+            digits = "".join(str(index) for _, index in node.terms)
+        else:
+            digits = node.sub if isinstance(node, n.Name) and node.base in ("theta", "q") else ""
+        return digits if digits in dict(self.reader.spelling.sums) else ""
 
     def added_frame(self, name: n.Name) -> tuple[str, str, str] | None:
         """Return (reference, frame of the arm, name of the transform from it) of a transform to a frame the document added."""
@@ -254,10 +263,18 @@ class Names:
         by_place: bool = False,
         node: n.Node | None = None,
         in_text: bool = False,
+        by_table: bool = False,
     ) -> None:
         """Give a name its meaning, unless it has one."""
         definition = Definition(
-            evaluate, line, self.state.section, by_place, node, self.state.exercise, in_text=in_text
+            evaluate,
+            line,
+            self.state.section,
+            by_place,
+            node,
+            self.state.exercise,
+            in_text=in_text,
+            by_table=by_table,
         )
         self.state.definitions.setdefault(key, definition)
 

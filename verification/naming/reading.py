@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
@@ -34,6 +34,10 @@ _BETWEEN = re.compile(
 )
 _TOLD = re.compile(
     r"theta_(\d+)=(?!q_\1(?:[^\d+-]|$))[^=,;]*q_\1(?!\d)|(?<![A-Za-z])q_(\d+)=(?!\\?theta_\2(?:[^\d+-]|$))[^=,;]*theta_\2(?!\d)"
+)
+_UNREAD = re.compile(r"\\(?:left|right|mathrm|operatorname|[,;! ])|[\s{}&\\]")
+_OWN_SUM = re.compile(
+    r"(?:^|[,;$])(?:theta|q|[cCsS])_(\d{2,4})=(?:(?:cos|sin|[cCsS])\(?)?(-?(?:theta|q)_\d(?:[+-](?:theta|q)_\d)+)(?![\d+*/-])"
 )
 
 
@@ -76,14 +80,25 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", text))
     bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
     apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
-    said = "\n".join(each for display in document.displays for each in (display.latex, *display.said))
+    texts = [each for display in document.displays for each in (display.latex, *display.said)]
+    said = "\n".join(texts)
     letters = (r"theta", r"(?<![A-Za-z])q", r"(?<![A-Za-z])[cCsS]")
     of_theta, of_q, of_cosine = (set(re.findall(rf"{letter}\s*_\s*\{{?\s*(\d)", said)) for letter in letters)
     both = of_theta and of_q
     variables = ("told" if _TOLD.search(re.sub(r"[\s{}&]", "", said)) else "both") if both else ""
     comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
     angle = "q" if of_q & of_cosine and not of_theta else "theta"
-    return Spelling(words, frozenset(apart), comma, variables, angle, _refers_below(text))
+    sums = tuple(dict(_own_sums(texts)).items())
+    return Spelling(words, frozenset(apart), comma, variables, angle, sums, _refers_below(text))
+
+
+def _own_sums(said: Iterable[str]) -> Iterator[tuple[str, tuple[int, ...]]]:
+    """Yield the digits of names that a document gives a sum of angles with a minus in it: S_{34} = sin(θ_3 - θ_4)."""
+    for text in said:
+        for digits, angles in _OWN_SUM.findall(_UNREAD.sub("", text.replace("quad", ","))):
+            terms = re.findall(r"([+-]?)(?:theta|q)_(\d)", angles)
+            if "-" in dict(terms) and "".join(digit for _, digit in terms) == digits:
+                yield digits, tuple(-1 if sign == "-" else 1 for sign, _ in terms)
 
 
 def _refers_below(text: str) -> bool:

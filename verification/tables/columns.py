@@ -48,6 +48,7 @@ _WORDS = (
     (r"type|kind|tipo", "sigma"),
     (r"variables?", "q"),
 )
+_OFFSET = re.compile(r"^[\s_,(]*(?:offset|off|0|décalage|desfase)\b")
 _LABEL = re.compile(
     r"(?:[ijkn](?:-1)?|n[°ºo]|no\.?|#|(?:the )?(?:links?|joints?|segments?|corps|liaisons?|articulations?|frames?|rep[eè]res?|row|ax[ie]s|axe|bod(?:y|ies)"
     r"|solide|eslab[oó]n|elo|articulaci[oó]n|juntas?|gelenk|glied|achse|step|transforms?|matri(?:x|ces))(?: (?:no\.?|number|n[°º]|#))?(?: ?[ijkn])?"
@@ -59,13 +60,15 @@ _LABEL = re.compile(
 class Header:
     """What one header says. `role`: alpha, theta, sigma, a, d, r, q or b for a letter, label, or "" for anything else.
 
-    `convention` is that of the letter's index (i-1: modified, i: classic), `unit` deg, rad, m, cm, mm or "".
+    `convention` is that of the letter's index (i-1: modified, i: classic), `unit` deg, rad, m, cm, mm or "". `is_offset`: of the
+    angle without its variable, θ_offset.
     """
 
     text: str
     role: str
     convention: str = ""
     unit: str = ""
+    is_offset: bool = False
 
 
 @dataclass(frozen=True)
@@ -137,7 +140,8 @@ def read_header(text: str) -> Header:
     if len(symbols) == 1 and re.fullmatch(r"[^+=/0-9]*", rest[: symbols[0].start()] + rest[symbols[0].end() :]):
         index = re.sub(r"\s", "", symbols[0].group("index") or "")
         convention = "" if not index else "modified" if index.endswith("-1") else "classic"
-        return Header(text, symbols[0].group("letter"), convention, unit)
+        letter, beside = symbols[0].group("letter"), rest[symbols[0].end() :]
+        return Header(text, letter, convention, unit, letter == "theta" and _OFFSET.search(beside.lower()) is not None)
     if not symbols:
         for words, role in _WORDS:
             if re.search(rf"\b(?:{words})\b", rest.lower()):

@@ -377,3 +377,54 @@ BOUND: dict[str, Any] = {
 def test_no_mark_is_passed_over(judge: Judge, display: str, verdict: Verdict, says: str) -> None:
     record = judge(display, **BOUND)
     assert (record.verdict, says in record.message) == (verdict, True), record.message
+
+
+# -- what the document says itself -------------------------------------------------------------------------------------
+
+TURNED: dict[str, Any] = {
+    "dh": "classic",
+    "rows": [
+        {"a": "l_1", "alpha": 0, "d": 0, "theta": "theta_1"},
+        {"a": "l_2", "alpha": "pi", "d": 0, "theta": "theta_2"},
+        {"a": 0, "alpha": 0, "d": "d_3", "theta": 0},
+        {"a": 0, "alpha": 0, "d": 0, "theta": "theta_4"},
+    ],
+}
+TURN = r"{}^0R_4 = \begin{bmatrix} c_{124} & s_{124} & 0 \\ s_{124} & %sc_{124} & 0 \\ 0 & 0 & -1 \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    "told", [r"\theta_{124} = \theta_1 + \theta_2 - \theta_4", r"C_{124} = \cos(\theta_1 + \theta_2 - \theta_4)"]
+)
+def test_a_sum_of_angles_is_what_the_document_says(judge: Judge, told: str) -> None:
+    assert judge(told, TURN % "-", arm=TURNED).verdict is Verdict.PROVED
+    assert judge(told, TURN % "", arm=TURNED).verdict is Verdict.UNCHECKED  # nobody knows who is wrong
+    assert judge(told, arm=TURNED).verdict is Verdict.UNCHECKED
+    assert judge(TURN % "-", arm=TURNED).verdict is Verdict.REFUTED  # as everybody means it
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"c_{ij} = \cos(\theta_i + \theta_j)", Verdict.PROVED),
+        (r"S_{ijk} = \sin(\theta_i + \theta_j + \theta_k)", Verdict.PROVED),
+        (r"c_{ij} = \cos(\theta_i - \theta_j)", Verdict.UNCHECKED),
+        (r"c_{ij} = \sin(\theta_i + \theta_j)", Verdict.UNCHECKED),
+        (r"s_{ijk} = \sin(\theta_i + \theta_j)", Verdict.UNCHECKED),
+    ],
+)
+def test_what_indices_of_any_joint_abbreviate_is_a_law(judge: Judge, latex: str, verdict: Verdict) -> None:
+    assert judge(latex, arm=None).verdict is verdict and judge(latex, arm="scara").verdict is verdict
+
+
+def test_what_stands_under_a_name_is_its_index(judge: Judge) -> None:
+    point = r"\begin{bmatrix} a_1c_1 + a_2c_{12} \\ a_1s_1 + a_2s_{12} \\ 0 \end{bmatrix}"
+    assert judge(rf"\underset{{2}}{{p}} = {point}", arm=PLANAR).verdict is Verdict.PROVED
+    assert judge(rf"\underset{{1}}{{p}} = {point}", arm=PLANAR).verdict is Verdict.REFUTED
+    assert not judge(rf"\underset{{\text{{wrist}}}}{{p}} = {point}", arm=PLANAR).is_decided
+
+
+def test_a_pose_printed_as_its_rotation_is_that_where_it_is_right(judge: Judge) -> None:
+    turn = r"T_{03} = \begin{bmatrix} c_1c_{23} & -c_1s_{23} & s_1 \\ s_1c_{23} & -s_1s_{23} & %sc_1 \\ s_{23} & c_{23} & 0 \end{bmatrix}"
+    assert judge(turn % "-", arm=ARM).verdict is Verdict.PROVED
+    assert judge(turn % "", arm=ARM).verdict is Verdict.UNCHECKED

@@ -4,11 +4,12 @@ from armproof.verification.tables.arms.catalogue import difference, table_of_nam
 from armproof.verification.tables.arms.inference import infer_arm
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.support import Inference, links_of, links_that_explain, settle_data
-from armproof.verification.tables.arms.values import stated_lengths
+from armproof.verification.tables.arms.values import entries_by_place, stated_lengths
 
 __all__ = [
     "Inference",
     "difference",
+    "entries_by_place",
     "infer_arm",
     "links_of",
     "links_that_explain",

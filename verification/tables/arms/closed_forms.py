@@ -12,13 +12,15 @@ from armproof.verification.document import Display, Document
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
-from armproof.verification.tables.arms.letters import equations_of, value_in_letters
+from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
 
 _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE)?,?([xyz])")
+_POINTS = ("p", "P", "X", "x")
+_ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
 _SLIDE = re.compile(r"[dqr]_?\d+")
 _INDEX = re.compile(r"\d+")
@@ -57,15 +59,46 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
 def _coordinates(
     display: Display, names: Names, algebra: ExactAlgebra, letters: dict[str, n.Name]
 ) -> Iterator[tuple[str, Scalar]]:
-    """Yield the coordinates that a display gives alone: x = …; one that is a number or a bare length tells nothing."""
+    """Yield the coordinates that a display gives: x = …, [x; y] = …, p = …; one that is a number or a bare length tells nothing."""
     for chain in equations_of(display, names):
-        match = _COORDINATE.fullmatch(bare_key(chain.members[0]) or "") if len(chain.members) == 2 else None
-        evaluated = value_in_letters(bare(chain.members[1]), names, algebra) if match is not None else None
-        if match is not None and evaluated is not None and isinstance(evaluated[0], Scalar):
-            axis, value = (match[1] or match[2]).lower(), evaluated[0].normal()
+        for axis, node in _given(chain):
+            evaluated = value_in_letters(node, names, algebra)
+            if evaluated is None or not isinstance(evaluated[0], Scalar):
+                continue
+            value = evaluated[0].normal()
             if axis == "z" or angles_in(value) or any(map(_SLIDE.fullmatch, symbols_in([value]))):
                 letters.update({name.key: name for name in evaluated[1]})
                 yield axis, value
+
+
+def _given(chain: n.Chain) -> Iterator[tuple[str, n.Node]]:
+    """Yield the axes with what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
+    name, *others = map(unapplied, chain.members)
+    match = _COORDINATE.fullmatch(bare_key(name) or "") if len(others) == 1 else None
+    if match is not None:
+        yield (match[1] or match[2]).lower(), others[0]
+    column = next((cells for other in others if (cells := _column(name, other))), ())
+    yield from zip("xyz", column, strict=False)
+
+
+def _column(name: n.Node, printed: n.Node) -> tuple[n.Node, ...]:
+    """Return the coordinates in a matrix that a name of the tool's position or pose, or a column of x, y and z, is equated to."""
+    rows = printed.rows if isinstance(printed, n.Matrix) else ()
+    if len(rows) == len(rows[0] if rows else ()) == 4 and isinstance(name, n.Name) and _is_pose_of_tool(name):
+        return tuple(row[3] for row in rows[:3])
+    if len(rows) not in (2, 3) or any(len(row) != 1 for row in rows):
+        return ()
+    letters = [bare_key(row[0]) for row in name.rows] if isinstance(name, n.Matrix) else []
+    axes = [match[1].lower() for key in letters if (match := _COORDINATE.fullmatch(key or "")) and match[1]]
+    is_point = isinstance(name, n.Name) and name.base in _POINTS and name.key in (name.base, *_ENDS_OF[name.base])
+    return tuple(row[0] for row in rows) if is_point or axes == list("xyz")[: len(rows)] else ()
+
+
+def _is_pose_of_tool(name: n.Name) -> bool:
+    """Whether a name is that of the pose of a frame beyond the first in the base: T_2^0, {}^0_3T, T_{0E}."""
+    scripts = sorted(part for part in (name.pre_sup, name.pre_sub, name.sup, name.sub) if part)
+    pair = tuple(scripts[0]) if len(scripts) == 1 and len(scripts[0]) == 2 else tuple(scripts)
+    return name.base in "THA" and len(pair) == 2 and pair[0] == "0" and pair[1] not in ("0", "1")
 
 
 def _rates(document: Document) -> set[str]:

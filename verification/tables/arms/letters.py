@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import takewhile
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.document import Display
@@ -11,7 +13,10 @@ from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
+
+_JOINT = re.compile(r"(?:theta|Theta|q|[dr](?=_))(?:_\d+)?")  # what a pose or a position is a function of
 
 
 def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:
@@ -22,7 +27,20 @@ def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:
         statements = names.reader.read(display.latex)
     except (ReadError, RecursionError):
         return
-    yield from (each for each in statements if isinstance(each, n.Chain) and set(each.relations) == {"="})
+    for each in statements:
+        if isinstance(each, n.Chain):
+            equal = len(list(takewhile("=".__eq__, each.relations)))  # T = […] ∈ SE(3)
+            if equal:
+                yield replace(each, members=each.members[: equal + 1], relations=each.relations[:equal])
+
+
+def unapplied(node: n.Node) -> n.Node:
+    """Return a name without the joint variables that it is applied to: the T_{01} of T_{01}(q_1), the p of p(θ)."""
+    node = bare(node)
+    if not (isinstance(node, n.Call) and node.function == "name"):
+        return node
+    name, *arguments = node.arguments
+    return name if all(isinstance(each, n.Name) and _JOINT.fullmatch(each.key) for each in arguments) else node
 
 
 def value_in_letters(node: n.Node, names: Names, algebra: ExactAlgebra) -> tuple[Value, tuple[n.Name, ...]] | None:

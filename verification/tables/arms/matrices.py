@@ -14,11 +14,10 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
-from armproof.verification.tables.arms.letters import equations_of, value_in_letters
+from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.rows import joint_of
 from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, right_row
@@ -111,12 +110,12 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
 
 def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
     """Yield names with their printed matrices: A_1 = […], and factor by factor, T_0^1 T_1^2 = […] […]."""
-    members = [bare(member) for member in chain.members]
+    members = [unapplied(member) for member in chain.members]
     named = [member for member in members if _index(member) is not None]
     matrices = [member for member in members if isinstance(member, n.Matrix)]
     if matrices and len({_index(name) for name in named}) == 1:
         yield named[0], matrices[0], False
-    products = [tuple(map(bare, member.factors)) for member in members if isinstance(member, n.Product)]
+    products = [tuple(map(unapplied, member.factors)) for member in members if isinstance(member, n.Product)]
     for names, values in permutations(products, 2):
         if len(names) == len(values) and all(isinstance(value, n.Matrix) for value in values):
             yield from ((name, value, True) for name, value in zip(names, values, strict=True))

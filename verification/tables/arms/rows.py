@@ -101,6 +101,9 @@ def _entries(names: Names, columns: Columns, reading: Reading, row: _Row) -> tup
         for parameter in PARAMETERS
     }
     place, joint = _joint_of(reading, row, values)
+    slides = row.kind in ("fixed", "prismatic") or _is_marked(row.cells[reading.d]) or is_tool(row.label)
+    if columns.headers[columns.theta].is_offset and not slides:
+        place, joint = "theta", joint if place == "theta" and joint else f"q_{row.number}"
     if joint and joint not in symbols_of(values[place]):
         values[place] = values[place] + algebra.symbol(joint)
     return {parameter: entry_text(value) for parameter, value in values.items()}, joint

@@ -122,10 +122,15 @@ def settle_data(
     settled = _Settled(
         taken,
         frozenset(link for each in claims if each.verdict in HOLDS for link in each.links),
-        any(each.is_decided and each.links for each in claims),
+        any(each.is_decided and each.links for each in claims) or _shown_twice(taken, tables),
         {key: each.links for each in claims for key in each.defines},
     )
     return tuple(map(settled.display, equations)), tuple(map(settled.table, tables))
+
+
+def _shown_twice(taken: TakenArm, tables: Iterable[Record]) -> bool:
+    """Whether a table says the same as what the arm was taken from: link matrices, a closed form."""
+    return any(table.verdict in HOLDS and not _is_data(taken, table) for table in tables)
 
 
 def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...]:

@@ -1,4 +1,4 @@
-"""The values that a DH table gives lengths beside their letters: a = l_1 (450 mm), d = l_2 = 0.3."""
+"""The values that a DH table gives lengths: beside their letters, l_1 (450 mm), or alone, by which a_2 and d_3 are its entries."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from armproof.verification.tables.arms.inference import dh_tables, in_metres
 from armproof.verification.tables.cells import Cell, read_cell
 from armproof.verification.tables.columns import read_columns
 from armproof.verification.tables.row import SCALES
+from armproof.verification.verdict import TakenArm
 
 
 def stated_lengths(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Stated]:
@@ -27,6 +28,27 @@ def stated_lengths(document: Document, names: Names, algebra: ExactAlgebra) -> d
             found.setdefault(symbol, set()).add(value)
     one_each = {symbol: values.pop() for symbol, values in found.items() if len(values) == 1}
     return {symbol: Stated(n.Number(value, str(value)), float(value)) for symbol, value in one_each.items()}
+
+
+def entries_by_place(
+    document: Document, taken: TakenArm, names: Names, algebra: ExactAlgebra
+) -> Iterator[tuple[str, Fraction]]:
+    """Yield a_i and d_i (a_{i-1} in the modified convention) of rows where a table has numbers, but zeros: nobody names these."""
+    table = next((each for each in dh_tables(document) if each.line == taken.line), None)
+    columns = read_columns(table.header) if table is not None and taken.source == "table" else None
+    if table is None or columns is None:
+        return
+    metres = in_metres(document, table)
+    for number, texts in enumerate(table.rows, 1):
+        for column, along in zip(columns.lengths[0], "xz", strict=True):
+            with suppress(ReadError, EvaluationError):
+                cell = read_cell(names, texts[column], number, column, metres)
+                value = cell.values(names, algebra)[0].as_fraction() if len(cell.trees) == 1 else None
+                index = number - (along == "x" and taken.convention == "modified")
+                key = f"{columns.headers[column].role}_{index}"
+                if value and index and is_number(cell.trees[0]) and names.known_symbol(key) is None:
+                    scale = SCALES.get(columns.headers[column].unit, 1) if metres and not cell.has_unit else 1
+                    yield key, value * Fraction(scale)
 
 
 def _values(table: Table, names: Names, algebra: ExactAlgebra, metres: bool) -> Iterator[tuple[str, Fraction]]:

@@ -113,3 +113,27 @@ def test_columns_may_come_in_another_order_where_joints_have_no_numbers(numbers:
         text = text.replace(old, new)
     text = text.replace(r"\theta", f"\\{angle}").replace(" r ", f" {radius} ").replace(r"\dot r", rf"\dot {radius}")
     assert verdicts(text.replace("r^2", f"{radius}^2"))[2:] == [verdict, "proved"]
+
+
+POSE = r"\begin{bmatrix} c_{12} & -s_{12} & 0 & l_1 c_1 + l_2 c_{12} \\ s_{12} & c_{12} & 0 & l_1 s_1 + l_2 s_{12} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+COLUMN = r"\begin{bmatrix} l_1 c_1 + l_2 c_{12} \\ l_1 s_1 + l_2 s_{12} \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    "shown",
+    [
+        rf"T_2^0(\theta_1, \theta_2) = {POSE} \in SE(3)",
+        rf"\begin{{bmatrix}} x \\ y \end{{bmatrix}} = {COLUMN}",
+        rf"p(q) = {COLUMN}",
+        rf"P_e = {COLUMN}",
+    ],
+)
+def test_a_point_or_a_pose_of_the_tool_shows_its_coordinates(shown: str) -> None:
+    jacobian = r"$$ J(q) = \begin{bmatrix} -l_1 s_1 - l_2 s_{12} & %sl_2 s_{12} \\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \end{bmatrix} $$"
+    right = verify_text(f"$$ {shown} $$\n\n{jacobian % '-'}\n")
+    assert right.arms[0].source == "closed form" and right.equations[-1].verdict == "proved"
+    assert verify_text(f"$$ {shown} $$\n\n{jacobian % ''}\n").equations[-1].verdict != "proved"
+
+
+def test_a_row_of_another_pair_of_letters_shows_no_tool() -> None:
+    assert verify_text(f"$$ [u; v] = {COLUMN} $$ \n\n$$ T_1^0 = {POSE} $$").arms == ()

@@ -224,3 +224,25 @@ def test_a_pose_tells_the_convention_rather_than_a_height_that_slips() -> None:
     turned = "$$ T_3^0 = \\begin{bmatrix} c_{12} & s_{12} & 0 & l_2 c_{12} \\\\ s_{12} & -c_{12} & 0 & l_2 s_{12} \\\\ 0 & 0 & -1 & h - d_3 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$\n\n"
     for height, verdict in (("h - d_3", "proved"), ("h + d_3", "refuted")):
         assert verdicts(verify_text(f"{table}\n{turned}$$ p_z = {height} $$\n")) == ["proved", verdict]
+
+
+NUMBERS = PLAIN.replace("$l_1$", "0.3").replace("$l_2$", "0.2")
+
+
+@pytest.mark.parametrize(
+    ("height", "verdict"), [("a_1 s_1 + a_2 s_{12}", "proved"), ("a_1 s_1 - a_2 s_{12}", "unchecked")]
+)
+def test_a_letter_with_the_number_of_a_row_is_the_entry_of_a_table_of_numbers(height: str, verdict: str) -> None:
+    shown = (link(1, FIRST) + link(2, SECOND)).replace("l_1", "0.3").replace("l_2", "0.2")
+    whole_one = pose(WHOLE, "c_{12}", "s_{12}", "a_1 c_1 + a_2 c_{12}", height)
+    assert verdicts(verify_text(NUMBERS + "\n" + shown + whole_one)) == ["proved", "proved", verdict]
+
+
+def test_a_column_of_offsets_leaves_the_variable_out() -> None:
+    head = "| i | $\\alpha_{i-1}$ | $a_{i-1}$ | $d_i$ | $\\theta_{offset}$ |\n|---|---|---|---|---|\n"
+    table = head + "| 1 | 0 | 0 | $d_1$ | 0 |\n| 2 | 0 | $l_2$ | 0 | -90° |\n| 3 | 0 | $l_3$ | 0 | 0 |\n\n"
+    said = r"\quad \theta_2 = q_2 - \frac{\pi}{2} $$" + "\n"
+    last = craig(3, "{}^2T_3") + craig(2, SECOND).replace("$$\n", said)
+    right = verify_text(table + last)
+    assert right.arms[0].source == "table" and verdicts(right) == ["proved", "proved"]
+    assert "proved" not in verdicts(verify_text(table + last.replace("q_2 -", "q_2 +")))

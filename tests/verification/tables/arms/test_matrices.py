@@ -163,3 +163,9 @@ def test_a_link_of_numbers_between_others_does_not_move(height: str, verdict: st
     assert "joints: [theta_1, theta_3]" in result.arms[0].front_matter
     column = rf"\begin{{bmatrix}} l_1 c_1 + 0.2 c_1 + l_3 c_{{13}} \\ l_1 s_1 + 0.2 s_1 + l_3 s_{{13}} \\ {height} \end{{bmatrix}}"
     assert verdicts(verify_text(links + f"$$ p_3 = {column} $$\n"))[-1] == verdict
+
+
+def test_matrices_that_a_table_repeats_are_shown_twice() -> None:
+    table = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | $l_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | %s | 0 | 0 | $\\theta_2$ |\n\n"
+    links = link(1, "T_{01}") + link(2, "T_{12}")
+    assert set(verdicts(verify_text(table % "$l_2$" + links))) <= {"proved", "defined"}
