@@ -25,6 +25,7 @@ TOGETHER = {
     "Chromium, and the report of the course": (
         "tests/verification/report/",
         "tests/course/grading/test_class.py",
+        "tests/course/printing/test_in_browser.py",
         "tests/course/site/test_in_browser.py",
     ),
     "the trees of all sources": (

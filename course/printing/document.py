@@ -95,15 +95,21 @@ def _bodies(path: Path, lang: str) -> list[Body]:
     if path.suffix not in PRINTED:
         raise PrintError("{path}: '{suffix}' files are not printed; those that are: {printed}",
             path=path, suffix=path.suffix, printed=list(PRINTED))  # fmt: skip
-    if path.suffix == ".tex":
-        return [tex_body(path, read_any_text(path)[0])]
-    if path.suffix == ".rst":
-        return [_rst_body(path, read_any_text(path)[0])]
+    if path.suffix in (".tex", ".rst"):
+        return [_made_body(path, read_any_text(path)[0])]
     text = read_text(path)
     if path.suffix != ".ipynb":
         _, body, first = split_front_matter(path, in_language(path, text, lang))
         return [Body(body, first)]
     return [Body(*part) for part in split_cells(path, read_cells(path, text))[1]]
+
+
+def _made_body(path: Path, text: str) -> Body:
+    """Return the Markdown that LaTeX or reStructuredText is made into."""
+    try:
+        return tex_body(path, text) if path.suffix == ".tex" else _rst_body(path, text)
+    except RecursionError:
+        raise PrintError("{path}: nested too deeply to be printed", path=path) from None
 
 
 def _rst_body(path: Path, text: str) -> Body:

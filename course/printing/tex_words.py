@@ -69,9 +69,8 @@ class TexWords:
         if token["accent"]:
             return normalize("NFC", (token["braced"] or token["bare"]) + _ACCENTS[token["accent"]]), at
         if token["sign"]:
-            return _SIGNS.get(token["sign"], escaped(token["sign"])), option(text, at)[1] if token[
-                "sign"
-            ] == "\\" else at
+            end = option(text, at)[1] if token["sign"] == "\\" else at
+            return _SIGNS.get(token["sign"], escaped(token["sign"])), end
         if token["typed"]:
             return _TYPED[token["typed"]], at
         if token["group"]:

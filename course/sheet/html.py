@@ -10,11 +10,13 @@ from markupsafe import Markup, escape
 from armproof.course.sheet import model as s
 from armproof.course.sheet.proof import remark
 from armproof.course.words import say
+from armproof.models.language import look_up, use
 from armproof.verification.latex.mathml.display import Line
 from armproof.verification.verdict import Record
 
 _TYPES = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg", ".gif": "gif", ".svg": "svg+xml", ".webp": "webp"}
 _PAGE = 46.0  # em of mathematics on a line of A4
+NARROW = 16.0  # and on a phone
 
 
 class HtmlWriter:
@@ -63,23 +65,26 @@ class HtmlWriter:
         widest = max((piece.width for line in block.lines for statement in line for piece in statement), default=0.0)
         fit = 100 if widest <= _PAGE else max(40, int(100 * _PAGE / widest) // 5 * 5)
         lines = Markup("").join(_line(line) for line in block.lines)
-        return Markup('<div class="display fit{}">{}{}</div>').format(fit, lines, note)
+        written = Markup('<div class="display fit{}">{}{}</div>').format(fit, lines, note)
+        with use(self.lang):
+            return _focusable(written, look_up("Formula")) if widest > NARROW else written
 
     def _table(self, block: s.Table) -> Markup:
         def row(tag: str, cells: Sequence[tuple[s.Inline, ...]]) -> Markup:
             aligned = zip(block.columns, cells, strict=False)
             return Markup("<tr>{}</tr>").format(
                 Markup("").join(
-                    Markup("<{0} class={1}>{2}</{0}>").format(Markup(tag), side, self.words(cell))
+                    Markup("<{0} class={1}>{2}</{3}>").format(Markup(tag), side, self.words(cell), Markup(tag[:2]))
                     for side, cell in aligned
                 )
             )
 
         rows = Markup("\n").join(row("td", cells) for cells in block.rows)
         written = Markup("<div class=table><table><thead>{}</thead>\n<tbody>{}</tbody></table>{}</div>").format(
-            row("th", block.header), rows, self._note(block.record)
+            row('th scope="col"', block.header), rows, self._note(block.record)
         )
-        return self._tagged(written, "", block.own)
+        with use(self.lang):
+            return self._tagged(_focusable(written, look_up("Table")), "", block.own)
 
     def _note(self, record: Record | None) -> Markup:
         note = remark(record, self.lang)
@@ -121,6 +126,11 @@ class HtmlWriter:
         if isinstance(part, s.Link):
             return Markup('<a href="{}" rel="noreferrer">{}</a>').format(part.target, self.words(part.parts))
         return Markup("<br>")
+
+
+def _focusable(block: Markup, label: str) -> Markup:
+    """Return a block that may have to scroll, which then has to take the keyboard's focus."""
+    return Markup(str(block).replace("<div class=", f'<div tabindex="0" role="group" aria-label="{label}" class=', 1))
 
 
 def _line(line: Line) -> Markup:

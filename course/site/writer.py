@@ -11,7 +11,7 @@ from unicodedata import combining, normalize
 from markupsafe import Markup, escape
 
 from armproof.course.sheet import model as s
-from armproof.course.sheet.html import HtmlWriter
+from armproof.course.sheet.html import NARROW, HtmlWriter
 from armproof.course.site.reading import unlinked
 from armproof.models.language import look_up, spoken
 
@@ -26,7 +26,6 @@ _KINDS = (  # of Pygments, the first that holds; the others are plain
     ("Name.Decorator", "name"),
 )
 _MARKERS = re.compile(r"^[ \t]*### (?:BEGIN|END) SOLUTION[ \t]*\n?", re.MULTILINE)
-_NARROW = 16.0  # em that fit on a phone
 _LONGEST = 60  # characters of an anchor
 
 
@@ -86,14 +85,6 @@ class PageWriter(HtmlWriter):
     def _heading(self, block: s.Heading) -> Markup:
         return self.heading(block.level, self.words(unlinked(block.parts)), s.plain(block.parts))
 
-    def _formulas(self, block: s.Display) -> Markup:
-        widest = max((piece.width for line in block.lines for each in line for piece in each), default=0.0)
-        written = super()._formulas(block)
-        return _focusable(written, look_up("Formula")) if widest > _NARROW else written
-
-    def _table(self, block: s.Table) -> Markup:
-        return _focusable(Markup(str(super()._table(block)).replace("<th ", '<th scope="col" ')), look_up("Table"))
-
     def _quote(self, block: s.Quote) -> Markup:
         if block.kind == "solution":
             inside = block.blocks[1:] if isinstance(block.blocks[0], s.Heading) else block.blocks
@@ -102,7 +93,7 @@ class PageWriter(HtmlWriter):
 
     def _part(self, part: s.Inline) -> Markup:
         written = super()._part(part)
-        if isinstance(part, s.Formula) and any(piece.width > _NARROW for piece in part.pieces):
+        if isinstance(part, s.Formula) and any(piece.width > NARROW for piece in part.pieces):
             return Markup('<span class="long" tabindex="0" role="group" aria-label="{}">{}</span>').format(look_up("Formula"), written)  # fmt: skip
         return written
 
@@ -129,8 +120,3 @@ def listing(code: Markup, label: str) -> Markup:
     return Markup('<pre class="code" tabindex="0" role="group" aria-label="{}"><code>{}</code></pre>').format(
         label, code
     )
-
-
-def _focusable(block: Markup, label: str) -> Markup:
-    """Return a block that scrolls, which then has to take the keyboard's focus."""
-    return Markup(str(block).replace("<div class=", f'<div tabindex="0" role="group" aria-label="{label}" class=', 1))
