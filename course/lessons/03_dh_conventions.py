@@ -213,6 +213,27 @@ distance = 0.5 / 0.001
 lesson.parallel.check(distance)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A wall crane: a carriage slides up by $d_1$, a bar turns by $\theta_2$ about an axis at the distance $b$, a ram goes out by $d_3$. Its modified
+# table has the rows $(0, 0, d_1, 0)$, $(0, b, 0, \theta_2)$, $(\frac{\pi}{2}, 0, d_3, 0)$.
+#
+# Write its classic table, three rows $(\theta_i, d_i, a_i, \alpha_i)$.
+
+# %%
+### BEGIN SOLUTION
+crane = [(0, "d_1", "b", 0), ("theta_2", 0, 0, "pi/2"), (0, "d_3", 0, 0)]
+### END SOLUTION
+lesson.transfer.check(crane)
+
+# %% [markdown]
+# ## What you know now
+#
+# - Modified: $z_i$ is the axis of joint $i$, and its row holds $a$ and $\alpha$ of the link before. Classic: the axis of joint $i$ is $z_{i-1}$, and
+#   its row holds those of its own link.
+# - A table without its convention says nothing; the two link matrices do not mix.
+# - A check finds an exchange of $a$ and $d$ only where the two differ.
+#
 # ## Further
 #
 # - `CONVENTIONS.md` has both matrices side by side; sheets `dh-classic-001.md` and `dh-modified-001.md` the definitions as equations.

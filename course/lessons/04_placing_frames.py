@@ -254,6 +254,19 @@ lesson.tool.check(tool)
 lesson.tool.show(tool, theta_1=0.4, theta_2=0.5, theta_3=-0.3, d_4=0.3)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A stacker. A carriage slides along a vertical mast, $z_1$ up, by $d_1$. On it a boom of length $c$ pitches by $\theta_2$ about a horizontal axis
+# that meets the mast, $z_2 = -y_1$. At the end of the boom a fork pitches by $\theta_3$ about the parallel axis $z_3$. Choose $x_1$ horizontal and
+# $x_2$ along the boom; at zero all $x$ axes are parallel. Write the table.
+
+# %%
+### BEGIN SOLUTION
+stacker = [(0, 0, "d_1", 0), ("pi/2", 0, 0, "theta_2"), (0, "c", 0, "theta_3")]
+### END SOLUTION
+lesson.transfer.check(stacker)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 1 comes back. Do it without looking.

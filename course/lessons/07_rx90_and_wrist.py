@@ -258,6 +258,24 @@ def in_line(theta_4, theta_6):
 lesson.aligned.check(in_line)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# The head of a camera pans by $\theta_1$ at the height $h$ and tilts by $\theta_2$ about an axis at the distance $e$. Its modified table has the rows
+# $(0, 0, h, \theta_1)$ and $(-\frac{\pi}{2}, e, 0, \theta_2)$. Write its pose.
+
+
+# %%
+def head(q, h, e):
+    """Return the pose of frame 2 in frame 0, 4×4."""
+    ### BEGIN SOLUTION
+    (c1, c2), (s1, s2) = np.cos(q), np.sin(q)
+    return [[c1 * c2, -c1 * s2, -s1, e * c1], [s1 * c2, -s1 * s2, c1, e * s1], [-s2, -c2, 0, h], [0, 0, 0, 1]]
+    ### END SOLUTION
+
+
+lesson.transfer.check(head)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 4 comes back. Do it without looking.
@@ -272,6 +290,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A long product is worked out from the tool to the base, one link matrix at a time.
+# - The determinant of a rotation is 1: a mirror is found at once.
+# - Where two axes of a wrist are one line, their angles only count together.
+#
 # ## Further
 #
 # - Sheets `rx90-001.md` and `spherical-wrist-001.md`: all twelve components, the Jacobians, the singular configurations.

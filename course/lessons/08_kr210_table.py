@@ -235,6 +235,26 @@ aligned = [5, -1]
 lesson.aligned.check(aligned)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# In a URDF three joints have these offsets and axes; all frames are parallel at zero:
+#
+# | joint | offset | axis | kind |
+# |---|---|---|---|
+# | 1 | $(0, 0, h)$ | $z$ | revolute |
+# | 2 | $(0, e, 0)$ | $x$ | revolute |
+# | 3 | $(0, 0, b)$ | $z$ | prismatic |
+#
+# Write the modified table. $z_i$ is the axis of joint $i$, frame 0 is on the floor with the axes of the URDF, $x_1$ and $x_2$ point along $y_0$ at
+# zero. Rows $(\alpha_{i-1}, a_{i-1}, d_i, \theta_i)$, with `h`, `e`, `b`, `theta_1`, `theta_2`, `d_3`.
+
+# %%
+### BEGIN SOLUTION
+gantry = [(0, 0, "h", "theta_1 + pi/2"), ("pi/2", "e", 0, "theta_2"), ("-pi/2", 0, "d_3 + b", 0)]
+### END SOLUTION
+lesson.transfer.check(gantry)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 5 comes back. Do it without looking.
@@ -249,6 +269,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A URDF puts each frame at its joint; DH puts it where the common normals meet the axes.
+# - Offsets along one axis add up to one parameter.
+# - A constant angle in the table is the price of another zero pose: leave it out, and the arm is bent.
+#
 # ## Further
 #
 # - `armproof view kr210` shows the arm in Drake's visualizer with its frames and joint sliders.

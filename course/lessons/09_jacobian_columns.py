@@ -268,6 +268,24 @@ J = r"\begin{bmatrix} \cos\theta & -r\sin\theta \\ \sin\theta & r\cos\theta \\ 0
 lesson.polar_whole.check(J)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A column turns by $\theta_1$. On it, at the height $h$, a boom of length $b$ is raised by $\theta_2$ about the axis $[S_1, -C_1, 0]^T$; the boom's end is
+# at $[b C_1 C_2, b S_1 C_2, h + b S_2]^T$. Write the whole column of joint 2.
+
+
+# %%
+def boom(q, b):
+    """Return the column of joint 2 for the boom's end, six numbers [v; omega]."""
+    ### BEGIN SOLUTION
+    (c1, c2), (s1, s2) = np.cos(q), np.sin(q)
+    return [-b * c1 * s2, -b * s1 * s2, b * c2, s1, -c1, 0]
+    ### END SOLUTION
+
+
+lesson.transfer.check(boom)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 6 comes back. Do it without looking.

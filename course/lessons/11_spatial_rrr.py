@@ -235,6 +235,18 @@ ranks = [2, 1]
 lesson.limits.check(ranks)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A turret turns by $\theta_1$, rises by $\theta_2$, and a ram goes out by $d_3$; its end is at $[d_3 C_1 C_2,\ d_3 S_1 C_2,\ h + d_3 S_2]^T$. Give the
+# determinant of its linear Jacobian, columns in the order $\theta_1, \theta_2, d_3$.
+
+# %%
+### BEGIN SOLUTION
+turret = r"d_3^2 \cos\theta_2"
+### END SOLUTION
+lesson.transfer.check(turret)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 8 comes back. Do it without looking.
@@ -249,6 +261,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A text that is unclear has readings: work each of them out, then one of them cannot be meant.
+# - A determinant in factors names the singular configurations, one factor a family.
+# - Where two families meet, the rank falls by two.
+#
 # ## Further
 #
 # - Take $l_2 = l_3$ and fold the arm: where is $P$, and what is the rank of $J_L$?

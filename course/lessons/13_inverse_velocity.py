@@ -244,6 +244,23 @@ behaviour = "zero"
 lesson.limit.check(behaviour)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A carriage slides by $d$ along $x_0$; a bar of length $b$ turns on it by $\theta$. Its end, at $[d + b\cos\theta,\ b\sin\theta]^T$, is to move with
+# $\dot X = u$, $\dot Y = v$. Give $[\dot d, \dot\theta]^T$, and see where it has no value.
+
+
+# %%
+def carriage(theta, b, u, v):
+    """Return the rates of the carriage (m/s) and of the bar (rad/s)."""
+    ### BEGIN SOLUTION
+    return [u + v * np.tan(theta), v / (b * np.cos(theta))]
+    ### END SOLUTION
+
+
+lesson.transfer.check(carriage)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 10 comes back. Do it without looking.
@@ -258,6 +275,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A square Jacobian is inverted by its adjugate and its determinant; the determinant says where that ends.
+# - A wide one has a right inverse, a tall one a left inverse.
+# - Near a singular configuration rates grow without bound; damping bounds them, and costs accuracy everywhere.
+#
 # ## Further
 #
 # - `course/handouts/inverse-velocity.md`: damped least squares, with the error it costs everywhere.

@@ -258,6 +258,20 @@ not_judged = ["prose", "name", "picture"]
 lesson.blind.check(not_judged)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A carriage slides by $d$, on it a bar of length $b$ turns by $\theta$. Which displays of its sheet are wrong?
+
+# %%
+lesson.transfer
+
+# %%
+### BEGIN SOLUTION
+carriage = ["3", "4"]
+### END SOLUTION
+lesson.transfer.check(carriage)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 13 comes back. Do it without looking.
@@ -272,6 +286,12 @@ again = lesson.review.right[0]
 lesson.review.check(again)
 
 # %% [markdown]
+# ## What you know now
+#
+# - A simple configuration finds many errors, and misses those that vanish there; a generic one with different lengths finds them.
+# - What a display says can be tested by another: a derivative, a product with the inverse, a determinant.
+# - A proof covers formulas. Prose, new names and pictures stay yours.
+#
 # ## Further
 #
 # - `armproof correct sheet.md --diff` proposes the corrected terms; `armproof verify sheet.md --watch` checks at every

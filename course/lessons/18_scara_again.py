@@ -260,6 +260,25 @@ rest = ["a", "b", "c"]
 lesson.rest.check(rest)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A SCARA of another order: the slide comes first and lifts the arms by $d_1$, then joints 2 and 3 turn, arms $b$ and $c$ long, and the gripper points
+# down. Modified rows: $(0, 0, d_1, 0)$, $(0, 0, 0, \theta_2)$, $(0, b, 0, \theta_3)$, $(\pi, c, 0, 0)$. Write the pose of its gripper.
+
+
+# %%
+def lift(q, b, c):
+    """Return the pose of frame 4 in frame 0, 4×4, for q = [d_1, theta_2, theta_3]."""
+    ### BEGIN SOLUTION
+    C, S = np.cos(q[1] + q[2]), np.sin(q[1] + q[2])
+    x, y = b * np.cos(q[1]) + c * C, b * np.sin(q[1]) + c * S
+    return [[C, S, 0, x], [S, -C, 0, y], [0, 0, -1, q[0]], [0, 0, 0, 1]]
+    ### END SOLUTION
+
+
+lesson.transfer.check(lift)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 15 comes back. Do it without looking.

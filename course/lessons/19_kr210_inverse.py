@@ -188,6 +188,24 @@ postures = 8
 lesson.count.check(postures)
 
 # %% [markdown]
+# ## An arm that you have not seen
+#
+# A turret turns by $\theta_1$; at the height $h$ its ram is raised by $\theta_2$ and goes out by $d_3 > 0$. Its end is at
+# $[d_3 C_1 C_2,\ d_3 S_1 C_2,\ h + d_3 S_2]^T$. Solve it for a point $[p_x, p_y, p_z]^T$, with $\cos\theta_2 > 0$, in all quadrants.
+
+
+# %%
+def turret(p_x, p_y, p_z, h):
+    """Return theta_1, theta_2 (rad) and d_3 (m)."""
+    ### BEGIN SOLUTION
+    out, up = np.sqrt(p_x**2 + p_y**2), p_z - h
+    return [np.arctan2(p_y, p_x), np.arctan2(up, out), np.sqrt(out**2 + up**2)]
+    ### END SOLUTION
+
+
+lesson.transfer.check(turret)
+
+# %% [markdown]
 # ## Once more
 #
 # A task of lesson 16 comes back. Do it without looking.

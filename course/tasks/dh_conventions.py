@@ -113,6 +113,18 @@ def _other_convention(q, h, e):
     return product(rows, classic_link)[:3, 3]
 
 
+# A wall crane: a carriage on a mast, a bar that turns on it, a ram across the bar. The task gives one table and asks for the other.
+WALL_CRANE = {
+    "dh": "classic",
+    "rows": [
+        {"theta": 0, "d": "d_1", "a": "b", "alpha": 0},
+        {"theta": "theta_2", "d": 0, "a": 0, "alpha": "pi/2"},
+        {"theta": 0, "d": "d_3", "a": 0, "alpha": 0},
+    ],
+}
+WALL_CRANE_ROWS = [(0, "d_1", "b", 0), ("theta_2", 0, 0, "pi/2"), (0, "d_3", 0, 0)]
+
+
 LESSON = Lesson(
     number=3,
     name="dh_conventions",
@@ -397,6 +409,47 @@ LESSON = Lesson(
                 Wrong(0.0005, "this is 0.5 · 0.001, the side across; the axes meet at 0.5 / 0.001", own=True),
                 Wrong(0, "the axes are not parallel, so they meet somewhere, and far away", own=True),
                 Wrong(0.5 / np.tan(np.deg2rad(0.001)), "the angle is in radians already", own=True),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A wall crane: a carriage slides up by $d_1$, a bar turns by $\\theta_2$ about an axis at the distance $b$, a ram goes out by $d_3$. Its"
+            " **modified** table is $(0, 0, d_1, 0)$, $(0, b, 0, \\theta_2)$, $(\\frac{\\pi}{2}, 0, d_3, 0)$. Write its **classic** table: three rows"
+            " $(\\theta_i, d_i, a_i, \\alpha_i)$.",
+            asks=Table(WALL_CRANE, "classic"),
+            hints=(
+                "The joint variables stay in their rows. What belongs to a link, $a$ and $\\alpha$, has another row.",
+                "A modified row holds $a$ and $\\alpha$ of the link before it, a classic row those of its own link: they move up by one row.",
+                "Behind the last joint nothing is left: $a_3 = 0$ and $\\alpha_3 = 0$.",
+            ),
+            right=(
+                WALL_CRANE_ROWS,
+                WALL_CRANE["rows"],
+                r"\begin{array}{cccc} 0 & d_1 & b & 0 \\ \theta_2 & 0 & 0 & \pi/2 \\ 0 & d_3 & 0 & 0 \end{array}",
+            ),
+            wrong=(
+                Wrong(
+                    [(0, "d_1", 0, 0), ("theta_2", 0, "b", 0), (0, "d_3", 0, "pi/2")],
+                    "the rows are only written in the other order: a and α stay one row too late for the classic convention",
+                    own=True,
+                ),
+                Wrong(
+                    [WALL_CRANE_ROWS[0], ("theta_2", 0, 0, "-pi/2"), WALL_CRANE_ROWS[2]],
+                    "row 2: alpha is wrong (the sign)",
+                ),
+                Wrong(
+                    [(0, "d_1", "b", "pi/2"), ("theta_2", 0, 0, 0), WALL_CRANE_ROWS[2]],
+                    "the twist has moved two rows: it lies between axes 2 and 3, so it belongs to link 2",
+                    own=True,
+                ),
+                Wrong([(0, "b", "d_1", 0), *WALL_CRANE_ROWS[1:]], "row 1: d is wrong"),
+                Wrong(
+                    [("d_1", 0, "b", 0), WALL_CRANE_ROWS[1], ("d_3", 0, 0, 0)],
+                    "a slide has its variable in the column of d, in both conventions",
+                    own=True,
+                ),
+                Wrong(WALL_CRANE_ROWS[:2], "3 rows"),
             ),
         ),
     ),

@@ -170,6 +170,21 @@ _FORMS = {
     "left_tall": "left inverse of a tall J",
 }
 
+
+def carriage_rates(theta, b, u, v):
+    """Return the rates of the carriage and of the bar: v fixes the bar's, and the carriage makes up for the rest of u."""
+    return [u + v * np.tan(theta), v / (b * np.cos(theta))]
+
+
+CARRIAGE_RATES = r"\begin{bmatrix} u + \frac{v \sin\theta}{\cos\theta} \\ \frac{v}{b\cos\theta} \end{bmatrix}"
+
+
+def _carriage_sympy(sp):
+    theta, b, u, v = sp.symbols("theta b u v")
+    J = sp.Matrix([[1, -b * sp.sin(theta)], [0, b * sp.cos(theta)]])
+    return J.inv() * sp.Matrix([u, v])
+
+
 LESSON = Lesson(
     number=13,
     name="inverse_velocity",
@@ -692,6 +707,55 @@ LESSON = Lesson(
                 Wrong("bounded", "put that into the gain"),
                 Wrong("jump", "nothing jumps"),
                 Wrong(["infinite", "zero"], "one of them is asked for"),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A carriage slides by $d$ along $x_0$; a bar of length $b$ turns on it by $\\theta$, its end is at $[d + b\\cos\\theta,\\ b\\sin\\theta]^T$. The end is to"
+            " move with $\\dot X = u$, $\\dot Y = v$. Give $[\\dot d, \\dot\\theta]^T$. A function takes `(theta, b, u, v)`.",
+            asks=Formula(CARRIAGE_RATES, ("theta", "b", "u", "v")),
+            hints=(
+                "Derive the position first: $J$ is 2×2, and its first column is $[1, 0]^T$.",
+                "The second row has one unknown only: $v = b\\cos\\theta\\,\\dot\\theta$.",
+                "Put $\\dot\\theta$ into the first row: $u = \\dot d - b\\sin\\theta\\,\\dot\\theta$.",
+            ),
+            right=(carriage_rates, CARRIAGE_RATES, WithSympy(_carriage_sympy)),
+            wrong=(
+                Wrong(lambda theta, b, u, v: carriage_rates(theta, b, u, v)[::-1], "swapped"),
+                Wrong(CARRIAGE_RATES.replace("u +", "u -"), "wrong sign of term 2"),
+                Wrong(
+                    r"\begin{bmatrix} u \\ \frac{v}{b\cos\theta} \end{bmatrix}",
+                    "the turning bar moves its end along x too: the carriage has to make up for it",
+                    own=True,
+                ),
+                Wrong(
+                    lambda theta, b, u, v: [u, -b * np.sin(theta) * u + b * np.cos(theta) * v],
+                    "this is the transpose of J times the velocity: the inverse is asked for",
+                    own=True,
+                ),
+                Wrong(
+                    lambda theta, b, u, v: [u - b * np.sin(theta) * v, b * np.cos(theta) * v],
+                    "this is J itself, which takes joint rates to velocities: here the rates are asked for",
+                    own=True,
+                ),
+                Wrong(CARRIAGE_RATES.replace(r"{b\cos\theta}", r"{\cos\theta}"), "b is missing"),
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The Jacobian and its determinant.",
+                        r"\det\begin{bmatrix} 1 & -b\sin\theta \\ 0 & b\cos\theta \end{bmatrix} = b\cos\theta",
+                    ),
+                    Line(
+                        "Its inverse: the diagonal exchanged, the other two negative, by the determinant.",
+                        r"\begin{bmatrix} 1 & -b\sin\theta \\ 0 & b\cos\theta \end{bmatrix}^{-1} = \frac{1}{b\cos\theta} \begin{bmatrix} b\cos\theta & b\sin\theta \\ 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Times the velocity.",
+                        r"\frac{1}{b\cos\theta} \begin{bmatrix} b\cos\theta & b\sin\theta \\ 0 & 1 \end{bmatrix} \begin{bmatrix} u \\ v \end{bmatrix} = \begin{bmatrix} u + \frac{v \sin\theta}{\cos\theta} \\ \frac{v}{b\cos\theta} \end{bmatrix}",
+                    ),
+                ),
             ),
         ),
     ),

@@ -189,6 +189,35 @@ def polar_whole(theta, r):
 WHOLE = r"\begin{bmatrix} \cos\theta & -r\sin\theta \\ \sin\theta & r\cos\theta \\ 0 & 1 \end{bmatrix}"
 
 
+# -- an arm that nobody has seen ---------------------------------------------------------------------------------------
+
+BOOM = {
+    "dh": "modified",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": "h", "theta": "theta_1"},
+        {"alpha": "pi/2", "a": 0, "d": 0, "theta": "theta_2"},
+        {"alpha": 0, "a": "b", "d": 0, "theta": 0},
+    ],
+    "joints": ["theta_1", "theta_2"],
+}
+
+
+def boom_column(q, b):
+    """Return z_2 × p above z_2: the boom's end moves across the boom, in its vertical plane."""
+    (c1, c2), (s1, s2) = np.cos(q), np.sin(q)
+    return np.array([-b * c1 * s2, -b * s1 * s2, b * c2, s1, -c1, 0])
+
+
+BOOM_COLUMN = r"\begin{bmatrix} -b C_1 S_2 \\ -b S_1 S_2 \\ b C_2 \\ S_1 \\ -C_1 \\ 0 \end{bmatrix}"
+
+
+def _boom_sympy(sp):
+    t1, t2, b = sp.symbols("theta_1 theta_2 b")
+    lever = b * sp.Matrix([sp.cos(t1) * sp.cos(t2), sp.sin(t1) * sp.cos(t2), sp.sin(t2)])
+    axis = sp.Matrix([sp.sin(t1), -sp.cos(t1), 0])
+    return axis.cross(lever).col_join(axis)
+
+
 LESSON = Lesson(
     number=9,
     name="jacobian_columns",
@@ -748,6 +777,44 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(WHOLE.replace("0 & 1", "0 & r"), "ω is the rate of θ itself, without a lever", own=True),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A column turns by $\\theta_1$; on it, at the height $h$, a boom of length $b$ is raised by $\\theta_2$ about the axis $[S_1, -C_1, 0]^T$. The"
+            " boom's end is at $[b C_1 C_2, b S_1 C_2, h + b S_2]^T$. Write the whole column of joint 2: 6 rows $[v; \\omega]$ in frame 0. A function takes `q` and"
+            " `b`.",
+            asks=Quantity(BOOM, {"jacobian": 3, "columns": [2]}),
+            hints=(
+                "Axis times lever above, axis below. Where does the lever begin?",
+                "The axis of joint 2 passes $[0, 0, h]^T$: the lever is $b\\,[C_1 C_2, S_1 C_2, S_2]^T$.",
+                "Test it: the derivatives of the position with respect to $\\theta_2$ are the first three rows.",
+            ),
+            right=(boom_column, BOOM_COLUMN, WithSympy(_boom_sympy)),
+            wrong=(
+                Wrong(lambda q, b: -boom_column(q, b), "taken the other way"),
+                Wrong(
+                    lambda q, b: [-b * np.sin(q[0]) * np.cos(q[1]), b * np.cos(q[0]) * np.cos(q[1]), 0, 0, 0, 1],
+                    "this is column 1, of the turning column: joint 2 has a horizontal axis",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q, b: boom_column(q, b) * np.array([1, 1, 1, 0, 0, 0]),
+                    "joint 2 turns the boom: the lower half is its axis",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q, b: [
+                        b * np.cos(q[0]) * np.cos(q[1]),
+                        b * np.sin(q[0]) * np.cos(q[1]),
+                        b * np.sin(q[1]),
+                        *boom_column(q, b)[3:],
+                    ],
+                    "the upper half is the lever itself: the cross product with the axis is missing",
+                    own=True,
+                ),
+                Wrong(lambda q, b: boom_column(q, b)[[3, 4, 5, 0, 1, 2]], "blocks are swapped"),
             ),
         ),
     ),

@@ -135,6 +135,21 @@ def _wrist_with_the_row(r_11, r_12, r_13, r_21, r_31):
     return [np.arctan2(r_21, -r_31), np.arctan2(np.sqrt(r_12**2 + r_13**2), r_11), np.arctan2(r_12, r_13)]
 
 
+def turret(p_x, p_y, p_z, h):
+    """Return θ_1, θ_2 and d_3 of a turret whose ram reaches a point."""
+    out, up = np.sqrt(p_x**2 + p_y**2), p_z - h
+    return [np.arctan2(p_y, p_x), np.arctan2(up, out), np.sqrt(out**2 + up**2)]
+
+
+TURRET = r"""\begin{bmatrix} \text{atan2}(p_y, p_x) \\ \text{atan2}(p_z - h, \sqrt{p_x^2 + p_y^2}) \\
+\sqrt{p_x^2 + p_y^2 + (p_z - h)^2} \end{bmatrix}"""
+_TARGET = {"p_x": r"\rho\cos(3\gamma)", "p_y": r"\rho\sin(3\gamma)"}  # a point in any direction about the turret
+
+
+def _turret_by_norm(p_x, p_y, p_z, h):
+    return [np.arctan2(p_y, p_x), np.arctan2(p_z - h, np.hypot(p_x, p_y)), (p_x**2 + p_y**2 + (p_z - h) ** 2) ** 0.5]
+
+
 LESSON = Lesson(
     number=19,
     name="kr210_inverse",
@@ -528,6 +543,51 @@ LESSON = Lesson(
                 Wrong(4, "one choice is missing: shoulder, elbow and wrist", own=True),
                 Wrong(6, "the choices multiply: two times two times two", own=True),
                 Wrong(16, "three choices, not four: θ_2, θ_4 and θ_6 follow from the others", own=True),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A turret turns by $\\theta_1$; at the height $h$ its ram is raised by $\\theta_2$ and goes out by $d_3 > 0$: its end is at"
+            " $[d_3 C_1 C_2,\\ d_3 S_1 C_2,\\ h + d_3 S_2]^T$. For a point $[p_x, p_y, p_z]^T$ write $[\\theta_1, \\theta_2, d_3]$ of the turret that faces it,"
+            " $\\cos\\theta_2 > 0$: 3 rows in `p_x`, `p_y`, `p_z`, `h`, in all quadrants.",
+            asks=Formula(TURRET, ("p_x", "p_y", "p_z", "h"), given=_TARGET, symbols={"rho": "free", "gamma": "free"}),
+            hints=(
+                "As for the KR210: first turn to face the point, then look at the vertical plane.",
+                "In that plane the point is $\\sqrt{p_x^2 + p_y^2}$ out and $p_z - h$ up.",
+                "Length and angle of that vector are $d_3$ and $\\theta_2$.",
+            ),
+            right=(turret, TURRET, _turret_by_norm),
+            wrong=(
+                Wrong(
+                    lambda p_x, p_y, p_z, h: [np.arctan2(p_x, p_y), *turret(p_x, p_y, p_z, h)[1:]],
+                    "atan2 takes the sine's side first: y, then x",
+                    own=True,
+                ),
+                Wrong(
+                    lambda p_x, p_y, p_z, h: turret(p_x, p_y, p_z, 0),
+                    "the height h of the shoulder is missing: take it from p_z",
+                    own=True,
+                ),
+                Wrong(
+                    lambda p_x, p_y, p_z, h: [*turret(p_x, p_y, p_z, h)[:2], np.sqrt(p_x**2 + p_y**2)],
+                    "this is how far out the point is: the ram goes up too",
+                    own=True,
+                ),
+                Wrong(
+                    lambda p_x, p_y, p_z, h: [np.arctan(p_y / p_x), *turret(p_x, p_y, p_z, h)[1:]],
+                    "arctan of a quotient cannot tell opposite quadrants apart: take atan2",
+                    own=True,
+                ),
+                Wrong(
+                    lambda p_x, p_y, p_z, h: [
+                        turret(p_x, p_y, p_z, h)[0],
+                        np.arctan2(p_z - h, p_x),
+                        turret(p_x, p_y, p_z, h)[2],
+                    ],
+                    "the angle θ_2 is seen in the vertical plane: the side along the floor is √(p_x² + p_y²), not p_x",
+                    own=True,
+                ),
             ),
         ),
     ),

@@ -150,6 +150,18 @@ def _urdf_link_sympy(sp):
     return shift(sp, x=a1, z=d2) * turn(sp, "y", t)
 
 
+# A gantry in the manner of a URDF: a mast about z, a shoulder about x beside it, a quill along z.
+GANTRY = {
+    "dh": "modified",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": "h", "theta": "theta_1 + pi/2"},
+        {"alpha": "pi/2", "a": "e", "d": 0, "theta": "theta_2"},
+        {"alpha": "-pi/2", "a": 0, "d": "d_3 + b", "theta": 0},
+    ],
+}
+GANTRY_ROWS = [(0, 0, "h", "theta_1 + pi/2"), ("pi/2", "e", 0, "theta_2"), ("-pi/2", 0, "d_3 + b", 0)]
+
+
 LESSON = Lesson(
     number=8,
     name="kr210_table",
@@ -458,6 +470,45 @@ LESSON = Lesson(
                 Wrong([5, 1], "both turning the same way, they turn the gripper twice as fast", own=True),
                 Wrong([5, 0], "joint 4 alone turns the gripper about the forearm: something has to undo it", own=True),
                 Wrong([3, -1], "the three joints of the arm and two of the wrist are still independent", own=True),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="In a URDF three joints have these offsets from one to the next and these axes: joint 1 $(0, 0, h)$, revolute about $z$; joint 2 $(0, e, 0)$,"
+            " revolute about $x$; joint 3 $(0, 0, b)$, prismatic along $z$. All frames of the URDF are parallel at zero. Write the modified table: $z_i$ is the"
+            " axis of joint $i$, frame 0 is on the floor with the axes of the URDF, $x_1$ and $x_2$ point along $y_0$ at zero. Letters: $h$, $e$, $b$ and the"
+            " joints.",
+            asks=Table(GANTRY, "modified"),
+            hints=(
+                "Where does the common normal of axes 1 and 2 lie? $x_1$ points along it: along $y_0$ at zero.",
+                "$\\theta$ of row 1 is the angle from $x_0$ to $x_1$: a quarter turn when the joint stands at zero.",
+                "Axes 2 and 3 meet, so $a_2 = 0$ and $O_2$, $O_3$ lie on that point and $d_3 + b$ above it. About $y$, which turn takes $z$ to $x$?",
+            ),
+            right=(
+                GANTRY_ROWS,
+                GANTRY["rows"],
+                r"\begin{array}{cccc} 0 & 0 & h & \theta_1 + \pi/2 \\ \pi/2 & e & 0 & \theta_2 \\ -\pi/2 & 0 & d_3 + b & 0 \end{array}",
+            ),
+            wrong=(
+                Wrong(
+                    [(0, 0, "h", "theta_1"), *GANTRY_ROWS[1:]],
+                    "the offset of row 1 is missing: from x_0 to x_1, along y_0, is a quarter turn at zero",
+                    own=True,
+                ),
+                Wrong(
+                    [GANTRY_ROWS[0], ("pi/2", "e", 0, "theta_2"), ("-pi/2", 0, "d_3", 0)],
+                    "b is missing: at d_3 = 0 the quill's frame is b above axis 2",
+                    own=True,
+                ),
+                Wrong([GANTRY_ROWS[0], ("-pi/2", "e", 0, "theta_2"), GANTRY_ROWS[2]], "row 2: alpha is wrong"),
+                Wrong(
+                    [(0, "e", "h", "theta_1 + pi/2"), ("pi/2", 0, 0, "theta_2"), GANTRY_ROWS[2]],
+                    "e stands one row too early: row 2 holds the length between axes 1 and 2",
+                    own=True,
+                ),
+                Wrong([(0, 0, "h", "theta_1 - pi/2"), *GANTRY_ROWS[1:]], "row 1: theta is wrong"),
+                Wrong(GANTRY_ROWS[:2], "3 rows"),
             ),
         ),
     ),

@@ -138,6 +138,18 @@ def _changed(number, *row):
     return [*ROWS[: number - 1], row, *ROWS[number:]]
 
 
+# A stacker: a carriage on a mast, a boom and a fork that pitch about parallel axes. Given in words; the table is asked.
+STACKER = {
+    "dh": "modified",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": "d_1", "theta": 0},
+        {"alpha": "pi/2", "a": 0, "d": 0, "theta": "theta_2"},
+        {"alpha": 0, "a": "c", "d": 0, "theta": "theta_3"},
+    ],
+}
+STACKER_ROWS = [(0, 0, "d_1", 0), ("pi/2", 0, 0, "theta_2"), (0, "c", 0, "theta_3")]
+
+
 LESSON = Lesson(
     number=4,
     name="placing_frames",
@@ -644,6 +656,45 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(lambda q, a_2, e: tool(q, e, a_2), "swapped"),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A stacker: a carriage slides along the vertical $z_1$ by $d_1$; on it a boom of length $c$ pitches by $\\theta_2$ about a horizontal axis that"
+            " meets the mast, $z_2 = -y_1$; at its end a fork pitches by $\\theta_3$ about the parallel axis $z_3$. $x_1$ is horizontal, $x_2$ lies along the"
+            " boom, and at zero all $x$ axes are parallel. Write the modified table, three rows $(\\alpha_{i-1}, a_{i-1}, d_i, \\theta_i)$.",
+            asks=Table(STACKER, "modified"),
+            hints=(
+                "Joint 1 slides: which of its four parameters is the variable?",
+                "Axes 1 and 2 intersect: no length there. About $x_1$, which turn takes $z_1$, up, to $-y_1$?",
+                "Axes 2 and 3 are parallel, $c$ apart: a length without a twist, in the row of joint 3.",
+            ),
+            right=(
+                STACKER_ROWS,
+                STACKER["rows"],
+                r"\begin{array}{cccc} 0 & 0 & d_1 & 0 \\ \pi/2 & 0 & 0 & \theta_2 \\ 0 & c & 0 & \theta_3 \end{array}",
+            ),
+            wrong=(
+                Wrong(
+                    [STACKER_ROWS[0], ("-pi/2", 0, 0, "theta_2"), STACKER_ROWS[2]], "row 2: alpha is wrong (the sign)"
+                ),
+                Wrong(
+                    [STACKER_ROWS[0], ("pi/2", "c", 0, "theta_2"), (0, 0, 0, "theta_3")],
+                    "c stands one row too early: it lies between axes 2 and 3, and row 3 holds the length of link 2",
+                    own=True,
+                ),
+                Wrong(
+                    [(0, 0, 0, "d_1"), *STACKER_ROWS[1:]],
+                    "joint 1 slides: its variable is an offset, in the column of d",
+                    own=True,
+                ),
+                Wrong([*STACKER_ROWS[:2], (0, 0, "c", "theta_3")], "row 3: a is wrong"),
+                Wrong(
+                    [*STACKER_ROWS[:2], (0, "c", 0, "theta_2 + theta_3")],
+                    "each joint has its own angle: θ_3 is counted from the boom",
+                    own=True,
+                ),
             ),
         ),
     ),

@@ -571,5 +571,46 @@ LESSON = Lesson(
                 Wrong(["name", "picture"], "between the formulas"),
             ),
         ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A carriage slides by $d$, on it a bar of length $b$ turns by $\\theta$. A sheet says: `1`: $X = d + b\\cos\\theta$, $Y = b\\sin\\theta$; `2`: $J ="
+            " \\begin{bmatrix} 1 & -b\\sin\\theta \\\\ 0 & b\\cos\\theta \\end{bmatrix}$ for the rates $[\\dot d, \\dot\\theta]^T$; `3`: $\\det J = b\\sin\\theta$; `4`:"
+            " $X^2 + Y^2 = d^2 + b^2 + 2 d b\\sin\\theta$; `5`: $J^{-1} = \\begin{bmatrix} 1 & \\tan\\theta \\\\ 0 & \\frac{1}{b\\cos\\theta} \\end{bmatrix}$; `6`: $J$ is singular"
+            " at $\\theta = \\pi/2$. Which displays are wrong? Give a list.",
+            asks=Choice(
+                {
+                    "1": "the position",
+                    "2": "the Jacobian",
+                    "3": "its determinant",
+                    "4": "the square of the distance",
+                    "5": "the inverse",
+                    "6": "the singular configuration",
+                },
+                right=frozenset({"3", "4"}),
+                because={
+                    "1": "display 1 is right: the bar's end is b away from the carriage, in the direction θ",
+                    "2": "display 2 is right: its columns are the derivatives of display 1 by d and by θ",
+                    "5": "display 5 is right: multiply it by display 2",
+                    "6": "display 6 is right: across the rails, both joints move the end along x only",
+                },
+                missing={
+                    "3": "there is more: work out the determinant of display 2",
+                    "4": "there is more: put θ = 0 into display 4, with the bar along the rails",
+                },
+            ),
+            hints=(
+                "Each display follows from the one before: derive, multiply, put in a simple configuration.",
+                "Put $\\theta = 0$ into all of them: the end is $d + b$ away, and $J$ is $\\begin{bmatrix} 1 & 0 \\\\ 0 & b \\end{bmatrix}$.",
+            ),
+            right=(["3", "4"], "3, 4", {"4", "3"}),
+            wrong=(
+                Wrong(["3"], "put θ = 0 into display 4"),
+                Wrong(["4"], "work out the determinant"),
+                Wrong(["3", "4", "6"], "both joints move the end along x only"),
+                Wrong(["2", "4"], "the derivatives of display 1"),
+                Wrong(["4", "5"], "multiply it by display 2"),
+            ),
+        ),
     ),
 )

@@ -192,6 +192,31 @@ def _predict(a_3=0.45, d_3=0.42):
     )
 
 
+# -- an arm that nobody has seen ---------------------------------------------------------------------------------------
+
+HEAD = {
+    "dh": "modified",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": "h", "theta": "theta_1"},
+        {"alpha": "-pi/2", "a": "e", "d": 0, "theta": "theta_2"},
+    ],
+}
+
+
+def head(q, h, e):
+    """Return 0T2 of the camera's head: the pan, then the tilt about an axis e beside it."""
+    (c1, c2), (s1, s2) = np.cos(q), np.sin(q)
+    return np.array([[c1 * c2, -c1 * s2, -s1, e * c1], [s1 * c2, -s1 * s2, c1, e * s1], [-s2, -c2, 0, h], [0, 0, 0, 1]])
+
+
+HEAD_POSE = r"""\begin{bmatrix} C_1 C_2 & -C_1 S_2 & -S_1 & e\,C_1 \\ S_1 C_2 & -S_1 S_2 & C_1 & e\,S_1 \\
+-S_2 & -C_2 & 0 & h \\ 0 & 0 & 0 & 1 \end{bmatrix}"""
+
+
+def _head_of_links(q, h, e):
+    return modified_link(0, 0, h, q[0]) @ modified_link(e, -np.pi / 2, 0, q[1])
+
+
 LESSON = Lesson(
     number=7,
     name="rx90_and_wrist",
@@ -503,6 +528,40 @@ LESSON = Lesson(
                     "this is the wrist at θ_5 = 90°: at 0, s_5 vanishes and c_5 is 1",
                     own=True,
                 ),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="The head of a camera pans by $\\theta_1$ at the height $h$ and tilts by $\\theta_2$ about an axis at the distance $e$: its modified table has the"
+            " rows $(0, 0, h, \\theta_1)$ and $(-\\frac{\\pi}{2}, e, 0, \\theta_2)$. Write ${}^0T_2$, 4×4. A function takes `q` = $[\\theta_1, \\theta_2]$ and `h`,"
+            " `e`.",
+            asks=Quantity(HEAD, {"pose": 2}),
+            hints=(
+                "Two link matrices, and their product: start with the second, ${}^1T_2$.",
+                "With $\\alpha_1 = -\\frac{\\pi}{2}$, ${}^1T_2$ has the rows $[C_2, -S_2, 0, e]$, $[0, 0, 1, 0]$, $[-S_2, -C_2, 0, 0]$.",
+                "${}^0T_1$ turns the first two rows by $\\theta_1$ and adds $h$ to the height.",
+            ),
+            right=(head, HEAD_POSE, _head_of_links),
+            wrong=(
+                Wrong(
+                    lambda q, h, e: modified_link(0, 0, h, q[0]) @ modified_link(e, np.pi / 2, 0, q[1]),
+                    "the twist has the wrong sign: with −π/2, z_2 is y_1",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q, h, e: classic_link(0, 0, h, q[0]) @ classic_link(e, -np.pi / 2, 0, q[1]),
+                    "the rows of a modified table stand in the classic matrix",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q, h, e: modified_link(e, -np.pi / 2, 0, q[1]) @ modified_link(0, 0, h, q[0]),
+                    "the factors are exchanged: the pan comes first, it carries the tilt",
+                    own=True,
+                ),
+                Wrong(lambda q, h, e: head(q, e, h), "swapped"),
+                Wrong(lambda q, h, e: head(np.deg2rad(q), h, e), "degrees"),
+                Wrong(HEAD_POSE.replace(r"& -S_1 &", "& S_1 &"), "entry (1, 3): wrong sign"),
             ),
         ),
     ),

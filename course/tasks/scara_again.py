@@ -193,6 +193,39 @@ def _inverse_with_tangent(x, y, z, phi, a_2, a_3):
     return [theta_1, theta_2, -z, phi - theta_1 - theta_2]
 
 
+# -- an arm that nobody has seen ---------------------------------------------------------------------------------------
+
+LIFT = {
+    "dh": "modified",
+    "rows": [
+        {"alpha": 0, "a": 0, "d": "d_1", "theta": 0},
+        {"alpha": 0, "a": 0, "d": 0, "theta": "theta_2"},
+        {"alpha": 0, "a": "b", "d": 0, "theta": "theta_3"},
+        {"alpha": "pi", "a": "c", "d": 0, "theta": 0},
+    ],
+    "joints": ["d_1", "theta_2", "theta_3"],
+}
+
+
+def lift(q, b, c):
+    """Return the pose of the lift's gripper: two turns, y and z turned over, the height of the slide."""
+    d_1, theta_2, theta_3 = q
+    C, S = np.cos(theta_2 + theta_3), np.sin(theta_2 + theta_3)
+    x, y = b * np.cos(theta_2) + c * C, b * np.sin(theta_2) + c * S
+    return np.array([[C, S, 0, x], [S, -C, 0, y], [0, 0, -1, d_1], [0, 0, 0, 1]])
+
+
+LIFT_POSE = r"""\begin{bmatrix} C_{23} & S_{23} & 0 & b\,C_2 + c\,C_{23} \\ S_{23} & -C_{23} & 0 & b\,S_2 + c\,S_{23} \\
+0 & 0 & -1 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}"""
+
+
+def _lift_sympy(sp):
+    d1, t2, t3, b, c = sp.symbols("d_1 theta_2 theta_3 b c")
+    C, S = sp.cos(t2 + t3), sp.sin(t2 + t3)
+    x, y = b * sp.cos(t2) + c * C, b * sp.sin(t2) + c * S
+    return sp.Matrix([[C, S, 0, x], [S, -C, 0, y], [0, 0, -1, d1], [0, 0, 0, 1]])
+
+
 LESSON = Lesson(
     number=18,
     name="scara_again",
@@ -779,6 +812,35 @@ LESSON = Lesson(
                 Wrong(["a", "b"], "what would its jump do"),
                 Wrong(["a", "b", "c", "d"], "nothing would move"),
                 Wrong(["a", "e"], "as solvable"),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A SCARA of another order: the slide comes first and lifts the arms by $d_1$, then joints 2 and 3 turn, arms $b$ and $c$ long, and the gripper points"
+            " down: modified rows $(0, 0, d_1, 0)$, $(0, 0, 0, \\theta_2)$, $(0, b, 0, \\theta_3)$, $(\\pi, c, 0, 0)$. Write ${}^0T_4$, 4×4. A function takes `q` ="
+            " $[d_1, \\theta_2, \\theta_3]$, `b`, `c`.",
+            asks=Quantity(LIFT, {"pose": 4}),
+            hints=(
+                "Two turns about parallel axes add up: $\\theta_2 + \\theta_3$.",
+                "The last row is constant: half a turn about $x$ changes the signs of the columns $y$ and $z$.",
+                "The origin: $b$ in the direction $\\theta_2$, $c$ in the direction $\\theta_2 + \\theta_3$, at the height $d_1$.",
+            ),
+            right=(lift, LIFT_POSE, WithSympy(_lift_sympy)),
+            wrong=(
+                Wrong(
+                    lambda q, b, c: lift(q, b, c) @ np.diag([1, -1, -1, 1]),
+                    "the gripper points up: the half turn of the last row is missing",
+                    own=True,
+                ),
+                Wrong(LIFT_POSE.replace("d_1", "-d_1"), "entry (3, 4): wrong sign"),
+                Wrong(lambda q, b, c: lift(q, c, b), "swapped"),
+                Wrong(
+                    lambda q, b, c: lift([q[0], q[1], q[2] - q[1]], b, c),
+                    "θ_3 is counted from the first arm: the second one stands at θ_2 + θ_3",
+                    own=True,
+                ),
+                Wrong(lambda q, b, c: lift([q[0], *np.deg2rad(q[1:])], b, c), "degrees"),
             ),
         ),
     ),

@@ -121,6 +121,17 @@ def _of_the_elbow(q, l_2):
     return jacobian(q, l_2, 0)
 
 
+def turret(theta_2, d_3):
+    """Return det J_L of the turret's ram: nothing turns it at d_3 = 0, and upright joint 1 does not move it."""
+    return d_3**2 * np.cos(theta_2)
+
+
+def _turret_sympy(sp):
+    t1, t2, d3 = sp.symbols("theta_1 theta_2 d_3")
+    end = d3 * sp.Matrix([sp.cos(t1) * sp.cos(t2), sp.sin(t1) * sp.cos(t2), sp.sin(t2)])
+    return sp.simplify(end.jacobian([t1, t2, d3]).det())
+
+
 LESSON = Lesson(
     number=11,
     name="spatial_rrr",
@@ -419,6 +430,52 @@ LESSON = Lesson(
                 Wrong([1, 1], "stretched at a generic θ_2, joint 1 still moves the point sideways", own=True),
                 Wrong([2, 0], "upright, joints 2 and 3 still move the point, though in one direction only", own=True),
                 Wrong([3, 3], "C_3 = 0 in both: the determinant vanishes", own=True),
+            ),
+        ),
+        Task(
+            name="transfer",
+            title="Transfer: an arm that you have not seen",
+            text="A turret turns by $\\theta_1$, rises by $\\theta_2$, and a ram goes out by $d_3$: its end is at"
+            " $[d_3 C_1 C_2,\\ d_3 S_1 C_2,\\ h + d_3 S_2]^T$. Give the determinant of its linear Jacobian, 3×3, columns in the order $\\theta_1, \\theta_2, d_3$."
+            " A function takes `(theta_2, d_3)`.",
+            asks=Formula(r"d_3^2 \cos\theta_2", ("theta_2", "d_3")),
+            hints=(
+                "Derive the position three times. Turn the base: the determinant does not depend on $\\theta_1$, so take $\\theta_1 = 0$.",
+                "At $\\theta_1 = 0$ column 1 is $[0, d_3 C_2, 0]^T$: expand along it.",
+                "What is left is $-d_3 C_2$ times a 2×2 determinant, $-d_3 (S_2^2 + C_2^2)$.",
+            ),
+            right=(turret, r"d_3^2 \cos\theta_2", WithSympy(_turret_sympy)),
+            wrong=(
+                Wrong("-d_3^2 \\cos\\theta_2", "wrong sign"),
+                Wrong("d_3^2 \\sin\\theta_2", "sine for cosine"),
+                Wrong(
+                    "d_3^2",
+                    "upright, θ_2 = π/2, joint 1 does not move the ram's end: the determinant must vanish there",
+                    own=True,
+                ),
+                Wrong(
+                    "d_3 \\cos\\theta_2",
+                    "both turns have the lever d_3: it stands there twice",
+                    own=True,
+                ),
+                Wrong("\\cos\\theta_2", "the levers are missing: both turns move the end by d_3", own=True),
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The derivatives of the position.",
+                        r"\frac{\partial}{\partial \theta_2} \begin{bmatrix} d_3 C_1 C_2 \\ d_3 S_1 C_2 \\ h + d_3 S_2 \end{bmatrix} = \begin{bmatrix} -d_3 C_1 S_2 \\ -d_3 S_1 S_2 \\ d_3 C_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "At $\\theta_1 = 0$ column 1 has one entry: expand along it.",
+                        r"\begin{vmatrix} 0 & -d_3 S_2 & C_2 \\ d_3 C_2 & 0 & 0 \\ 0 & d_3 C_2 & S_2 \end{vmatrix} = -d_3 C_2 \begin{vmatrix} -d_3 S_2 & C_2 \\ d_3 C_2 & S_2 \end{vmatrix}",
+                    ),
+                    Line(
+                        "The small determinant.",
+                        r"\begin{vmatrix} -d_3 S_2 & C_2 \\ d_3 C_2 & S_2 \end{vmatrix} = -d_3",
+                    ),
+                    Line("Together.", r"-d_3 C_2 \cdot (-d_3) = d_3^2 C_2"),
+                ),
             ),
         ),
     ),

@@ -7,12 +7,14 @@ SymPy; `make sweep` tries them all, and `make lessons` does.
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from armproof.course.feedback import Choice, Formula, Number, Outcome, Quantity, Task, lessons, open_lesson
 from armproof.course.feedback.answer import WithSympy, is_function
 from armproof.course.feedback.slope import REVIEW
+from armproof.course.sources.places import COURSE
 from armproof.verification.verdict import Verdict
 from tests.laws import SWEEP
 
@@ -32,6 +34,13 @@ def test_each_kind_of_each_lesson_is_tried() -> None:
     kinds = [{type(each.values[0].asks) for each in tasks} for tasks in (TRIED, TASKS)]
     assert kinds[0] == kinds[1] and len(kinds[0]) >= 5
     assert len(TRIED) >= 60 and len(FIRST) <= len(TRIED)
+
+
+@pytest.mark.parametrize("source", COURSE.sources(), ids=lambda path: path.stem)
+def test_every_lesson_asks_for_an_arm_that_it_has_not_shown_and_ends_with_a_summary(source: Path) -> None:
+    text = source.read_text(encoding="utf-8")
+    assert "lesson.transfer.check(" in text
+    assert "# ## What you know now" in text
 
 
 @EVERY_TASK
