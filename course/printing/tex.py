@@ -40,6 +40,7 @@ _WHOLE = re.compile(  # a table or code, which the reader hands over by itself
     r"(?P<code>.*?)\n?[ \t]*\\end\s*\{(?P=name)\}",
     re.DOTALL,
 )
+_REFERENCE = re.compile(r"\\(?:eq)?ref\{([^{}]*)\}")
 _SOLUTION = re.compile(r"(?:worked)?(?:solution|corrige|correction|answer)s?", re.IGNORECASE)
 
 
@@ -65,10 +66,13 @@ class _Reader:
     open: list[str] = field(default_factory=list)  # environments that indent
     spoken: TexWords = field(default_factory=TexWords)
     drawings: list[int] = field(default_factory=list)  # their lines
+    heading: str = ""  # the one just written
+    titles: dict[str, str] = field(default_factory=dict)  # of sections, by their labels
 
     def done(self) -> Body:
         """Return all that was read."""
         self.end_paragraph()
+        self.out.lines = [_REFERENCE.sub(self._title, line) for line in self.out.lines]
         warnings = [
             written("{path}:{line}: '{command}' is not printed; the words in its braces are", path=self.path, line=line, command=command)
             for command, line in self.spoken.unknown.items()
@@ -78,6 +82,10 @@ class _Reader:
             for line in self.drawings
         ]  # fmt: skip
         return self.out.body([*warnings, *drawings])
+
+    def _title(self, found: re.Match[str]) -> str:
+        """Return the title of the section that is referred to; what refers to something else stays."""
+        return f"“{self.titles[found[1]]}”" if found[1] in self.titles else found[0]
 
     def display(self, display: Display) -> None:
         """Write a display; an erratum that only a comment says to be one as such."""
@@ -109,6 +117,7 @@ class _Reader:
         text = re.sub(r"[ \t\n]*\u00a0[ \t\n]*", "\u00a0", re.sub(r"[ \t\n]+", " ", self.inline)).strip()
         self.inline = ""
         if text:
+            self.heading = ""
             self.out.write(_unmarked(text))
 
     # -- blocks -----------------------------------------------------------------------------------------------------
@@ -134,7 +143,12 @@ class _Reader:
         elif name in _SECTIONS:
             self.end_paragraph()
             title, at = argument(text, at)
-            self.out.write(f"{'#' * _SECTIONS[name]} {self.spoken.read(title)}")
+            self.heading = self.spoken.read(title)
+            self.out.write(f"{'#' * _SECTIONS[name]} {self.heading}")
+        elif name == "label":
+            label, at = argument(text, at)
+            if self.heading and not self.inline.strip():
+                self.titles[label.strip()] = self.heading
         elif name == "item":
             self.end_paragraph()
             label, at = option(text, at)
@@ -158,6 +172,7 @@ class _Reader:
 
     def _enter(self, name: str, text: str, at: int) -> int:
         self.end_paragraph()
+        self.heading = ""
         plain = name.rstrip("*")
         if plain in _DRAWN:
             self.drawings.append(self.out.place)

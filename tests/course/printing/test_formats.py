@@ -205,6 +205,11 @@ def test_words_of_latex_are_words(words: str, markdown: str, tmp_path):
     assert latex(words, tmp_path).strip() == markdown
 
 
+def test_a_reference_to_a_section_is_its_title_and_one_to_something_else_stays(tmp_path):
+    body = "See \\ref{s} and \\ref{f}.\n\n\\section{The arm}\\label{s}\n\\begin{figure}\\label{f}\\caption{Words}\\end{figure}"
+    assert "See “The arm” and \\ref{f}." in latex(body, tmp_path)
+
+
 def test_an_unknown_command_keeps_its_words_and_is_named_once(tmp_path):
     assert "kept too" in latex(r"\foo{kept} \foo{too}", tmp_path, expected=1).replace("  ", " ")
     assert (
