@@ -125,8 +125,6 @@ def power_value(evaluator: Evaluating, node: n.Power) -> Value:
         for _ in range(exponent - 1):
             result = result @ base
         return result
-    if exponent < 0:
-        return evaluator.algebra.rational(Fraction(1)) / base**-exponent
     return base**exponent
 
 

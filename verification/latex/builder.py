@@ -208,9 +208,6 @@ class TreeBuilder(Transformer):
     def items(self, children: list) -> list[n.Node]:
         return [child for child in children if isinstance(child, n.Node)]
 
-    def listmark(self, children: list) -> Token:
-        return children[0]
-
     def bars(self, children: list) -> Item:
         opened, inner, closed = children
         span = (opened.start_pos, closed.end_pos)

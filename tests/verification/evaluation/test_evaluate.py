@@ -241,6 +241,7 @@ def test_an_identity_without_surroundings_keeps_its_size_open(workbench: Callabl
         (r"a_1^{+}", EvaluationError, "scalar"),
         (r"Trans(a_1, a_2)", EvaluationError, r"Trans takes an axis \(x, y or z\) and an amount"),
         (r"Rot(z, \theta_1, \theta_2)", EvaluationError, "Rot takes an axis"),
+        (r"Trans(x, 2, 3)", UnboundName, "'x' is not bound"),
         (r"\cos(\theta_1, \theta_2)", EvaluationError, "cos takes 1 argument, 2 are given"),
         (r"\operatorname{diag}(z_1)", EvaluationError, "a scalar is expected where a matrix stands"),
         (r"\operatorname{adj}(a_1)", EvaluationError, "adj of a scalar"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import Differential
 from armproof.verification.latex.reader import Reader
@@ -119,6 +120,7 @@ x_{\text{max}} x_{\mathrm{tool}} x_{a,b} x_{i+1} x_{ 1 } T_{\mathrm{A}}^{\mathrm
 theta_1 theta1 alpha WC_x  ⟶  (theta_1 theta_1 alpha WC_x)
 l1 q12 C12 q3x x2.5 \theta_1 2 x3 \pi 2  ⟶  (l_1 q_12 cos(+1+2) q_3 x x 5/2 theta_1 2 x_3 pi 2)
 elbow up \quad mass \quad abc \quad abcd \quad xyzw  ⟶  (elbow u p); mass; (a b c); abcd; xyzw
+x_\mathrm{ab} x_\text{max} x^\alpha y_\alpha \boxed x + {a} \vec{AB} \hat{xy} \vec{p}  ⟶  (+ (x_ab x_max x**alpha y_alpha x) + (a {(A B)} {(hat x y)} p))
 \angle ABC \angle x  ⟶  (angleABC angle x)
 {{}^0T}_1 {{}_1^0T} {{}_1T}  ⟶  ({}^0T_1 {}^0_1T {}_1T)
 {C}_1 {T}^0_1 {x_1}^2 {^0}T_1 {_1^0}T {^{i-1}}T_i {^0p}_2  ⟶  (cos(+1) T_1^0 x_1**2 {}^0T_1 {}^0_1T {}^i-1T_i {}^0p_2)
@@ -165,6 +167,7 @@ A_1(0) A_1(90^\circ) T(1, 2) T(\pi/2) T(2 \theta_1) T(2\theta_1, 0) J(x_1, 0) l(
     "brackets, bars and braces": r"""
 (a, b) \quad [a, b] \quad \{a, b\} \quad \left\{a\right\} \quad (a; b) \quad (a) \quad \left[a\right. \quad \left( a \right] \quad \left.a\right) \quad \{a, b\}^2 \quad \left\{a, b\right\}  ⟶  (a, b); [a, b]; {a, b}; {a}; (a, b); (a); [a]; (a); {a}; {a, b}**2; {a, b}
 |x| \quad |x + y|^2 \quad \lVert p \rVert \quad \|p\| \quad ||p|| \quad \left|x\right| \quad |A| \quad l |s| \quad \lvert x \rvert \quad a|b|c \quad a |b \quad \abs{x} \quad \norm{p}  ⟶  abs(x); abs((+ x + y))**2; abs(p); abs(p); abs(p); abs(x); abs(A); (l abs(s)); abs(x); (a abs(b) c); a; [words |]; b; abs(x); abs(p)
+a |b| |c| d |e| \quad |a| + |b| \quad |a||b| \quad \left|a\right| |b| \quad a |b| = |c|  ⟶  (a abs(b) abs(c) d abs(e)); (+ abs(a) + abs(b)); (abs(a) abs(b)); (abs(a) abs(b)); (a abs(b)) = abs(c)
 F|_{x = 0} \quad \left. F \right|_{x = 0, y = 1} \quad (a b)|_{x=1} \quad F_{x=0} \quad F_1^2|_{x = 0}  ⟶  F|(x = 0); F|(x = 0, y = 1); ((a b))|(x = 1); F_x=0; F_1**2|(x = 0)
 \underbrace{a}_{b} \overbrace{a + b}^{c} \underbrace{T}_{4 \times 4} \underbrace{a}_{\text{words}} \underbrace{a}_{=b} \underbrace{a}_{2} \underbrace{x}_{a + } \underbrace{x}_{(2\times 3)} \underbrace{x}  ⟶  (a_[b] (+ a + b)_[c] T_[4, 4] a_[] a_[b] a_[] x_[a + ] x_[2, 3] x_[])
 """,
@@ -194,6 +197,10 @@ a = b \text{ thus } = c  ⟶  [words thus]; a = b = c
 \text{so } = c  ⟶  [words so]; = = c
 \text{Position} = x \quad \text{so we have } x = y \quad y = \frac{\text{distance}}{\text{time}} \quad \text{where $D = x$, which is}  ⟶  Position = x; [words so we have]; x = y; y = (distance / time); [words where]; D = x; [words , which is]
 \text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; 2; [words mass]; l_1; [words in the plane]; speed**2
+{x_{i=1} y} z \quad {x = {y}} \quad {\begin{bmatrix} a \end{bmatrix} = b}  ⟶  ({(x_i=1 y)} z); x = y; bmatrix[a] = b
+a = \quad b \quad c = , d  ⟶  a = b; c = d
+a = b \\ c + d  ⟶  a = b; (+ c + d)
+a = b \\ +c , \quad d  ⟶  a = (+ b + c); d
 a (i = 1, 2) \quad a (s_2 \neq 0)  ⟶  a; [words (i = 1, 2)]; a; [if]; sin(+2) ≠ 0
 {x = y} \quad {\large x}  ⟶  x = y; x
 \begin{aligned} a &= b, & c &= d \\ e &= f \end{aligned}  ⟶  a = b; c = d; e = f
@@ -212,6 +219,8 @@ x \tag{1} \label{a} \quad x \eqref{e} \quad \boxed{x = 1} \quad \color{red} x \q
 \cdots a + \dots \prod_{i=1}^n A_i \sum x \int_0^1 y  ⟶  (+ (… a) + (… … A_i … x … y))
 x\xspace \pause y \arraycolsep=2pt z \hphantom{-}a \vspace{2mm}b \newcommand{\c}[1]{d}e \setlength{\f}{1pt}g  ⟶  (x y z a b e g)
 \resizebox{2cm}{!}{$x$} \scalebox{2}{y} \mathclap{z} \alert<2>{a} \only<1>{b}\only<2>{c} \alt<2>{d}{e} \alt<1>{f}{g} \uncover<2->{h} \visible<1>{k}  ⟶  (x y z a c d g h)
+\only<1>{b}k\only<2>{c}d \alt<2>{d}{e}f \alt<1>{f}{g}h  ⟶  (k c d d f g h)
+\mathrm{c o s}(x) \operatorname{s i n} x  ⟶  (cos(x) sin(x))
 a\_1 \* \(b\) x^\degree \dd x \not= \R  ⟶  (a_1 ⋅ (b) x^<deg> d x) ≠ R
 \hspace{2cm} x \hspace{1mm} y \, z ~ a \hspace{2em} b \hspace{12pt} c \hspace{0.5cm} d \hspace{5mm} e \hspace{.1in} f  ⟶  (x y z a); b; c; d; (e f)
 """,
@@ -268,6 +277,7 @@ R{}^T
 A_1 \cdots A_n
 3.5 x + .5 y + 1{,}5
 0_{3\times 1} I_{3\times 3}
+\frac12 x + \frac34 + \frac1{ab}
 """
 
 
@@ -298,3 +308,34 @@ def test_a_name_at_a_configuration_ends_before_the_bar() -> None:
     latex = r"J_v|_{\theta_1 = 0} + x"
     names = [node for node in n.walk(Reader().read_expression(latex)) if isinstance(node, n.Name)]
     assert [latex[slice(*name.span)] for name in names if name.base in "Jx"] == ["J_v", "x"]
+
+
+@pytest.mark.parametrize(
+    "first",
+    [r"\pmatrix{a \cr b}", r"{a \over b}", r"\begin{bmatrix} a \end{bmatrix}", "(a)", r"\left(a\right)", "{a + b}^2"],
+)
+def test_a_blank_line_ends_an_equation_once_all_is_closed(first: str) -> None:
+    assert read(f"{first} = c\n\nd = e") == f"{read(first)} = c; d = e"
+
+
+@pytest.mark.parametrize(
+    ("latex", "offset"),
+    [("(a { b ) }", None), ("{ (a } b )", 2), (r"(a \\ b) ] c", 0), (r"\begin{bmatrix} (a \\ b) \end{bmatrix}", 16), (r"x = ((a + b) \\ c", 4), ("{a + (b}", 5)],
+)  # fmt: skip
+def test_of_parentheses_without_a_partner_the_one_that_is_open_is_told(latex: str, offset: int | None) -> None:
+    with pytest.raises(ReadError) as caught:
+        Reader().read(latex)
+    opened = "is opened here and never closed" in str(caught.value)
+    assert opened == (offset is not None) and (not opened or caught.value.offset == offset)
+
+
+def test_the_key_of_a_bare_name_is_that_without_its_brackets() -> None:
+    keys = {
+        "((x_1))": "x_1",
+        r"\underbrace{J(q)}_{n}": "J(q)",
+        "J(q, t)": "J(q,t)",
+        "2 x": None,
+        r"\cos x": None,
+        "J(0, 1)": None,
+    }
+    assert {latex: n.bare_key(Reader().read_expression(latex)) for latex in keys} == keys

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -11,7 +12,7 @@ from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.quantity_kinds import KINDS, as_front_matter
+from armproof.verification.algebra.quantity_kinds import KINDS, as_front_matter, as_line, is_planar
 from armproof.verification.errors import DocumentError
 from armproof.verification.naming.quantities import frame_name, read_quantity
 from armproof.verification.naming.reading import read_names
@@ -255,3 +256,73 @@ def test_the_joint_variables_have_the_units_of_their_joints(row: int, unit: str)
     scara = load_arm("scara")
     assert KINDS["vector"].unit(Quantity("vector", ""), scara, row, 0) == unit
     assert KINDS["joint"].unit(Quantity("joint", scara.joints[row].symbol), scara, 0, 0) == unit
+
+
+@pytest.mark.parametrize(
+    ("quantity", "row", "column", "unit"),
+    [
+        (Quantity("pose", "4"), 2, 3, "m"), (Quantity("pose", "4"), 3, 3, "–"), (Quantity("pose", "4"), 2, 2, "–"), (Quantity("pose", "4", rows=(4, 1)), 0, 3, "–"),
+        (Quantity("origin", "4", homogeneous=True), 2, 0, "m"), (Quantity("origin", "4", homogeneous=True), 3, 0, "–"), (Quantity("axis", "4"), 0, 0, "–"),
+        (Quantity("difference", "4"), 0, 0, "m"), (Quantity("jacobian", "4"), 2, 2, "–"), (Quantity("jacobian", "4"), 3, 2, "rad/m"),
+        (Quantity("jacobian", "4"), 3, 0, "–"), (Quantity("jacobian", "4", columns=(3, 1)), 0, 1, "m/rad"), (Quantity("task", "4"), 1, 0, "m"),
+        (Quantity("task", "4"), 2, 0, "rad"), (Quantity("angle", "4"), 0, 0, "rad"), (Quantity("velocity", "4", rows=(3, 4)), 1, 0, "rad/s"),
+    ],
+)  # fmt: skip
+def test_each_entry_has_the_unit_of_its_row_and_column(quantity: Quantity, row: int, column: int, unit: str) -> None:
+    assert KINDS[quantity.kind].unit(quantity, load_arm("scara"), row, column) == unit
+
+
+@pytest.mark.parametrize(
+    ("quantity", "words"),
+    [
+        (Quantity("jacobian", "2", columns=(1, 2)), "columns 1, 2 of the Jacobian of frame 2 in frame 0"),
+        (Quantity("jacobian", "2", rows=(4,), columns=(1,)), "row 4 of column 1 of the Jacobian of frame 2 in frame 0"),
+        (Quantity("velocity", "2", rows=(3,), scalar=True), "linear velocity of frame 2 in frame 0, z"),
+        (Quantity("velocity", "2", rows=(4,), scalar=True), "angular velocity of frame 2 in frame 0, x"),
+        (Quantity("velocity", "2", rows=(1, 2)), "linear rows 1, 2 of velocity of frame 2 in frame 0"),
+        (Quantity("velocity", "2"), "velocity of frame 2 in frame 0"),
+        (Quantity("determinant", "2", rows=(1, 2)), "determinant of rows 1, 2 of the Jacobian of frame 2"),
+        (Quantity("difference", "2", start="1"), "vector from the origin of frame 1 to that of frame 2 in frame 0"),
+        (Quantity("axis", "2", "1", along="x", rows=(2,), scalar=True), "x axis of frame 2 in frame 1, y"),
+    ],
+)  # fmt: skip
+def test_a_quantity_is_told_by_its_rows_and_columns(quantity: Quantity, words: str) -> None:
+    assert str(KINDS[quantity.kind].tell(quantity)) == words
+
+
+def test_a_component_of_a_velocity_is_written_as_front_matter() -> None:
+    velocity = KINDS["velocity"]
+    assert velocity.component(Quantity("velocity", "2", rows=(4,)), "x").rows == (4,)
+    assert velocity.component(Quantity("velocity", "2", rows=(1, 2, 3)), "y").rows == (2,)
+    of_x = Quantity("velocity", "2", rows=(4,), scalar=True)
+    assert as_front_matter(of_x) == {"velocity": 2, "rows": [4, 5, 6], "component": "x"}
+    assert as_front_matter(replace(of_x, rows=(3,))) == {"velocity": 2, "component": "z"}
+    assert as_front_matter(Quantity("pose", "2", "1", (1,), (4,), scalar=True)) == {
+        "pose": 2,
+        "in": 1,
+        "component": [1, 4],
+    }
+    assert (
+        as_line("p", Quantity("origin", "P", "1", homogeneous=True))
+        == 'quantities: {"p": {origin: P, in: 1, homogeneous: True}}'
+    )
+
+
+@pytest.mark.parametrize("turn", ["0", "pi/2"])
+def test_an_arm_that_turns_about_another_axis_than_z_is_not_planar(turn: str) -> None:
+    rows = [{"a": 0, "alpha": "pi/2", "d": 0, "theta": turn}, {"a": "a_2", "alpha": 0, "d": 0, "theta": "theta_2"}]
+    assert not is_planar(load_arm({"dh": "classic", "rows": rows, "joints": ["theta_2"]}))
+    assert is_planar(load_arm({"dh": "classic", "rows": rows[1:]}))
+    slide = [{"a": 0, "alpha": 0, "d": "d_1", "theta": 0}]
+    assert not is_planar(load_arm({"dh": "classic", "rows": slide}))  # nothing turns
+
+
+def test_two_digits_are_two_frames_unless_a_link_has_that_number() -> None:
+    rows = [{"a": f"l_{k}", "alpha": 0, "d": 0, "theta": f"theta_{k}"} for k in range(1, 13)]
+    names = read_names(load_arm({"dh": "classic", "rows": rows}), {})
+    found = {latex: names.quantity(names.reader.read_expression(latex)) for latex in ("A_{12}", "T_{12}", "A_{45}")}  # type: ignore[arg-type]
+    assert found == {
+        "A_{12}": Quantity("pose", "12", "11"),
+        "T_{12}": Quantity("pose", "2", "1"),
+        "A_{45}": Quantity("pose", "5", "4"),
+    }
