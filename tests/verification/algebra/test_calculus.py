@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.angles import cos_sin, has_arcs
 from armproof.verification.algebra.calculus import derivative, leaves_open, symbols_in
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.algebra.roots import atan2, sqrt
@@ -64,3 +64,7 @@ def test_roots_and_arc_functions_are_differentiated_by_the_chain_rule() -> None:
 )
 def test_roots_arcs_and_cosines_of_constants_leave_a_difference_open(value: Scalar, is_open: bool) -> None:
     assert leaves_open(value) is is_open
+
+
+def test_an_angle_is_known_up_to_whole_turns_where_it_holds_an_arc_function() -> None:
+    assert has_arcs(ARC) and has_arcs(A - ARC * 2) and not has_arcs(ROOT) and not has_arcs(cos_sin(X)[0] + PI)

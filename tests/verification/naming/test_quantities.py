@@ -43,7 +43,19 @@ IMPLIED = {
     r"J_v": Quantity("jacobian", "4", "0", rows=(1, 2, 3)),
     r"J_\omega": Quantity("jacobian", "4", "0", rows=(4, 5, 6)),
 }
-UNKNOWN = [r"T^1_7", r"T_3", r"p_x", r"J'", r"x_2", r"A_0", r"z_{12}", r"T'^1_3"]
+UNKNOWN = [
+    r"T^1_7",
+    r"T_3",
+    r"p_x",
+    r"J'",
+    r"x_2",
+    r"A_0",
+    r"z_{12}",
+    r"T'^1_3",
+    r"{}_1T_{23}",
+    r"{}_1p_2",
+    r"{}^1p_2^0",
+]
 
 
 def meaning(latex: str, arm: str = "scara", **front: Any) -> Quantity | None:
@@ -315,6 +327,10 @@ def test_an_arm_that_turns_about_another_axis_than_z_is_not_planar(turn: str) ->
     assert is_planar(load_arm({"dh": "classic", "rows": rows[1:]}))
     slide = [{"a": 0, "alpha": 0, "d": "d_1", "theta": 0}]
     assert not is_planar(load_arm({"dh": "classic", "rows": slide}))  # nothing turns
+
+
+def test_a_difference_is_rows_of_the_last_column_of_a_pose() -> None:
+    assert KINDS["difference"].block(Quantity("difference", "2", rows=(2,))) == ([1], [3])
 
 
 def test_two_digits_are_two_frames_unless_a_link_has_that_number() -> None:

@@ -8,7 +8,9 @@ import pytest
 
 from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader
@@ -16,7 +18,14 @@ from armproof.verification.latex.tokens import Spelling
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.reading import read_names
-from armproof.verification.naming.state import Definition, DocumentState, NamedSigns, settle_definitions, used_names
+from armproof.verification.naming.state import (
+    Definition,
+    DocumentState,
+    JacobianRows,
+    NamedSigns,
+    settle_definitions,
+    used_names,
+)
 from armproof.verification.verdict import EquationResult, Record, Role, Verdict
 
 A, B, C = ("a", 1), ("b", 2), ("c", 3)
@@ -233,6 +242,43 @@ def test_a_letter_means_the_angle_of_the_table_where_that_is_shown() -> None:
     assert first is not None and second is None and names.table_row("theta_3") is None
     names.reader.spelling = Spelling(variables="both")
     assert names.turn_of("theta_2", "theta_2") == -1
+
+
+def test_beside_a_variable_q_the_letter_theta_is_the_angle_of_the_table() -> None:
+    names = names_of({"dh": "classic", "rows": [{"a": "l_1", "alpha": 0, "d": 0, "theta": "q_1 + pi/2"}]})
+    assert names.table_row("q_1", "theta_1") is None  # nothing tells the two apart
+    names.reader.spelling = Spelling(variables="told")
+    row = names.table_row("q_1", "theta_1")
+    assert row is not None and row.joint == "q_1" and names.table_row("q_1", "q_1") is None
+    names.state.angles = "loose"
+    assert names.table_row("q_1", "theta_1") is None
+
+
+def test_the_variable_is_got_back_from_the_angle_of_the_table() -> None:
+    rows = [{**ROWS[0], "theta": "-theta_1 + pi/3"}, {**ROWS[1], "theta": "theta_2 + pi/2"}]
+    names = names_of({"dh": "classic", "rows": rows})
+    names.reader.spelling = Spelling(variables="both")
+    exact = ExactAlgebra(Ring(), names.arm)
+    theta = exact.symbol("theta_1"), exact.symbol("theta_2")
+    assert (names.table_angle("theta_1", exact) - theta[0]).is_zero()
+    names.state.angles = "table"
+    angles = [names.table_angle(f"theta_{k}", exact) for k in (1, 2)]
+    assert (angles[0] + theta[0] - exact.pi() / 3).is_zero() and (angles[1] - theta[1] - exact.pi() / 2).is_zero()
+    for k in (1, 2):
+        assert (names.variable_at(f"theta_{k}", angles[k - 1], exact) - theta[k - 1]).is_zero()
+
+
+def test_a_jacobian_has_the_rows_in_which_the_document_shows_it() -> None:
+    names = names_of()
+    names.state.shown = {
+        "J": JacobianRows((1, 2)),
+        "T_1^0": JacobianRows((1, 2)),
+        "J_v": JacobianRows((1, 2, 3, 4, 5, 6)),
+    }
+    assert names.rows_of("J") == (1, 2) and names.rows_of("p_1") is None
+    assert names.quantity(named("J")) == Quantity("jacobian", "2", rows=(1, 2))
+    assert names.quantity(named("T^0_1")) == Quantity("pose", "1") and names.quantity(named("x")) is None
+    assert names.quantity(named("J_v")) == Quantity("jacobian", "2", rows=(1, 2, 3))
 
 
 LINKS = {
