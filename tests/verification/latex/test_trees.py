@@ -198,6 +198,8 @@ a = b \text{ thus } = c  ⟶  [words thus]; a = b = c
 \text{Position} = x \quad \text{so we have } x = y \quad y = \frac{\text{distance}}{\text{time}} \quad \text{where $D = x$, which is}  ⟶  Position = x; [words so we have]; x = y; y = (distance / time); [words where]; D = x; [words , which is]
 \text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; 2; [words mass]; l_1; [words in the plane]; speed**2
 {x_{i=1} y} z \quad {x = {y}} \quad {\begin{bmatrix} a \end{bmatrix} = b}  ⟶  ({(x_i=1 y)} z); x = y; bmatrix[a] = b
+x \text{ } y \quad x \text{: } = y \quad \text{, } z  ⟶  (x y); x = y; z
+a = b, \\ + c  ⟶  a = (+ b + c)
 a = \quad b \quad c = , d  ⟶  a = b; c = d
 a = b \\ c + d  ⟶  a = b; (+ c + d)
 a = b \\ +c , \quad d  ⟶  a = (+ b + c); d
@@ -339,3 +341,33 @@ def test_the_key_of_a_bare_name_is_that_without_its_brackets() -> None:
         "J(0, 1)": None,
     }
     assert {latex: n.bare_key(Reader().read_expression(latex)) for latex in keys} == keys
+
+
+REFUSED = r"""
+\frac{d}{dt}  ⟶  0 a derivative of nothing
+a \frac{\partial}{\partial x}  ⟶  2 a derivative of nothing
+\frac{\partial x}{\partial}  ⟶  18 a derivative with respect to nothing
+\frac{\partial^2 x}{\partial y \partial z}  ⟶  20 a higher derivative is with respect to one variable
+\frac{\partial^3 x}{\partial y^2}  ⟶  20 a higher derivative is with respect to one variable
+\frac{\partial^2 x}{\partial y^n}  ⟶  20 a higher derivative is with respect to one variable
+(x)'  ⟶  3 a prime on an expression
+(x)^*  ⟶  3 a star on an expression
+\left. c \right|  ⟶  0 '\left. c \right|' does not say at which values
+a \cos^2  ⟶  2 '\cos^2' has no argument
+(x + y)^{25}  ⟶  7 the exponent 25 is larger than 24
+x = \overset{0}{x}  ⟶  4 what does '0' above a name mean?
+x = \begin{bmatrix} \end{bmatrix}  ⟶  4 a matrix without cells
+x = 12345678901234567890123456789012345678901  ⟶  4 a number of more than 40 digits
+x = \frac{}{x}  ⟶  9 an argument is empty
+"""
+
+
+@pytest.mark.parametrize(("latex", "message"), lines_of(REFUSED))
+def test_what_has_no_tree_is_refused_at_its_place(latex: str, message: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        Reader().read(latex)
+    assert f"{caught.value.offset} {caught.value}".startswith(message)
+
+
+def test_the_largest_exponent_and_the_longest_number_are_read() -> None:
+    assert read("(x)^{24}") == "(x)**24" and read("1" * 40) == "1" * 40

@@ -281,6 +281,13 @@ def test_a_jacobian_has_the_rows_in_which_the_document_shows_it() -> None:
     assert names.quantity(named("J_v")) == Quantity("jacobian", "2", rows=(1, 2, 3))
 
 
+def test_where_a_row_has_no_joint_an_index_counts_rows() -> None:
+    fixed = {"a": 0, "alpha": "pi/2", "d": "d_2", "theta": 0}
+    names = names_of({"dh": "classic", "rows": [ROWS[0], fixed, ROWS[2]], "joints": ["theta_1", "theta_3"]})
+    assert [names.known_symbol(f"q_{k}") for k in range(4)] == [None, "theta_1", None, "theta_3"]
+    assert [names_of("polar_rp").known_symbol(f"q_{k}") for k in range(4)] == [None, "theta", "r", None]
+
+
 LINKS = {
     "{}^{i-1}T_i": False, "{}^{i-1}_iT": False, "T_i^{i-1}": False, "A_i": False, "H_i": False, "{}^iT_{i-1}": True, "T_{i-1}^i": True,
     "A_i^{-1}": True, "(({}^iT_{i-1})^{-1})": False, "T_1^0": None, "A_1": None, "p_i": None, "A'_i": None, r"\dot A_i": None, "x^{-1}": None, "R_i": None, "{}^{i-1}T": None,
