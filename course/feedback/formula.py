@@ -16,7 +16,7 @@ from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
-from armproof.course.feedback.relation import Letters, Values, letters_astray, relation, units_astray
+from armproof.course.feedback.relation import Letters, Values, letter_at_fault, letters_astray, relation, units_astray
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up
 from armproof.verification.findings import Kind, say
@@ -129,6 +129,7 @@ class Formula:
             yield letters_astray(asked, given, at)
             yield relation(true, obtained, self._factors(at))
             yield units_astray(asked, given, at, self._units)
+            yield letter_at_fault(asked, given, at)
 
     def _called(self, function: Callable[..., Any]) -> Values:
         """Return a function of single values as one of arrays."""

@@ -27,8 +27,10 @@ from armproof.verification.functions import check_function
 from armproof.verification.functions.asked import read_asked
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.returned import NotAttempted
+from armproof.verification.latex.writer import symbol_as_latex
 
 FEW = 8  # samples by which two answers are told apart
+MANY = 32  # by which the relation of a wrong answer to the right one is found
 NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
 NOTHING_YET = noted("`{task}`: no answer yet, nothing to draw.")
 _USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres
@@ -80,20 +82,24 @@ class Quantity:
     def _relation(self, answer: Any) -> str:
         """Return how the values of an answer with no known slip relate to what is asked."""
         try:
-            obtained = self.signature(answer)
+            obtained = self._values(answer, MANY)
         except ArmproofError:
             return ""
-        true = self.claim.values(ASKED)[:FEW]
-        joints = dict(zip(self._symbols, self.claim.samples.q[:FEW].T, strict=True))
-        factors = {f"{name} {s}": f(q) for s, q in joints.items() for name, f in (("sin", np.sin), ("cos", np.cos))}
-        return relation(true, obtained, factors)
+        joints = dict(zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True))
+        turning = {joint.symbol: q for joint, q in joints.items() if joint.kind == "revolute"}
+        factors = {joint.symbol: q for joint, q in joints.items() if joint.symbol not in turning}
+        for symbol, q in turning.items():
+            factors |= {f"sin {symbol_as_latex(symbol)}": np.sin(q), f"cos {symbol_as_latex(symbol)}": np.cos(q)}
+        return relation(self.claim.values(ASKED)[:MANY], obtained, factors)
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""
+        return self._values(answer, FEW)
+
+    def _values(self, answer: Any, count: int) -> np.ndarray:
         if not is_function(answer):
-            return self.claim.values(as_latex(answer))[:FEW]
-        q = self.claim.samples.q[:FEW]
-        at = [dict(zip(self._symbols, row, strict=True)) for row in q.tolist()]
+            return self.claim.values(as_latex(answer))[:count]
+        at = [dict(zip(self._symbols, row, strict=True)) for row in self.claim.samples.q[:count].tolist()]
         return np.array([call_at(self.loaded, answer, each) for each in at])
 
     def show(self, task: str, function: Any, at: Mapping[str, float]) -> Shown | Portrait:

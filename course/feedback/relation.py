@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from armproof.verification.latex.writer import symbol_as_latex
 Letters = Mapping[str, np.ndarray]  # each letter's values at the samples
 Values = Callable[[Letters], np.ndarray]  # what letters give, (samples, rows, columns)
 
+_JOINT_ANGLE = re.compile(r"theta_\d$")
 ENOUGH = 5  # samples at which both sides have a value, so that a chance agreement is none
 _TOLERANCE = 1e-8
 _MOST_FACTORS = 4
@@ -57,6 +59,11 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     for one, other in combinations(few, 2):
         if _same(asked({**at, one: at[other], other: at[one]})[:, wrong], obtained[:, wrong]):
             return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
+    angles = [name for name in at if _JOINT_ANGLE.match(name)]
+    if len(angles) > 1:
+        absolute = {name: at[name] - at[before] for before, name in pairwise(angles)}
+        if _same(asked({**at, **absolute})[:, wrong], obtained[:, wrong]):
+            return look_up("each angle is taken as absolute, from the base: sums of angles are missing")
     for name in few:
         moved = {**at, name: at[name] * _GROWN}
         shown = symbol_as_latex(name)
@@ -72,6 +79,17 @@ def units_astray(asked: Values, given: Values, at: Letters, units: Sequence[Sequ
     """Say if an answer is of another unit than what is asked, or adds terms of several; `units`: letters of one unit each."""
     wrong = _wrong(asked(at), given(at))
     return next(filter(None, (_units(asked, given, at, names, wrong) for names in units if names)), "")
+
+
+def letter_at_fault(asked: Values, given: Values, at: Letters) -> str:
+    """Say for which letter an answer is right at zero: the mistake is in how that letter comes in."""
+    wrong = _wrong(asked(at), given(at))
+    for name in list(at)[:_MOST_LETTERS]:
+        without = {**at, name: np.zeros_like(at[name])}
+        true = asked(without)[:, wrong]
+        if _same(given(without)[:, wrong], true) and np.nanmax(np.abs(true)) > _TOLERANCE:
+            return written("right for {name} = 0: look at how {name} comes in", name=symbol_as_latex(name))
+    return ""
 
 
 def _units(asked: Values, given: Values, at: Letters, names: Sequence[str], wrong: np.ndarray) -> str:
@@ -140,6 +158,12 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
     for function, name in ((np.cos, look_up("cosine")), (np.sin, look_up("sine"))):
         if _same(function(obtained), true):
             yield written("your answer is the angle: its {function} is asked", function=name)
+    if _same(np.sin(obtained), np.tan(true)) or _same(np.cos(obtained), np.tan(true)):
+        yield look_up("the tangent of the angle is known: `atan2` belongs there, not `arcsin` or `arccos`")
+    if _same(np.sin(obtained), np.sin(true)):
+        yield look_up("the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn")
+    if _same(np.exp(1j * (obtained + true)), np.full(len(true), 1j)):
+        yield look_up("the arguments of `atan2` are exchanged: first the side across, then the side along")
     turns = (obtained - true) / np.pi
     if _same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
         yield look_up("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from armproof.course.feedback import Formula, Number, Outcome, Quantity
 
+_ANGLES = ("theta_1", "theta_2", "theta_3")
 COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
 SPEED = Formula(r"\frac{30(q_f - q_0) t^2 (t_f - t)^2}{t_f^5}", ("t", "q_0", "q_f", "t_f"))
 SQUARE = Formula(r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta_2", ("theta_2", "l_1", "l_2"))
@@ -23,6 +25,12 @@ INVERSE = Formula(
     ("theta_1", "theta_2", "l_1"),
     arm="planar_2r",
 )
+LEAN = Formula(r"\operatorname{atan2}(l_1, l_2)", ("l_1", "l_2"), unit="rad")
+AWAY = replace(FACING, latex=r"\operatorname{atan2}(y, -x)")
+BENT = Formula(r"\arccos D", ("D",), given={"D": r"\cos(3\gamma)"}, symbols={"gamma": "free"}, unit="rad")
+OUT = Formula(r"\sqrt{x^2 + y^2} - l_1", ("x", "y", "l_1"))
+HEIGHT = Formula("l_1 S_1 + l_2 S_{12} + l_3 S_{123}", (*_ANGLES, "l_1", "l_2", "l_3"), arm="planar_3r")
+COLUMN = Quantity("polar_rp", {"jacobian": 2, "rows": [1, 2], "columns": [2]})
 TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
 PLACE = Number((0.0, 0.3, -0.4), labels=("x", "y", "z"))
 
@@ -53,6 +61,13 @@ def squared(answer: str) -> str:
         (FACING, r"\arccos\frac{x}{\sqrt{x^2 + y^2}}", "for some values only"),
         (INVERSE, INVERSE.latex.replace("l_1 S_2", "l_1 C_2"), r"your answer is sin \theta_2 / cos \theta_2 times"),
         (TOOL, r"\begin{bmatrix} 0 \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}", "what is asked is not zero"),
+        (AWAY, r"\operatorname{atan2}(-x, y)", "the arguments of `atan2` are exchanged"),
+        (BENT, lambda D: np.arcsin(np.sqrt(1 - D**2)), "the sine is right, the angle is not"),
+        (BENT, lambda D: -np.arccos(D), "sign"),
+        (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "right for l_1 = 0: look at how l_1 comes in"),
+        (LEAN, r"\arcsin\frac{l_1}{l_2}", "the tangent of the angle is known"),
+        (HEIGHT, "l_1 S_1 + l_2 S_2 + l_3 S_3", "each angle is taken as absolute"),
+        (COLUMN, r"\begin{bmatrix} r \\ \sin\theta \end{bmatrix}", r"entry (1, 1): your answer is r / cos \theta times"),
         (PLACE, [0, -0.3, -0.4], "the sign is wrong"),
         (PLACE, [0.3, 0, -0.4], "their order is not"),
         (PLACE, [0.3, 0, 0.4], "their order and signs are not"),
