@@ -366,11 +366,27 @@ class DocumentChecker:
         return begun.apart
 
     def _of_this_exercise(self, outcome: Outcome) -> Outcome:
-        """The arm of one exercise refutes nothing in another, which may be about an arm that is only drawn."""
+        """The arm of one exercise refutes nothing in another, which may be about one that is only drawn; nor in other variables."""
         taken, where = self.inferred.arm, self._exercise_of_arm
-        if outcome.verdict is not Verdict.REFUTED or taken is None or where in (0, self.names.state.apart):
+        if outcome.verdict is not Verdict.REFUTED or taken is None:
             return outcome
-        return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
+        if where not in (0, self.names.state.apart):
+            return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
+        other = next(filter(self._is_other_variable, (b for node in outcome.nodes for b in n.walk(node))), None)
+        if isinstance(other, n.Name):
+            joint = self.names.known_symbol(other.key)
+            return outcome.left_open(say(Kind.UNTOLD_VARIABLE, name=other.key, joint=str(joint)))
+        return outcome
+
+    def _is_other_variable(self, node: n.Node) -> bool:
+        """Whether a θ_2 stands where the arm's joint is q_2, and the document, which has both, does not say what it is by that."""
+        told = (
+            self.names.reader.spelling.variables != "both" or self.names.offset_joints
+        )  # what a table has beside q_2 is θ_2
+        if told or not isinstance(node, n.Name) or self.arm is None:
+            return False
+        joints = {joint.symbol for joint in self.arm.joints}
+        return node.key not in joints and node.base in ("theta", "q") and self.names.known_symbol(node.key) in joints
 
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""

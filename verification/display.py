@@ -296,6 +296,9 @@ class Statements:
         if not chain.relations and not outcomes:
             return [] if _is_label(chain) else [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]
         outcomes = [self._of_own_sums(outcome, chain) for outcome in outcomes]
+        if any(isinstance(below, n.Dots) for below in n.walk(chain)):
+            unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
+            outcomes = [each.left_open(unwritten) if each.verdict is Verdict.REFUTED else each for each in outcomes]
         foreign = self.names.state.foreign()
         for outcome in outcomes if foreign else ():
             if outcome.verdict is Verdict.REFUTED:

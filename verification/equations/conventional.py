@@ -288,7 +288,8 @@ def _letters_of(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:
     """Return the rows of a matrix or a list of letters and numbers alone, with a letter; else ()."""
     rows = written_rows(node)
     cells = [bare(cell) for row in rows for cell in row]
-    alone = all(isinstance(cell, n.Name | n.Number) for cell in cells)
+    here = ("", "0")  # {}^BP_x stands in a frame of its own
+    alone = all(isinstance(cell, n.Number) or (isinstance(cell, n.Name) and cell.pre_sup in here) for cell in cells)
     return rows if alone and any(isinstance(cell, n.Name) for cell in cells) else ()
 
 
@@ -303,7 +304,8 @@ def _is_spelt(node: n.Node) -> bool:
     inner = bare(node)
     points = (below for below in n.walk(node) if isinstance(below, n.Name) and set(below.base) <= POINTS)
     applied = isinstance(inner, n.Product) and isinstance(inner.factors[1], n.Group | n.Sequence)
-    return applied or isinstance(inner, n.Power) or next(points, None) is not None
+    dotted = isinstance(inner, n.Product) and any(isinstance(factor, n.Dots) for factor in inner.factors)
+    return applied or dotted or isinstance(inner, n.Power) or next(points, None) is not None
 
 
 def _plain_key(node: n.Node) -> str:

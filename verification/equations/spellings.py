@@ -1,4 +1,4 @@
-"""Spellings of names: points of a figure O_0O_2, arguments p_e(θ), an index above p^1_2."""
+"""Spellings of names: points of a figure O_0O_2, arguments p_e(θ), an index above p^1_2, links left out A_1 ⋯ A_n."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.conventions import conventional
+from armproof.verification.naming.quantities import numbered_frames
 
+MOST_LINKS = 12
+SCRIPTS = ("pre_sup", "pre_sub", "sup", "sub")
 POINTS, INDEXED = frozenset("OPAEC"), frozenset("pPoOdRJvz")
 
 
@@ -21,7 +24,36 @@ class Spellings:
 
     def read(self, node: n.Node) -> n.Node:
         """Return a side as the name that it is, or one in which points between braces are vectors."""
-        return self._as_name(self._with_arrows(node))
+        return self._as_name(self._with_arrows(self._written_out(node)))
+
+    def _written_out(self, node: n.Node) -> n.Node:
+        """Return A_1 A_2 ⋯ A_n, or T_0^1 T_1^2 ⋯ T_{n-1}^n, with the links that its dots leave to the reader."""
+        inner = bare(node)
+        factors = tuple(map(_unapplied, inner.factors)) if isinstance(inner, n.Product) else ()
+        at = next((k for k, factor in enumerate(factors) if isinstance(factor, n.Dots)), 0)
+        names = [factor for factor in factors if isinstance(factor, n.Name)]
+        if not 0 < at == len(factors) - 2 or len(names) != len(factors) - 1 or len({name.base for name in names}) > 1:
+            return node
+        first, last = map(self._indices, (names[0], names[-1]))
+        steps = {one - other for one, other in zip(last.values(), first.values(), strict=False)}
+        if not first or first.keys() != last.keys() or len(steps) != 1 or not at <= max(steps) <= MOST_LINKS:
+            return node
+        links = [
+            _numbered(names[0], {script: index + k for script, index in first.items()}) for k in range(max(steps) + 1)
+        ]
+        shown = [self._indices(name) for name in names[:-1]]
+        if shown != [self._indices(link) for link in links[: len(shown)]]:
+            return node
+        return n.Product(tuple(links), ("",) * max(steps), span=node.span)
+
+    def _indices(self, name: n.Name) -> dict[str, int]:
+        """Return the numbers in the scripts of a name, n being that of the last frame; nothing where there is anything else."""
+        assert self.names.arm is not None
+        last = int(found) if (found := numbered_frames(self.names.arm)[-1]).isdigit() else 0
+        scripts = dict(zip(SCRIPTS, (name.pre_sup, name.pre_sub, name.sup, name.sub), strict=True))
+        values = {"n": last, "N": last, "n-1": last - 1, "N-1": last - 1}
+        read = {key: values.get(text, int(text) if text.isdigit() else -1) for key, text in scripts.items() if text}
+        return read if min(read.values(), default=-1) >= 0 and not (name.primes or name.dots) else {}
 
     def _with_arrows(self, node: n.Node) -> n.Node:
         """Two points in braces are what stands under an arrow; two origins side by side are a vector, too."""
@@ -81,3 +113,15 @@ class Spellings:
 
     def _is_configuration(self, node: n.Node) -> bool:
         return isinstance(node, n.Name) and (node.key in ("q", "theta", "Theta") or self.members.is_symbol(node))
+
+
+def _unapplied(node: n.Node) -> n.Node:
+    """Return the A_1 of A_1(q_1)."""
+    applied = isinstance(node, n.Call) and node.function == "name" and len(node.arguments) == 2
+    return node.arguments[0] if applied and isinstance(node, n.Call) else node
+
+
+def _numbered(name: n.Name, indices: dict[str, int]) -> n.Name:
+    """Return a name with these numbers for its scripts."""
+    pre_sup, pre_sub, sup, sub = (str(indices.get(script, "")) for script in SCRIPTS)
+    return replace(name, pre_sup=pre_sup, pre_sub=pre_sub, sup=sup, sub=sub)

@@ -66,6 +66,7 @@ class Kind(MessageKind):
     WHICH_INDEX = "which_index", "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter"
     SECOND_MEANING = "second_meaning", "`{name}` means something else since line {line}: give it another name, or a section of its own"
     ARM_OF_OTHER_EXERCISE = "arm_of_other_exercise", "that is not so of the arm that another exercise shows at line {line}: name this one's in the front matter, by section under arms"
+    UNTOLD_VARIABLE = "untold_variable", "that is not so where `{name}` is the joint's `{joint}`, and the document has both letters: say what one is by the other"
     OTHER_EXERCISE = "other_exercise", "that is not so for the `{name}` of line {line}, which another exercise defines: say here what it means"
     AS_TEXT_SAYS = "as_text_says", "it is not so with what the text says of {name}: print that equation as a display to have this one checked"
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"

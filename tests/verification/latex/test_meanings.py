@@ -428,3 +428,26 @@ def test_a_pose_printed_as_its_rotation_is_that_where_it_is_right(judge: Judge) 
     turn = r"T_{03} = \begin{bmatrix} c_1c_{23} & -c_1s_{23} & s_1 \\ s_1c_{23} & -s_1s_{23} & %sc_1 \\ s_{23} & c_{23} & 0 \end{bmatrix}"
     assert judge(turn % "-", arm=ARM).verdict is Verdict.PROVED
     assert judge(turn % "", arm=ARM).verdict is Verdict.UNCHECKED
+
+
+@pytest.mark.parametrize(
+    ("product", "verdict"),
+    [
+        (r"A_1 A_2 \cdots A_n", Verdict.PROVED),
+        (r"A_1(q_1) \dots A_n(q_n)", Verdict.PROVED),
+        (r"{}^0T_1 \, {}^1T_2 \cdots {}^{n-1}T_n", Verdict.PROVED),
+        (r"A_1 \cdots A_{n-1}", Verdict.UNCHECKED),  # what the dots stand for is not said
+        (r"A_1 A_3 \cdots A_n", Verdict.UNCHECKED),
+        (r"A_2 \cdots A_n", Verdict.UNCHECKED),
+        (r"A_1 \cdots {}^{1}T_n", Verdict.UNCHECKED),
+    ],
+)
+def test_the_links_that_dots_leave_out_are_those_between(judge: Judge, product: str, verdict: Verdict) -> None:
+    assert judge(rf"{{}}^0T_n = {product}", arm=ARM).verdict is verdict
+
+
+def test_coordinates_in_another_frame_are_not_those_of_the_tool_in_the_base(judge: Judge) -> None:
+    column = r"\begin{bmatrix} %sP_x \\ %sP_y \\ %sP_z \end{bmatrix}"
+    values = r"\begin{bmatrix} L + a_2 \\ W \\ d_1 - a_2s_2 \end{bmatrix}"
+    for frame, verdict in (("{}^B", Verdict.UNCHECKED), ("", Verdict.REFUTED)):
+        assert judge(f"P = {column % (frame, frame, frame)} = {values}", arm=ARM).verdict is verdict

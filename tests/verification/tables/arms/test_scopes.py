@@ -67,3 +67,12 @@ def test_the_arm_of_one_exercise_refutes_nothing_in_the_next() -> None:
         result = verify_text(f"## Problem 1\n\n{PLAIN}\n{CLASSIC}{heading}\n\n{wrong}")
         assert verdicts(result) == ["proved"] * 3 + [verdict]
     assert verdicts(verify_text(f"{PLAIN}\n{CLASSIC}## Problem 2\n\n{wrong}"))[-1] == "refuted"  # that of all of them
+
+
+def test_other_letters_than_those_of_the_joints_refute_nothing_until_they_are_told() -> None:
+    links = CLASSIC.replace("c_", r"\cos q_").replace("s_", r"\sin q_").replace("q_{12}", "(q_1 + q_2)")
+    right = r"$$ x = l_1 \cos %s_1 + l_2 \cos(%s_1 + %s_2) $$"
+    wrong = right.replace("+ l_2", "- l_2")
+    for letter, verdict in ((r"\theta", "unchecked"), ("q", "refuted")):
+        said = [text % (letter, letter, letter) for text in (right, wrong)]
+        assert [verdicts(verify_text(links + text))[-1] for text in said] == ["proved", verdict]
