@@ -99,7 +99,11 @@ class Formula:
             return at
 
     def signature(self, answer: Any) -> np.ndarray:
-        """Return the values of an answer at the samples, by which two answers are told apart."""
+        """Return the values of an answer at the samples, by which two answers are told apart; angles within one turn."""
+        values = self._values_of(answer)
+        return values - 2 * np.pi * np.round(values / (2 * np.pi)) if self.unit == "rad" else values
+
+    def _values_of(self, answer: Any) -> np.ndarray:
         if not is_function(answer):
             return self.claim.values(as_latex(answer))[:FEW]
         answer = self._in_order(answer)
@@ -115,7 +119,7 @@ class Formula:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters."""
         try:
             if set(self.arguments) & set(self.given):
-                return relation(self._true[:FEW], self.signature(answer), {})
+                return relation(self._true[:FEW], self._values_of(answer), {})
             return next(filter(None, self._relations(answer)), "")
         except ArmproofError:
             return ""

@@ -232,6 +232,13 @@ def test_a_known_mistake_is_told_in_its_own_words_in_every_form(answer: Any) -> 
     assert task(POSITION, known).check(LATEX.replace("l_1", "l_2")).message != "add the angles up"
 
 
+def test_a_known_mistake_in_an_angle_is_known_again_a_whole_turn_away() -> None:
+    known = Wrong(lambda X, Y: np.arctan2(-Y, -X), "this looks away from the target", own=True)
+    behind = task(ANGLE, known).check(lambda X, Y: np.arctan2(Y, X) + 3 * np.pi)
+    assert behind.message == "this looks away from the target"
+    assert task(ANGLE, known).check(lambda X, Y: np.arctan2(Y, X) + 1).message != behind.message
+
+
 @pytest.mark.parametrize(
     "hostile", [r"\input{/etc/passwd}", "\\write18{rm}", "{" * 2000, "^" * 500, "__import__('os')"]
 )
