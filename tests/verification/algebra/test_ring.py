@@ -505,3 +505,11 @@ def test_a_product_past_the_deadline_is_refused() -> None:
     x = Letters()
     with x.ring.budget.of(-1), pytest.raises(TooComplex, match="more time than a display may take"):
         x.c1 * x.c2
+
+
+def test_a_traced_entry_has_its_value_in_the_ring() -> None:
+    x = Letters()
+    c, a = (("cos", "theta_1"), ("symbol", "a"))
+    entry = {((c, 3), (a, 2)): Fraction(2), ((("sqrt", "2"), 1),): Fraction(1, 3), (): Fraction(-1)}
+    assert (x.ring.from_entry(entry) - x.c1**3 * x.a**2 * 2 - x.sqrt(2) / 3 + 1).is_zero()
+    assert x.ring.from_entry({}).is_zero()

@@ -296,3 +296,15 @@ def test_a_rate_is_a_symbol_of_its_own(workbench: Callable[..., Any]) -> None:
     bench = workbench(None)
     assert not is_zero(bench.value(r"\dot\beta - \beta")) and not is_zero(bench.value(r"\ddot\beta - \dot\beta"))
     assert is_zero(bench.value(r"\dot\beta - \dot{\beta}"))
+
+
+def test_a_free_letter_takes_the_value_at_which_an_expression_is_asked(workbench: Callable[..., Any]) -> None:
+    assert is_zero(workbench(None).value(r"\left. x^2 + y \right|_{x = 3} - 9 - y"))
+
+
+def test_the_rotation_to_a_frame_that_a_document_adds_is_that_of_its_pose(judge: Callable[..., Any]) -> None:
+    added = (
+        r"T^2_3 = \begin{bmatrix} 0 & -1 & 0 & 2 l_1 \\ 1 & 0 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    )
+    assert judge(added, r"R^0_3 = R^0_2 R_z(\frac{\pi}{2})", arm="planar_2r").verdict == "proved"
+    assert judge(added, r"R^0_3 = R^0_2", arm="planar_2r").verdict == "refuted"
