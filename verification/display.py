@@ -20,7 +20,7 @@ from armproof.verification.equations.general_links import GeneralStatements, is_
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.misreadings import sizes_of_convention, without_misreading
-from armproof.verification.equations.outcome import Outcome, with_role
+from armproof.verification.equations.outcome import Outcome, hold, with_role
 from armproof.verification.equations.readings import counted
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
@@ -236,7 +236,7 @@ class Statements:
     def _implication(
         self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
     ) -> Judgement:
-        """Return what `_judged` does; what holds with other rows of J, and nothing tells these, is left open."""
+        """Return what `_judged` does; what holds with other rows of J or another direction of indices is left open."""
         judged = self._judged(implication, steps, equation, links)
         if judged is None:
             return None
@@ -247,6 +247,10 @@ class Statements:
             return judged[0].left_open(next(filter(None, sizes))), {}
         again = partial(self._judged, implication, steps, equation, links)
         doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
+        if judged[0].verdict in DECIDED:
+            doubt = doubt or self.checker.readings.other_direction(
+                implication.chains, hold([judged[0]]), lambda: hold([(again() or judged)[0]])
+            )
         return (judged[0].left_open(doubt), {}) if doubt is not None else judged
 
     def _judged(

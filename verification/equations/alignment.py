@@ -120,13 +120,13 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
 
 
 def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
-    """The rows a shorter Jacobian is likely to hold: linear, then those that are not zero, then planar, angular."""
+    """The rows a shorter Jacobian is likely to hold: linear, then those that are not zero, then angular, planar."""
     tried: list[tuple[int, ...]] = []
     nonzero = tuple(i for i in range(len(true.rows)) if not all(is_zero(cell) for cell in true.rows[i]))
     candidates: list[tuple[int, ...]] = [tuple(range(count))] if count <= 3 else []
     candidates.append(nonzero)
     if count == 3:
-        candidates += [(0, 1, 5), (3, 4, 5)] if len(true.rows) == 6 else []
+        candidates += [(3, 4, 5), (0, 1, 5)] if len(true.rows) == 6 else []
     if count == 2:  # motion in the plane x, z or y, z
         candidates += [(i, 2) for i in (0, 1) if 1 - i not in nonzero]
     if count == 1 and len(true.rows) == 6:
@@ -138,11 +138,18 @@ def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
 
 
 def square_rows(true: Matrix) -> tuple[int, ...] | None:
-    """Return the rows (from 0) that make a Jacobian, or its rows of v, square and hold no row of zeros, or None."""
-    for rows in _jacobian_rows(true, true.shape[1]):
-        if not any(all(is_zero(cell) for cell in true.rows[row]) for row in rows):
-            return rows
-    return None
+    """Return the rows (from 0) that make a Jacobian, or its rows of v, square and hold no row of zeros, or None.
+
+    Of several, those whose determinant does not vanish everywhere: of a wrist that turns about one point, those of ω.
+    """
+    columns = range(true.shape[1])
+    possible = [
+        rows
+        for rows in _jacobian_rows(true, len(columns))
+        if not any(all(is_zero(cell) for cell in true.rows[row]) for row in rows)
+    ]
+    regular = (rows for rows in possible if len(possible) > 1 and not is_zero(true.block(rows, columns).determinant()))
+    return next(regular, possible[0] if possible else None)
 
 
 def _is_planar(true: Matrix) -> bool:

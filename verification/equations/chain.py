@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Set
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -81,6 +81,7 @@ class ChainChecker:
         defined = self.redefinitions.before(chain) if is_again else None
         of_jacobian = self.members.speaks_of_jacobian(chain)
         chain = self.rows.choose(chain) if of_jacobian else chain
+        settled = frozenset(self.names.state.inferred)
         members, fresh = self._evaluated(chain)
         branches = has_branches(chain) or bool(self.names.state.signs.read)
         definitions = Definitions(self.readings, line, define, fresh)
@@ -104,7 +105,8 @@ class ChainChecker:
                 outcomes.append(self.rows.kept(compared) if define and of_jacobian else compared)
             elif not member.known:
                 outcomes.append(definitions.define(true, member, equation))
-        outcomes = self._read_otherwise(chain, outcomes, partial(self._again, before, first_equation, line, define))
+        again = partial(self._again, before, first_equation, line, define)
+        outcomes = self._read_otherwise(chain, outcomes, settled, again)
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
@@ -118,7 +120,9 @@ class ChainChecker:
             outcomes = self.redefinitions.judge(chain, outcomes, defined, check)
         for outcome in outcomes:
             outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
-        doubt = self.readings.other_direction(chain, outcomes, partial(check, define=False))
+        doubt = self.readings.other_direction(
+            [chain], _all_proved(outcomes), lambda: _all_proved(check(chain, define=False))
+        )
         outcomes = [outcome.left_open(doubt) for outcome in outcomes] if doubt else outcomes
         return [*outcomes, *_labels(chain, first_equation, definitions)]
 
@@ -136,13 +140,13 @@ class ChainChecker:
         unbound = UnboundName(min(fresh))
         return [Member(m.node, None, unbound) if fresh & keys_alone(m.node) else m for m in members], fresh
 
-    def _read_otherwise(self, chain: n.Chain, first: list[Outcome], check: Check) -> list[Outcome]:
+    def _read_otherwise(self, chain: n.Chain, first: list[Outcome], settled: Set[str], check: Check) -> list[Outcome]:
         """Return the outcomes under another reading of the Jacobian where the first one refutes the chain."""
         made = self.names.state.definitions
         outcomes = first
         if any(outcome.verdict is Verdict.REFUTED for outcome in first) and self.members.speaks_of_jacobian(chain):
             outcomes = self.rows.with_fewer(chain, first, check)
-        outcomes = self.readings.of_the_tool(chain, outcomes, check)
+        outcomes = self.readings.of_the_tool(chain, outcomes, settled, check)
         if outcomes is first:
             self.names.state.definitions = made
         return outcomes
@@ -153,6 +157,10 @@ class ChainChecker:
         """Check another reading of a chain, without what its first reading defined."""
         self.names.state.definitions = before.copy()
         return self.check(chain, first_equation, line, define)
+
+
+def _all_proved(outcomes: Iterable[Outcome]) -> bool:
+    return all(outcome.verdict is Verdict.PROVED for outcome in outcomes)
 
 
 def _labels(chain: n.Chain, first_equation: int, definitions: Definitions) -> Iterator[Outcome]:

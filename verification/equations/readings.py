@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
@@ -85,8 +85,13 @@ class Readings:
             return outcome
         return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VECTOR_HERE, name=rate.key),))
 
-    def of_the_tool(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
-        """A Jacobian that names no frame is that of the last one, or of the tool behind it: as the first equation says."""
+    def of_the_tool(
+        self, chain: n.Chain, outcomes: list[Outcome], settled: Set[str], check: Check
+    ) -> list[Outcome]:
+        """A Jacobian that names no frame is that of the last one, or of the tool behind it: as the first equation says.
+
+        So is a part of one, J_1 or J_{12}; `settled` are the names that earlier equations have given a meaning.
+        """
         arm, state = self.names.arm, self.names.state
         if arm is None or arm.frames[-1] == (last := numbered_frames(arm)[-1]):
             return outcomes
@@ -94,7 +99,8 @@ class Readings:
             name.key: quantity
             for below in n.walk(chain)
             if (name := self.members.jacobian_name(below, True)) is not None
-            and name.key not in state.inferred
+            and name.key not in settled
+            and (name.pre_sup or name.sup or "J" not in settled)
             and (quantity := self.names.quantity(replace(name, dots=0))) is not None
             and quantity.frame == last
             and name.sub != "n"
@@ -102,30 +108,42 @@ class Readings:
         if not left_open or all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes):
             return outcomes
         if not any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
-            state.inferred.update(left_open)
+            self._settle(left_open)
             return outcomes
         before = state.shown
         state.shown = {key: rows for key, rows in before.items() if key not in left_open}
         state.inferred.update({key: replace(quantity, frame=arm.frames[-1]) for key, quantity in left_open.items()})
         tried = check(chain)
         if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
+            self._settle({key: state.inferred[key] for key in left_open})
             return tried
         state.shown = before
         for key in left_open:
             state.inferred.pop(key, None)
         return outcomes
 
-    def other_direction(self, chain: n.Chain, now: list[Outcome], check: Check) -> Finding | None:
-        """Say which index must name the reference for an equation to hold, where nothing tells and only one of them may."""
+    def _settle(self, read: Mapping[str, Quantity]) -> None:
+        """What one Jacobian in the base frame is of, all are: J_v after J."""
+        arm, state = self.names.arm, self.names.state
+        state.inferred.update(read)
+        told = next((quantity for quantity in read.values() if quantity.reference == numbered_frames(arm)[0]), None)
+        for name in (n.Name("J", index) for index in ("", *LINEAR, *ANGULAR)) if told is not None else ():
+            quantity = self.names.quantity(name)
+            if quantity is not None and quantity.kind == "jacobian":
+                state.inferred.setdefault(name.key, replace(quantity, frame=told.frame))
+
+    def other_direction(self, chains: Iterable[n.Chain], now: bool, holds: Callable[[], bool]) -> Finding | None:
+        """Say which index must name the reference for equations to hold, where nothing tells and only one of them may."""
         names = self.names
-        indexed = [b for m in chain.members for b in n.walk(m) if isinstance(b, n.Name) and b.sub and b.sup]
+        below = (each for chain in chains for member in chain.members for each in n.walk(member))
+        indexed = [each for each in below if isinstance(each, n.Name) and each.sub and each.sup]
         if names.arm is None or names.stated_transforms or names.state.transforms or not indexed:
             return None
         if not all(leads_outwards(name, names.arm, "lower") for name in indexed):
             return None
         names.state.transforms = "lower"
         try:
-            holding = [all(each.verdict is Verdict.PROVED for each in outcomes) for outcomes in (now, check(chain))]
+            holding = [now, holds()]
         finally:
             names.state.transforms = ""
         index = "upper" if holding[0] else "lower"
@@ -203,11 +221,11 @@ def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | No
 
 
 def _whole_jacobian(names: Names, reference: str) -> Quantity | None:
-    """The Jacobian of which the parts are: the one the front matter binds, else that of the last frame."""
+    """The Jacobian of which the parts are: the one the front matter binds or the document has shown, else that of the last frame."""
+    known = {**names.state.inferred, **names.quantities}
     for key in ("J", "J(q)", "J(theta)"):
-        if not reference and key in names.quantities:
-            quantity = names.quantities[key]
-            return quantity if quantity.kind == "jacobian" else None
+        if not reference and key in known:
+            return known[key] if known[key].kind == "jacobian" else None
     assert names.arm is not None
     if reference and reference not in names.arm.frames:
         return None
