@@ -50,6 +50,7 @@ class _Display:
         equation, index: the number of the next equation, the place of the next statement.
         links: of a chain of arrows: what stands before the arrow at hand has been concluded.
         above: the implications of the lines before.
+        stated: configurations and conditions, each with the count of the outcomes before it.
     """
 
     statements: list[n.Statement]
@@ -62,6 +63,7 @@ class _Display:
     index: int = 0
     links: list[Implication] = field(default_factory=list)
     above: list[Implication] = field(default_factory=list)
+    stated: list[tuple[int, n.Chain]] = field(default_factory=list)
 
     @cached_property
     def asked(self) -> list[n.Statement]:
@@ -112,6 +114,7 @@ class Statements:
         while display.index < len(statements):
             self.ring.budget.check()
             self._take_next(display)
+        self._heed_behind(display)
         _tell_words_that_change(statements, display.outcomes)
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
@@ -136,6 +139,8 @@ class Statements:
         found = [_left_open_beside_or(outcome) for outcome in found] if alternative else found
         if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
             self.names.state.configuration = given  # what is concluded is no data
+        if any(map(_is_condition, found)):
+            display.stated.append((len(display.outcomes), chain))
         display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
         self._tell_what_is_left_out(chain, statements, found, display.latex)
         display.equation += len(chain.relations)
@@ -179,6 +184,13 @@ class Statements:
         wider = replace(implication, before=[[*above, *chains] for chains in implication.before])
         again = check_implication(self.checker, wider, display.equation)[0]
         return judged if again.verdict is Verdict.REFUTED else (judged[0].left_open(say(Kind.UNDER_MORE)), {})
+
+    def _heed_behind(self, display: _Display) -> None:
+        """R = R_z(θ_1), θ_2 = 0: what is refuted may be meant where the values behind it say."""
+        for place, outcome in enumerate(display.outcomes):
+            behind = [chain for at, chain in display.stated if at > place]
+            if outcome.verdict is Verdict.REFUTED and behind:
+                display.outcomes[place] = self.circumstances.judge_before(outcome, behind)
 
     def _tell_what_is_left_out(
         self, statement: n.Statement, statements: list[n.Statement], outcomes: list[Outcome], latex: str

@@ -114,24 +114,32 @@ class Circumstances:
         told = self.names.state.told
         if outcome.true is None or outcome.printed is None or outcome.states_values:
             return outcome
-        if told.conditions and self._follows(told, outcome):
+        if any(self._follows(each, outcome) for each in self._told(told)):
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if told.in_words and self._stands_still(outcome):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         return outcome
 
-    def _follows(self, told: Told, outcome: Outcome) -> bool:
-        """Whether an equation holds, or nobody can tell, under the conditions of the text."""
+    def judge_before(self, outcome: Outcome, behind: Sequence[n.Chain]) -> Outcome:
+        """Leave open what is refuted, and may be meant where the values that stand behind it in its display say."""
+        if outcome.true is None or outcome.printed is None or not self._follows(behind, outcome):
+            return outcome
+        return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
+
+    @staticmethod
+    def _told(told: Told) -> Iterator[tuple[n.Chain, ...]]:
+        if told.conditions:
+            yield from dict.fromkeys([told.conditions, (*told.earlier, *told.conditions)])
+
+    def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
+        """Whether an equation holds, or nobody can tell, under conditions."""
         with self.checker.exact.budget.paused():  # few documents need it: the import is none of its time
             from armproof.verification.conditions.judgement import check_implication
 
         assert outcome.true is not None and outcome.printed is not None
         claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))
-        for conditions in dict.fromkeys([told.conditions, (*told.earlier, *told.conditions)]):
-            implication = Implication("⇒", [[*conditions]], [[claim]], 0, 0)
-            if check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED:
-                return True
-        return False
+        implication = Implication("⇒", [[*conditions]], [[claim]], 0, 0)
+        return check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED
 
     def _stands_still(self, outcome: Outcome) -> bool:
         """Whether one side moves with joints that the other side does not hold."""

@@ -85,9 +85,7 @@ class Readings:
             return outcome
         return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VECTOR_HERE, name=rate.key),))
 
-    def of_the_tool(
-        self, chain: n.Chain, outcomes: list[Outcome], settled: Set[str], check: Check
-    ) -> list[Outcome]:
+    def of_the_tool(self, chain: n.Chain, outcomes: list[Outcome], settled: Set[str], check: Check) -> list[Outcome]:
         """A Jacobian that names no frame is that of the last one, or of the tool behind it: as the first equation says.
 
         So is a part of one, J_1 or J_{12}; `settled` are the names that earlier equations have given a meaning.

@@ -233,6 +233,7 @@ class Kind(MessageKind):
     NUMBERS_OF_NOWHERE = "numbers_of_nowhere", "which configuration, and which lengths? state the values before, as in \\theta_1 = 0"
     HOLDS_THERE = "holds_there", "at the configuration given before"
     HOLDS_AS_TOLD = "holds_as_told", "it holds at the values that the text before gives, and not everywhere: state them in the display, with \\Rightarrow"
+    HOLDS_AS_BEHIND = "holds_as_behind", "it holds at the values that stand behind it, and not everywhere: join them with \\text{{for}}"
     DETERMINANT_MEANT = "determinant_meant", "${name}$ is a Jacobian, a matrix, and this is a number: write \\det {name} where its determinant is meant"
     POSTURE_IN_WORDS = "posture_in_words", "the text before names a posture of the arm: state its values in a display, as in \\theta_2 = 0, or with \\Rightarrow"
     HOLDS_THERE_ALONE = "holds_there_alone", "it holds at the configuration given before, and not everywhere: which is meant?"

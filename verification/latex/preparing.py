@@ -30,6 +30,9 @@ _BOX = re.compile(
     rf"|(?:alert|structure|invisible|action)(?:\s*{_OVERLAY})?|(?P<shown>only|uncover|visible|onslide|alt)\s*(?P<slides>{_OVERLAY}))\s*(?P<brace>\{{)\s*\$?"
 )
 _DOUBLED = re.compile(r"\\\\(?:\\\\|(?=[A-Za-z]{2,}|[{},;:!|]))")
+_AT_THE_END = re.compile(
+    r"\\q?quad[\s~]*(?:\\left)?\((?P<stated>[^()&]{0,200}(?:[=<>]|\\n?eq?\b|\\[lg]eq?\b|\\in\b)[^()&]{0,200}?)(?:\\right)?\)(?=[\s.,;]*$)"
+)
 _BARS = re.compile(r"\\(?:abs|norm)\*?\s*(\{)")
 
 
@@ -40,7 +43,13 @@ def prepared(text: str) -> str:
     ):  # \\begin{matrix} a \\\\ b, from a string of Python
         text = _DOUBLED.sub(lambda found: found.group()[: len(found.group()) // 2].rjust(len(found.group())), text)
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
-    return _SILENT.sub(_plain, text)
+    return _SILENT.sub(_plain, _AT_THE_END.sub(_for, text))
+
+
+def _for(found: re.Match[str]) -> str:
+    """R = I \\quad (θ = 0) says at the end where it holds."""
+    start = found.start("stated") - found.start()
+    return " for".ljust(start) + found["stated"].ljust(len(found.group()) - start)
 
 
 def _plain(found: re.Match[str]) -> str:

@@ -90,7 +90,7 @@ SPOKEN = {
     "or": ("or", "ou", "oder", "o", "或", "或者", "または", "또는", "или", "หรือ"),
     "and": ("and", "et", "und", "y", "e", "和", "且", "与", "と", "그리고", "и", "และ"),
     "⇔": ("if and only if", "iff", "si et seulement si", "ssi"),
-    "if": ("if", "si", "when", "whenever", "for", "for all", "pour", "lorsque", "provided", "wenn", "falls", "cuando",
+    "if": ("if", "si", "at", "when", "whenever", "for", "for all", "pour", "lorsque", "provided", "wenn", "falls", "cuando",
            "若", "当", "如果", "если"),
 }  # fmt: skip
 QUANTITIES = frozenset(["SI", "qty", "ang", "num", "si", "unit"])  # of siunitx
