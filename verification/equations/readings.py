@@ -124,11 +124,14 @@ class Readings:
         """What one Jacobian in the base frame is of, all are: J_v after J."""
         arm, state = self.names.arm, self.names.state
         state.inferred.update(read)
-        told = next((quantity for quantity in read.values() if quantity.reference == numbered_frames(arm)[0]), None)
-        for name in (n.Name("J", index) for index in ("", *LINEAR, *ANGULAR)) if told is not None else ():
-            quantity = self.names.quantity(name)
-            if quantity is not None and quantity.kind == "jacobian":
-                state.inferred.setdefault(name.key, replace(quantity, frame=told.frame))
+        if arm is None:
+            return
+        base = numbered_frames(arm)[0]
+        for frame in {quantity.frame for quantity in read.values() if quantity.reference == base}:
+            for name in (n.Name("J", index) for index in ("", *LINEAR, *ANGULAR)):
+                quantity = self.names.quantity(name)
+                if quantity is not None and quantity.kind == "jacobian":
+                    state.inferred.setdefault(name.key, replace(quantity, frame=frame))
 
     def other_direction(self, chains: Iterable[n.Chain], now: bool, holds: Callable[[], bool]) -> Finding | None:
         """Say which index must name the reference for equations to hold, where nothing tells and only one of them may."""
