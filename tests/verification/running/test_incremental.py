@@ -38,6 +38,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "angles": lambda state: setattr(state, "angles", "table"),
     "section": lambda state: setattr(state, "section", "A title"),
     "exercise": lambda state: setattr(state, "exercise", "Exercise 1"),
+    "apart": lambda state: setattr(state, "apart", 1),
     "subject": lambda state: setattr(state, "subject", Name("a")),
     "definitions": lambda state: state.definitions.update(a=Definition(float)),
     "inferred": lambda state: state.inferred.update(J=Quantity("jacobian", "2")),
