@@ -136,7 +136,7 @@ class Statements:
         given = dict(self.names.state.configuration)
         alternative = _is_alternative(statements, index)
         found = self._chain(chain, display.equation, display.line, display.define and not alternative)
-        found = [_left_open_beside_or(outcome) for outcome in found] if alternative else found
+        found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
         if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
             self.names.state.configuration = given  # what is concluded is no data
         if any(map(_is_condition, found)):
@@ -314,7 +314,7 @@ class Statements:
         outcomes = [self._of_own_sums(outcome, chain) for outcome in outcomes]
         if any(isinstance(below, n.Dots) for below in n.walk(chain)):
             unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
-            outcomes = [each.left_open(unwritten) if each.verdict is Verdict.REFUTED else each for each in outcomes]
+            outcomes = [each.unless_refuted(unwritten) for each in outcomes]
         foreign = self.names.state.foreign()
         for outcome in outcomes if foreign else ():
             if outcome.verdict is Verdict.REFUTED:
@@ -322,7 +322,7 @@ class Statements:
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
         if by_table := self.names.state.from_table():
             doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
-            outcomes = [each.left_open(doubt) if each.verdict is Verdict.REFUTED else each for each in outcomes]
+            outcomes = [each.unless_refuted(doubt) for each in outcomes]
         if (
             text := self.names.state.from_text()
         ):  # it may speak of one case: only a slip in what follows from it is refuted
@@ -496,10 +496,6 @@ def _is_alternative(statements: list[n.Statement], index: int) -> bool:
     """Whether an "or" stands beside a statement: A or B says of neither that it holds."""
     beside = [*statements[max(index - 1, 0) : index], *statements[index + 1 : index + 2]]
     return any(isinstance(each, n.Connective) and each.kind == "or" for each in beside)
-
-
-def _left_open_beside_or(outcome: Outcome) -> Outcome:
-    return outcome.left_open(say(Kind.ONE_OF_TWO)) if outcome.verdict is Verdict.REFUTED else outcome
 
 
 def _asked(statement: n.Statement) -> n.Statement:

@@ -224,8 +224,7 @@ class _Writer:
         rows = [[cell for entry in row.children for cell in self._cells(entry)] for row in node.findall(nodes.row)]
         if not any(node.findall(nodes.thead)):
             rows.insert(0, [" "] * len(rows[0]))
-        lines = [" | ".join(row) for row in (rows[0], ["---"] * len(rows[0]), *rows[1:])]
-        self.out.write("\n".join(f"| {line} |" for line in lines))
+        self.out.table(rows)
         if isinstance(node[0], nodes.title):
             self.out.write(f"*{self.inline(node[0])}*")
 

@@ -222,11 +222,9 @@ class _Reader:
         return next(found, name).replace(" ", "%20")
 
     def _table(self, text: str) -> None:
-        header, *rows = [[self.spoken.read(cell) or " " for cell in row] for row in tabular_cells(text)] or [[]]
-        width = max(map(len, (header, *rows)))
-        lines = [" | ".join([*row, *[" "] * (width - len(row))]) for row in (header, ["---"] * width, *rows)]
-        if width:
-            self.out.write("\n".join(f"| {line} |" for line in lines))
+        rows = [[self.spoken.read(cell) or " " for cell in row] for row in tabular_cells(text)]
+        if any(rows):
+            self.out.table(rows)
 
 
 def _unmarked(text: str) -> str:

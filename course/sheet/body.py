@@ -59,6 +59,12 @@ class MarkdownLines:
             self._line(line)
         self._line("")
 
+    def table(self, rows: Sequence[Sequence[str]]) -> None:
+        """Write a table whose first row is its header; short rows are filled up."""
+        width = max(map(len, rows))
+        header, *others = ([*row, *[" "] * (width - len(row))] for row in rows)
+        self.write("\n".join(f"| {' | '.join(row)} |" for row in (header, ["---"] * width, *others)))
+
     def body(self, warnings: Sequence[str] = ()) -> Body:
         """Return all that was written."""
         return Body("\n".join(self.lines), lines=tuple(self.places), warnings=tuple(warnings))

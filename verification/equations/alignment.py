@@ -148,8 +148,10 @@ def square_rows(true: Matrix) -> tuple[int, ...] | None:
         for rows in _jacobian_rows(true, len(columns))
         if not any(all(is_zero(cell) for cell in true.rows[row]) for row in rows)
     ]
-    regular = (rows for rows in possible if len(possible) > 1 and not is_zero(true.block(rows, columns).determinant()))
-    return next(regular, possible[0] if possible else None)
+    if len(possible) < 2:
+        return next(iter(possible), None)
+    regular = (rows for rows in possible if not is_zero(true.block(rows, columns).determinant()))
+    return next(regular, possible[0])
 
 
 def _is_planar(true: Matrix) -> bool:

@@ -51,11 +51,13 @@ class Outcome:
         """Return the outcome where it is not known what the equation says."""
         return replace(self, verdict=Verdict.UNCHECKED, findings=(reason,), wrong=[], pair=None)
 
+    def unless_refuted(self, reason: Finding) -> Outcome:
+        """Return the outcome, left open where it is refuted."""
+        return self.left_open(reason) if self.verdict is Verdict.REFUTED else self
+
     def unless_near(self, reason: Finding) -> Outcome:
         """Return the outcome, left open where it is refuted and more than a slip away."""
-        if self.verdict is not Verdict.REFUTED or (self.pair is not None and is_near(self.pair)):
-            return self
-        return self.left_open(reason)
+        return self if self.pair is not None and is_near(self.pair) else self.unless_refuted(reason)
 
     def result(self, line: int) -> EquationResult:
         """Return what the report keeps of it, for a display at a line."""

@@ -223,10 +223,10 @@ def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | No
 
 def _whole_jacobian(names: Names, reference: str) -> Quantity | None:
     """The Jacobian of which the parts are: the one the front matter binds or the document has shown, else that of the last frame."""
-    known = {**names.state.inferred, **names.quantities}
-    for key in ("J", "J(q)", "J(theta)"):
-        if not reference and key in known:
-            return known[key] if known[key].kind == "jacobian" else None
+    for key in () if reference else ("J", "J(q)", "J(theta)"):
+        told = names.quantities.get(key) or names.state.inferred.get(key)
+        if told is not None:
+            return told if told.kind == "jacobian" else None
     assert names.arm is not None
     if reference and reference not in names.arm.frames:
         return None
