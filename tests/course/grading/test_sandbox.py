@@ -1,8 +1,11 @@
 """The sandbox without a server: what it prevents, tried on things that nobody needs, and what is said where there is none."""
 
+import contextlib
+import ctypes
 import encodings.idna  # noqa: F401 - which a user who cannot read Python's own files cannot import later
 import json
 import os
+import signal
 import socket
 import sys
 import tempfile
@@ -136,6 +139,7 @@ def test_a_process_that_left_its_group_is_ended_with_its_run(base, protected, re
     program = request.getfixturevalue("bwrap") if protected else ""
 
     def leave(send, own):
+        _rename(name)
         if not os.fork():
             os.setsid()
             if not os.fork():
@@ -143,20 +147,44 @@ def test_a_process_that_left_its_group_is_ended_with_its_run(base, protected, re
             os._exit(0)
         time.sleep(0.1)
 
-    before = set(os.listdir("/proc"))
+    name = f"left-{os.getpid()}"
     ended = kept(leave, program, base)
-    assert ended["why"] == ""  # else it had been waited for until the time was up
-    children = [name for name in set(os.listdir("/proc")) - before if name.isdigit() and _waits(name)]
-    assert children == [] and os.listdir(base) == []
+    assert (ended["why"], ended["code"]) == ("", 0)  # else it had been waited for until the time was up
+    assert _alive(name) == [] and os.listdir(base) == []
 
 
-def _waits(process: str) -> bool:
-    """Whether a process is a copy of this one that is still there."""
+@linux
+def test_a_process_that_is_left_is_found_by_its_name():
+    name, child = f"kept-{os.getpid()}", os.fork()
+    if child == 0:
+        _rename(name)
+        time.sleep(60)
+        os._exit(0)
     try:
-        with open(f"/proc/{process}/cmdline", "rb") as theirs, open("/proc/self/cmdline", "rb") as ours:
-            return theirs.read() == ours.read()
-    except OSError:
-        return False
+        until = time.monotonic() + 10
+        while not _alive(name) and time.monotonic() < until:
+            time.sleep(0.01)
+        assert _alive(name) == [str(child)]
+    finally:
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+    assert _alive(name) == []
+
+
+def _rename(name: str) -> None:
+    """Name this process, and all that it forks, as no process of a test beside it is."""
+    ctypes.CDLL(None).prctl(15, name.encode())  # PR_SET_NAME: up to 15 characters
+
+
+def _alive(name: str) -> list[str]:
+    """Return the processes of a name that run or wait."""
+    found = []
+    for process in filter(str.isdigit, os.listdir("/proc")):
+        with contextlib.suppress(OSError):
+            called, state = Path("/proc", process, "stat").read_text(errors="replace").split("(", 1)[1].rsplit(") ", 1)
+            if called == name and state[0] not in "ZX":
+                found.append(process)
+    return found
 
 
 def test_the_folder_of_a_run_is_removed_whatever_is_in_it(tmp_path):
