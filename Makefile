@@ -34,10 +34,11 @@ site: $(READY)
 	$(VENV)/bin/armproof lesson site --out $(BUILD)/site
 
 # One worker more than cores: some tests wait for a browser, a kernel or a clock. The tests of one file share what they load,
-# and all their processes what is compiled.
+# and all their processes what is compiled. Matrices are small: threads of the linear algebra would wait for each other.
 WORKERS := $(shell expr $$(nproc) + 1)
 
 test: export PYTHONDONTWRITEBYTECODE =
+test sweep: export OPENBLAS_NUM_THREADS = 1
 test: $(READY)
 	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile
 

@@ -4,14 +4,20 @@ import atexit
 import gc
 import os
 import re
+import shutil
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from _pytest.runner import runtestprotocol
 from xdist.remote import Producer
 from xdist.scheduler import LoadFileScheduling
 from xdist.workermanage import WorkerController
+
+if TYPE_CHECKING:
+    from tests.clusters import Running
 
 TESTS = Path(__file__).parent
 gc.set_threshold(
@@ -28,6 +34,10 @@ TOGETHER = {
         "tests/course/printing/test_in_browser.py",
         "tests/course/site/test_in_browser.py",
     ),
+    "a Dask cluster": (
+        "tests/course/grading/test_on_workers.py",
+        "tests/verification/running/test_cluster.py",
+    ),
     "the trees of all sources": (
         "tests/models/test_errors.py",
         "tests/test_repository.py",
@@ -37,6 +47,7 @@ TOGETHER = {
 }
 # Files of few tests that take long: they are begun first, so that no worker is left with one of them at the end.
 LONG = (
+    *list(TOGETHER)[:2],  # Chromium and the cluster
     "tests/course/authoring/test_checking.py",
     "tests/course/figures/test_animation.py",
     "tests/course/figures/test_legibility.py",
@@ -86,6 +97,19 @@ SWEPT = {
     "verification/test_handouts.py::test_one_flipped": DOCUMENTS[:2],
     "verification/test_handouts.py": (*DOCUMENTS, "rx90-001"),
 }
+
+
+@pytest.fixture(scope="session")
+def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator["Running"]:
+    """A Dask cluster: its address, and its workers."""
+    from tests.clusters import run_cluster
+
+    if shutil.which("openssl") is None:
+        if os.environ.get("CI"):  # .ci/run installs it
+            pytest.fail("no openssl, which writes the cluster's certificate")
+        pytest.skip("needs openssl, which writes the cluster's certificate")
+    with run_cluster(tmp_path_factory.mktemp("cluster")) as cluster:
+        yield cluster
 
 
 def pytest_configure(config: pytest.Config) -> None:

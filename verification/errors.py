@@ -81,3 +81,7 @@ class TooComplex(EvaluationError):
     """A formula exceeds the bounds on terms or time that keep every display under two seconds."""
 
     kind = Kind.MORE_THAN_IS_COMPUTED
+
+
+class ClusterError(ArmproofError):
+    """A Dask cluster cannot be used: there is none at the address, others read along, or its workers run something else."""

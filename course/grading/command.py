@@ -12,7 +12,18 @@ import typer
 from armproof.course.errors import GradingError
 from armproof.models.errors import counted, written
 from armproof.models.language import look_up
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, give_up, tell
+from armproof.verification.cli.application import (
+    CANNOT_RUN,
+    FAILS,
+    PASSES,
+    Language,
+    Scheduler,
+    complain,
+    ending,
+    give_up,
+    refuse_jobs,
+    tell,
+)
 from armproof.verification.cli.documents import Progress
 
 if TYPE_CHECKING:
@@ -43,6 +54,7 @@ def grade(
     folder: Folder,
     out: Out = Path("build/grades"),
     jobs: Jobs = None,
+    scheduler: Scheduler = "",
     seconds: Seconds = 60,
     memory: Memory = 1024,
     own: Own = None,
@@ -55,6 +67,7 @@ def grade(
 
     Exit code 0: all are graded; 1: some need a look; 2: nothing can be graded.
     """
+    refuse_jobs(jobs, scheduler)
     if os.name != "posix":
         give_up(GradingError("armproof grade needs Linux or macOS: no other system can run a student's code apart"))
     from armproof.course.grading.grading import grade as grade_all
@@ -71,7 +84,7 @@ def grade(
             with new_report(out, GRADES) as part, Progress(len(submissions), "submissions") as progress:
                 limits = Limits(seconds, memory * MEGABYTE)
                 grades = grade_all(submissions, limits, jobs, progress.advance, own, unprotected=unprotected,
-                                   weights=weights, due=until)  # fmt: skip
+                                   weights=weights, due=until, scheduler=scheduler)  # fmt: skip
                 write_grades(part, grades)
     except OSError as error:
         tell("grading cannot go on: {reason}", reason=error.strerror)

@@ -16,6 +16,7 @@ from armproof.course.grading.judging import judge
 from armproof.course.grading.notebook import Notebook, UnreadableError, read_notebook
 from armproof.course.grading.results import Graded, Status
 from armproof.course.grading.running.client import Client
+from armproof.course.grading.running.on_workers import OnWorkers
 from armproof.course.grading.sandbox.bubblewrap import lies_in_readable
 from armproof.course.grading.sandbox.limits import Limits
 from armproof.course.grading.submissions import Submission
@@ -23,6 +24,8 @@ from armproof.course.grading.text import clean
 from armproof.course.grading.weights import Weights, read_weights
 from armproof.models.language import look_up
 from armproof.verification.running.processes import cores
+
+Runs = Client | OnWorkers
 
 
 def grade(
@@ -35,6 +38,7 @@ def grade(
     unprotected: bool = False,
     weights: Path | None = None,
     due: datetime | None = None,
+    scheduler: str = "",
 ) -> Grades:
     """Grade submissions.
 
@@ -47,8 +51,10 @@ def grade(
         unprotected: run them without a sandbox.
         weights: the table of what each task counts.
         due: until when submissions are in time.
+        scheduler: the address of a Dask cluster that runs them, encrypted or on this machine; by default this machine does.
 
     Raises:
+        ClusterError: the cluster cannot be used.
         GradingError: there is no sandbox, the course or the weights cannot be loaded, or the submissions lie where every
             submission may read.
     """
@@ -56,13 +62,17 @@ def grade(
         if (place := lies_in_readable(submission.path)) is not None:
             raise GradingError("{path}: every submission may read {place}, where Python and the course are; put the class's folder somewhere else",
                 path=clean(str(submission.path)), place=place)  # fmt: skip
-    count = min(jobs or cores(), max(len(submissions), 1))
     read = {each: _read(each) for each in submissions}
     notebooks = [notebook for notebook in read.values() if isinstance(notebook, Notebook)]
     used = {lesson for notebook in notebooks for lesson in (*notebook.lessons, *notebook.seeded)}
-    with Client(count, limits, used, own, unprotected=unprotected) as client:
+    count = min(jobs or cores(), max(len(submissions), 1))
+    with (
+        OnWorkers(scheduler, limits, used, own, unprotected=unprotected)
+        if scheduler
+        else Client(count, limits, used, own, unprotected=unprotected)
+    ) as client:
         counted = Weights() if weights is None else read_weights(weights, client.catalogue)
-        pool = ThreadPoolExecutor(count)
+        pool = ThreadPoolExecutor(client.jobs)
         try:
             waiting = {
                 pool.submit(copy_context().run, _grade, each, read[each], client, limits): each for each in submissions
@@ -97,7 +107,7 @@ def _read(submission: Submission) -> Notebook | str:
         return clean(str(problem))
 
 
-def _grade(submission: Submission, notebook: Notebook | str, client: Client, limits: Limits) -> Graded:
+def _grade(submission: Submission, notebook: Notebook | str, client: Runs, limits: Limits) -> Graded:
     if isinstance(notebook, str):
         return Graded(submission, Status.UNREADABLE, notebook)
     return judge(submission, notebook, client.run(notebook.cells), client.catalogue, limits)

@@ -8,7 +8,7 @@ import statistics
 from importlib.metadata import version
 
 from armproof.verification.running.processes import cores
-from tests.benchmarks import bulk, documents, editing, functions, hands_on, rx90, with_sympy
+from tests.benchmarks import bulk, cluster, documents, editing, functions, hands_on, rx90, with_sympy
 
 MEGABYTE = 1_000_000
 ROUNDS = 7
@@ -20,6 +20,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--sympy-seconds", type=float, default=120.0, help="how long each simplification may take")
     parser.add_argument("--no-sympy", action="store_true", help="leave SymPy out")
+    parser.add_argument("--documents", type=int, default=1000, help="how many a Dask cluster checks")
     options = parser.parse_args()
     print(f"Python {platform.python_version()}, Drake {version('drake')}, {cores()} cores\n")
     ours = time_rx90()
@@ -33,6 +34,7 @@ def main() -> None:
     print_growth()
     print_handouts()
     print_editing()
+    print_cluster(options.documents)
 
 
 def time_rx90() -> rx90.Times:
@@ -152,6 +154,22 @@ def print_editing() -> None:
         ("what depends on it", _ms(times.all), "<= 1000 ms"),
     ]
     _print(f"armproof lsp, display {editing.EDITED} of {editing.DISPLAYS} edited", rows)
+
+
+def print_cluster(number: int) -> None:
+    """Print how a Dask cluster's second worker pays, and what a larger one would have to carry (CONTRIBUTING.md)."""
+    found = cluster.measure(number)
+    rows = [
+        ("one worker", f"{found.one:.1f} s", ""),
+        ("two workers", f"{found.two:.1f} s", ""),
+        ("efficiency: one / (2 x two)", f"{found.efficiency:.2f}", ">= 0.85"),
+        ("a worker's time for a document", _ms(found.one / number), ""),
+        ("this process's", _ms(found.client), ""),
+        (f"the scheduler's for a task of {cluster.MOST_AT_ONCE}", _ms(found.scheduler), ""),
+        ("a document, sent", f"{found.sent:.0f} bytes", ""),
+        ("its result", f"{found.received:.0f} bytes", ""),
+    ]
+    _print(f"armproof verify --scheduler, {number:,} documents of {cluster.DISPLAYS} displays", rows)
 
 
 def _ms(seconds: float) -> str:

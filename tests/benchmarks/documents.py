@@ -106,21 +106,26 @@ REACH = (("1", "l_1 C_1", "l_1 S_1"), ("12", "l_1 C_1 + l_2 C_{12}", "l_1 S_1 + 
          ("123", "l_1 C_1 + l_2 C_{12} + l_3 C_{123}", "l_1 S_1 + l_2 S_{12} + l_3 S_{123}"))  # fmt: skip
 
 
-def time_synthetic(displays: int) -> float:
-    """Return the seconds for a document of so many displays about the planar 3R, all of them true."""
+def synthetic(displays: int, first: int = 2) -> str:
+    """Return a document of so many displays about the planar 3R, all of them true; their numbers are seven from `first` on."""
     lines = ["---", "title: Synthetic", "arm: planar_3r", "---", ""]
     for index in range(displays):
         angles, x, y = REACH[index % 3]
         form = SYNTHETIC[index % len(SYNTHETIC)]
         lines += [
-            f"$$ {form.format(j=len(angles), angles=angles, x=x, y=y, k=index % 7 + 2)} $$".replace(
+            f"$$ {form.format(j=len(angles), angles=angles, x=x, y=y, k=index % 7 + first)} $$".replace(
                 "x_{", f"x_{{{index},"
             ),
             "",
         ]
+    return "\n".join(lines)
+
+
+def time_synthetic(displays: int) -> float:
+    """Return the seconds for a synthetic document of so many displays."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "synthetic.md"
-        path.write_text("\n".join(lines), encoding="utf-8")
+        path.write_text(synthetic(displays), encoding="utf-8")
         started = time.perf_counter()
         result = verify(path)
         seconds = time.perf_counter() - started

@@ -378,7 +378,7 @@ def test_the_default_is_the_installed_course_elsewhere(armproof, tmp_path: Path,
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(
         "armproof.verification.cli.verify.check_each_path",
-        lambda paths, jobs, correct: [Failure(str(path), say(Kind.PROBLEM, reason="seen")) for path in paths],
+        lambda paths, **_: [Failure(str(path), say(Kind.PROBLEM, reason="seen")) for path in paths],
     )
     report = json.loads(armproof("verify", "--format", "json").stdout)
     assert [Path(error["path"]) for error in report["errors"]] == [Path(processes.__file__).parents[2] / "course"]

@@ -139,6 +139,15 @@ Language = Annotated[
         help="The language, en or fr; by default the document's, else that of LANG.",
     ),
 ]
+Scheduler = Annotated[
+    str,
+    typer.Option(
+        "--scheduler",
+        metavar="ADDRESS",
+        show_default=False,
+        help="Work on a Dask cluster, as tls://host:8786; by default in processes of this machine.",
+    ),
+]
 ReportFormat = Annotated[Format, typer.Option("--format", help="text for people, json for programs.")]
 Version = Annotated[bool, typer.Option("--version", help="Show the version.")]
 
@@ -221,6 +230,15 @@ def ending(shown: Callable[[str], str] = str) -> Iterator[None]:
     except ArmproofError as error:
         complain([shown(str(error))])
         raise typer.Exit(CANNOT_RUN) from None
+
+
+def refuse_jobs(jobs: int | None, scheduler: str) -> None:
+    """End the command where it is given both."""
+    if jobs is not None and scheduler:
+        tell(
+            "--jobs is of this machine, and a Dask cluster has as many as its workers have threads: give --jobs or --scheduler"
+        )
+        raise typer.Exit(CANNOT_RUN)
 
 
 def give_up(error: ArmproofError) -> NoReturn:

@@ -70,6 +70,7 @@ def check_paths(
     prepare: Callable[[list[Path]], After] | None = None,
     correct: bool = False,
     jobs: int | None = None,
+    scheduler: str = "",
 ) -> list[DocumentResult | Failure]:
     """Return the result of each document that the paths name, in their order; a path that names none is a Failure.
 
@@ -77,8 +78,12 @@ def check_paths(
         prepare: given the documents before they are checked, returns what is to be done with each after its check.
         correct: whether to seek what mends each refuted display.
         jobs: the number of processes; by default one a core.
+        scheduler: the address of a Dask cluster that checks them instead.
+
+    Raises:
+        ClusterError: it cannot be used.
     """
-    return list(check_each_path(paths, prepare=prepare, correct=correct, jobs=jobs))
+    return list(check_each_path(paths, prepare=prepare, correct=correct, jobs=jobs, scheduler=scheduler))
 
 
 def check_each_path(
@@ -87,18 +92,33 @@ def check_each_path(
     prepare: Callable[[list[Path]], After] | None = None,
     correct: bool = False,
     jobs: int | None = None,
+    scheduler: str = "",
 ) -> Iterator[DocumentResult | Failure]:
     """Yield what `check_paths` returns, each result as soon as it is there; on a terminal, with a bar of how far it is."""
     found = named_documents(paths)
     documents = [each for each in found if isinstance(each, Path)]
     after = prepare(documents) if prepare is not None else None
-    checked = check_each(documents, jobs, after=after, correct=correct)
+    checked = _checked(documents, jobs, scheduler, after, correct)
     with Progress(len(documents)) as progress:
         for each in found:
             result = next(checked) if isinstance(each, Path) else each
             progress.clear()
             yield result
             progress.advance(isinstance(each, Path))
+
+
+def _checked(
+    documents: Sequence[Path], jobs: int | None, scheduler: str, after: After | None, correct: bool
+) -> Iterator[DocumentResult | Failure]:
+    """Yield the results from processes of this machine, or from the workers of a cluster."""
+    if not scheduler:
+        yield from check_each(documents, jobs, after=after, correct=correct)
+        return
+    from armproof.verification.running.cluster import Cluster
+    from armproof.verification.running.on_cluster import check_each_on
+
+    with Cluster(scheduler) as cluster:
+        yield from check_each_on(cluster, documents, after=after, correct=correct)
 
 
 def named_documents(paths: Sequence[Path]) -> dict[Path | Failure, None]:
@@ -127,12 +147,13 @@ def find_course() -> Path:
 
 
 def check_and_report(
-    paths: Sequence[Path], folder: Path, *, strict: bool = False, jobs: int | None = None
+    paths: Sequence[Path], folder: Path, *, strict: bool = False, jobs: int | None = None, scheduler: str = ""
 ) -> list[DocumentResult | Failure]:
     """Return the result of each document, and write their pages, an index and verdicts.json into a folder.
 
     Raises:
         ReportFolderError: the folder cannot be written, or holds what is no report.
+        ClusterError: the scheduler cannot be used.
     """
     from armproof.verification.report.html.folder import new_report
     from armproof.verification.report.html.site import page_names, page_writer, write_index
@@ -144,6 +165,6 @@ def check_and_report(
             names.update(page_names(documents))
             return page_writer(part, names, strict=strict)
 
-        results = check_paths(paths, prepare=prepare, correct=True, jobs=jobs)
+        results = check_paths(paths, prepare=prepare, correct=True, jobs=jobs, scheduler=scheduler)
         write_index(part, names, results, strict=strict)
     return results

@@ -11,7 +11,17 @@ from typing import Annotated, NoReturn
 import typer
 
 from armproof.models.language import of_programs
-from armproof.verification.cli.application import CANNOT_RUN, FAILS, PASSES, Language, complain, ending, tell
+from armproof.verification.cli.application import (
+    CANNOT_RUN,
+    FAILS,
+    PASSES,
+    Language,
+    Scheduler,
+    complain,
+    ending,
+    refuse_jobs,
+    tell,
+)
 from armproof.verification.cli.documents import check_and_report, check_each_path, find_course, named_documents
 from armproof.verification.report.text import text_report, write_lines
 from armproof.verification.report.totals import Totals
@@ -63,6 +73,7 @@ def verify(
     errata: Errata = None,
     watch: Watching = False,
     jobs: Jobs = None,
+    scheduler: Scheduler = "",
     lang: Language = "",
 ) -> None:
     """Give the verdict of every equation in the documents named.
@@ -70,8 +81,9 @@ def verify(
     Exit code 0: everything passes; 1: something does not; 2: a document cannot be checked.
     """
     documents = paths or [find_course()]
+    refuse_jobs(jobs, scheduler)
     if watch:
-        _watch(documents, report_format, report or errata, strict)
+        _watch(documents, report_format, report or errata or scheduler, strict)
     totals = Totals(strict)
     takers = [totals.add]
     with ending():  # what is wrong with a document is in its result: an error is of what is written
@@ -81,9 +93,11 @@ def verify(
             sheet = ErrataSheet(errata, _files(documents))
             takers.append(sheet.add)
         if report is None:
-            results: Iterable[Result] = check_each_path(documents, jobs=jobs, correct=errata is not None)
+            results: Iterable[Result] = check_each_path(
+                documents, jobs=jobs, correct=errata is not None, scheduler=scheduler
+            )
         else:
-            results = check_and_report(documents, report, strict=strict, jobs=jobs)
+            results = check_and_report(documents, report, strict=strict, jobs=jobs, scheduler=scheduler)
         write_report(_taken(results, takers), report_format, strict, verbose)
         if errata is not None:
             sheet.write()
@@ -103,10 +117,10 @@ def _taken(results: Iterable[Result], takers: Sequence[Callable[[Result], None]]
         yield result
 
 
-def _watch(paths: Sequence[Path], report_format: Format, report: Path | None, strict: bool) -> NoReturn:
+def _watch(paths: Sequence[Path], report_format: Format, other: Path | str | None, strict: bool) -> NoReturn:
     """Watch the documents until the user ends it; the exit code is that of their last verdicts."""
-    if report_format is not Format.text or report is not None:
-        tell("--watch writes text for people: give it none of --format, --report and --errata")
+    if report_format is not Format.text or other:
+        tell("--watch writes text for people: give it none of --format, --report, --errata and --scheduler")
         raise typer.Exit(CANNOT_RUN)
     from armproof.verification.cli.watching import watch_documents
 

@@ -60,7 +60,7 @@ class IncrementalChecker:
             )
         self.result = None
         if fresh:
-            self._begin(document)
+            self._begin(found)
         yield from self._continue(found)
 
     def _begin_whole(self, document: Document) -> Iterator[Record]:
@@ -69,9 +69,9 @@ class IncrementalChecker:
         self.result = check_document(document)
         yield from (record for record in self.result.equations if record not in before)
 
-    def _begin(self, document: Document) -> None:
-        self._checker, self._checked = None, []
-        checker = DocumentChecker(document, load_arm_of(document))
+    def _begin(self, found: Inference) -> None:
+        self._checker, self._checked, document = None, [], found.document
+        checker = DocumentChecker(document, load_arm_of(document), inferred=found)
         self._checker, self._front = checker, (document.front, document.lines)
         self._before = checker.names.state.copy()
 

@@ -50,19 +50,28 @@ def check_each(
     """
     check = partial(check_one, after=after, correct=correct)
     workers = usual_workers() if workers is None else workers
-    yield from share_out(check, paths, workers, _ended, weight=_size, preload="armproof.verification.check")
+    yield from share_out(check, paths, workers, process_ended, weight=_size, preload="armproof.verification.check")
 
 
-def check_one(path: Path, after: After | None = None, correct: bool = False) -> DocumentResult | Failure:
-    """Return the result of a document, or why it could not be checked; no exception leaves this function."""
+def check_one(
+    path: Path, after: After | None = None, correct: bool = False, found: DocumentResult | None = None
+) -> DocumentResult | Failure:
+    """Return the result of a document, or why it could not be checked; no exception leaves this function.
+
+    Args:
+        path: the document.
+        after: called with it and its result.
+        correct: whether to seek what mends each refuted display.
+        found: its result, where it was checked elsewhere.
+    """
     try:
         from armproof.verification import check
         from armproof.verification.document import read_document
 
         if after is None:
-            return check.verify(path, correct=correct)
+            return found or check.verify(path, correct=correct)
         document = read_document(path)
-        result = check.check_document(document, correct=correct)
+        result = found or check.check_document(document, correct=correct)
         after(document, result)
         return result
     except ArmproofError as error:
@@ -71,7 +80,8 @@ def check_one(path: Path, after: After | None = None, correct: bool = False) -> 
         return Failure(str(path), _internal_error(error))
 
 
-def _ended(path: Path) -> Failure:
+def process_ended(path: Path) -> Failure:
+    """Return what is said of a document that ended the process which checked it."""
     return Failure(str(path), say(Kind.PROCESS_ENDED))
 
 
@@ -120,6 +130,7 @@ def start_pool(workers: int, *, fresh: bool = False, preload: str = "") -> Proce
 def _begin(preload: str, asked: str, spoken: str) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     speak(asked, spoken)
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices are small, and each core has its process already
     with suppress(ImportError):  # which the tasks report
         if preload:
             import_module(preload)

@@ -23,6 +23,7 @@ from armproof.course.grading.sandbox.bubblewrap import find_bubblewrap
 from armproof.course.grading.sandbox.limits import LIBRARIES, Limits
 from armproof.models.language import spoken
 
+LOST = "the process that runs it was lost twice"
 _GRACE = 30.0  # s beyond a submission's own time, after which a keeper that does not answer is given up
 _STARTING = 300.0
 _PATIENCE = 8.0
@@ -33,6 +34,7 @@ class Client:
     """A context in which submissions can be run, from as many threads as there are jobs.
 
     Attributes:
+        jobs: how many at once.
         catalogue: the lessons and tasks of the course.
         held: which protections are in force, by the names of `protections.ATTEMPTS`.
     """
@@ -49,7 +51,7 @@ class Client:
             own: the folder of a teacher's own lessons.
             unprotected: run them without a sandbox.
         """
-        self._jobs, self._limits, self._unprotected = jobs, limits, unprotected
+        self.jobs, self._limits, self._unprotected = jobs, limits, unprotected
         self._own = "" if own is None else str(own.resolve())
         self._used = " ".join(sorted(set(used)))
         self._lock = threading.Lock()
@@ -90,7 +92,7 @@ class Client:
             finally:
                 if generation == self._generation:
                     self._free.put(slot)
-        return Ended("server", output="the process that runs it was lost twice")
+        return Ended("server", output=LOST)
 
     def _ask(self, slot: socket.socket, line: bytes, seconds: float) -> Ended:
         slot.settimeout(seconds + _GRACE)
@@ -106,7 +108,7 @@ class Client:
     def _start(self) -> None:
         self._base = tempfile.mkdtemp(prefix="armproof-grade-")
         os.chmod(self._base, 0o711)  # a run of another user finds its own folder there, and none other
-        pairs = [socket.socketpair() for _ in range(self._jobs)]
+        pairs = [socket.socketpair() for _ in range(self.jobs)]
         ends = [theirs.fileno() for _, theirs in pairs]
         server = (sys.executable, "-P", "-m", "armproof.course.grading.running.server")
         command = [*server, self._base, self._bubblewrap, self._used, self._own, *map(str, ends)]

@@ -21,6 +21,7 @@ class Stand:
         self.prepared = prepared
         self.catalogue: list[dict[str, object]] = []
         self.held: dict[str, bool] = {}
+        self.jobs = 2
 
     def run(self, cells: tuple[str, ...]) -> Ended:
         return self.prepared[cells[0]].pop(0)
