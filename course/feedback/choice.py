@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
-from functools import partial
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from armproof.course.feedback.answer import is_function, read_plain
+from armproof.course.feedback.number_slips import near, number_slip, values_in
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import ENGLISH, look_up, separator, spoken
 
 _TOLERANCE = 1e-6
-_LARGEST_FACTOR = 10
-_NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?:,\d+)?)*\s*[\])]?\s*")
 _BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
 
@@ -89,11 +87,21 @@ class Number:
         value: the right number or numbers.
         unit: theirs.
         labels: what each of them is.
+        known: lengths that are given, by their letters (m): one may be missing in an answer, or stand for it.
     """
 
     value: float | tuple[float, ...]
     unit: str = "–"
     labels: tuple[str, ...] = ()
+    known: Mapping[str, float] = field(default_factory=dict)
+
+    def told_in(self, text: str) -> Number:
+        """Return the question with the lengths that its text gives to letters."""
+        return replace(self, known={**values_in(text), **self.known}) if self.unit in ("m", "m/s") else self
+
+    def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
+        """Whether an answer is a known wrong one, which may have been rounded."""
+        return given.shape == wrong.shape and near(given, wrong)
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of a number or a list of numbers."""
@@ -120,36 +128,12 @@ class Number:
             written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
             for k in np.flatnonzero(wrong).tolist()
         ]
-        slip = self._slip(given, right)
+        slip = number_slip(given, right, [self._label(k) for k in range(right.size)], self.known)
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the numbers, by which two answers are told apart."""
         return np.atleast_1d(np.array(_numbers(answer), dtype=float)).ravel()
-
-    def _slip(self, given: np.ndarray, right: np.ndarray) -> str:
-        """Return the usual mistake behind numbers: their signs, their order, their unit, a factor, one too few."""
-        near, wrong = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE), ~np.isclose(given, right, rtol=_TOLERANCE)
-        sizes = [np.sort(each) for each in (np.abs(given), np.abs(right))]
-        ratio = given[wrong & (right != 0)] / right[wrong & (right != 0)]
-        if near(np.abs(given), np.abs(right)):
-            return look_up("the sign is wrong")
-        if near(np.sort(given), np.sort(right)):
-            return look_up("the numbers are right, their order is not")
-        if near(*sizes):
-            return look_up("the numbers are right, their order and signs are not")
-        if near(given, 1000 * right):
-            return look_up("in millimetres? Metres are asked for")
-        if near(given, np.degrees(right)):
-            return look_up("in degrees? Radians are asked for")
-        if len(ratio) == wrong.sum() and np.abs(ratio).min() > _TOLERANCE and near(ratio, ratio[0]):
-            factor = max(abs(ratio[0]), 1 / abs(ratio[0]))
-            if near(factor, round(factor)) and round(factor) <= _LARGEST_FACTOR:
-                return written("wrong by a factor of {factor}", factor=round(factor))
-        if near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
-            less, more = look_up("one too few"), look_up("one too many")
-            return less if (given < right)[wrong].all() else more if (given > right)[wrong].all() else ""
-        return ""
 
     def _label(self, index: int) -> str:
         if index < len(self.labels):

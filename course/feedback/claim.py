@@ -25,7 +25,7 @@ from armproof.verification.document import Display, Document
 from armproof.verification.errors import ReadError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.findings import Kind
+from armproof.verification.findings import Finding, Kind
 from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, one_of
@@ -36,6 +36,7 @@ from armproof.verification.verdict import Record, Role, Verdict
 _FILE = Path("answer")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
 ANGLE = re.compile(rf"{one_of(ANGLES)}|q(_|$)")  # letters of angles
+_WORD = re.compile(r"\\?[A-Za-z]+(?:_\w+)?")
 _READ = (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED)
 _DECIMAL = re.compile(r"\d\.\d|\\frac\{\d+\}\{\d+\}")
 _NEAR = 1e-9
@@ -81,7 +82,7 @@ class Claim:
         if record.verdict is Verdict.CONFIRMED:
             return Feedback(Outcome.CONFIRMED, record.message or _equal_at(record.samples))
         if record.verdict is Verdict.REFUTED:
-            findings = told(record.findings, record.entries)
+            findings = told([each for each in record.findings if not self._names_hidden(each)], record.entries)
             rows, at = self._imagined(latex) or (self._rows(record), record.counterexample)
             outcome = Outcome.LETTERS if self._is_measured(latex) else Outcome.WRONG
             words = write_all(findings, Audience.STUDENT)
@@ -104,6 +105,12 @@ class Claim:
         own = [*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles] if arm is not None else []
         return tuple(dict.fromkeys([*(self.front.get("symbols", {}) if self.own is None else self.own), *own]))
 
+    def _names_hidden(self, finding: Finding) -> bool:
+        """Whether a finding names a letter by which the task binds its own, and which no student knows."""
+        hidden = {*self.front.get("symbols", {})} - {*self.letters}
+        said = {part.lstrip("\\") for part in _WORD.findall(str(finding))}
+        return bool(self.own is not None and hidden & said)
+
     def _letters(self) -> str:
         if not self.letters:
             return look_up("the letters are those of the task")
@@ -121,6 +128,7 @@ class Claim:
         document = self._document(latex)
         checker = DocumentChecker(document, load_arm_of(document), confirm=False)
         checker.checker.equality.stated.enabled = False
+        checker.statements.is_closed = True  # a letter that is none of the task's was refused
         result = checker.run()
         for record in result.equations[:-1]:
             if record.verdict not in _READ and any(each.role is not Role.DEFINITION for each in record.outcomes):

@@ -16,7 +16,16 @@ from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
-from armproof.course.feedback.relation import Letters, Values, letter_at_fault, letters_astray, relation, units_astray
+from armproof.course.feedback.relation import (
+    Letters,
+    Values,
+    angle_astray,
+    letter_at_fault,
+    letters_astray,
+    letters_astray_in_each,
+    relation,
+    units_astray,
+)
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up
 from armproof.verification.findings import Kind, say
@@ -118,20 +127,30 @@ class Formula:
     def _relation(self, answer: Any) -> str:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters."""
         try:
-            if set(self.arguments) & set(self.given):
-                return relation(self._true[:FEW], self._values_of(answer), {})
-            return next(filter(None, self._relations(answer)), "")
+            bound = set(self.arguments) & set(self.given)
+            words = relation(self._true[:FEW], self._values_of(answer), {}) if bound else ""
+            return words or next(filter(None, self._unbound._relations(answer)), "")
         except ArmproofError:
             return ""
 
+    @cached_property
+    def _unbound(self) -> Formula:
+        """The same question with arguments that are free, each of its own."""
+        given = {name: value for name, value in self.given.items() if name not in self.arguments}
+        return self if len(given) == len(self.given) else replace(self, given=given)
+
     def _relations(self, answer: Any) -> Iterator[str]:
         at = {name: _drawn(name, k) for k, name in enumerate(self.arguments)}
-        asked = partial(self.claim.values_over, ASKED)
-        given = self._called(answer) if is_function(answer) else partial(self.claim.values_over, as_latex(answer))
+        asked = _remembered(partial(self.claim.values_over, ASKED))
+        given = _remembered(
+            self._called(answer) if is_function(answer) else partial(self.claim.values_over, as_latex(answer))
+        )
         true, obtained = asked(at), given(at)
         if true.shape == obtained.shape:
             yield letters_astray(asked, given, at)
             yield relation(true, obtained, self._factors(at))
+            yield angle_astray(asked, given, at)
+            yield letters_astray_in_each(asked, given, at) if true[0].size > 1 else ""
             yield units_astray(asked, given, at, self._units)
             yield letter_at_fault(asked, given, at)
 
@@ -330,6 +349,19 @@ class Formula:
             )
             for r, c in np.argwhere(wrong).tolist()
         )
+
+
+def _remembered(side: Values) -> Values:
+    """Return values that are worked out once: the relations try the same letters again for each entry."""
+    known: dict[tuple[bytes, ...], np.ndarray] = {}
+
+    def values(at: Letters) -> np.ndarray:
+        key = tuple(each.tobytes() for each in at.values())
+        if key not in known:
+            known[key] = side(at)
+        return known[key]
+
+    return values
 
 
 def _stopped(value: Any, error: CallError | None) -> Feedback | None:

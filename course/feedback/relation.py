@@ -9,6 +9,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
+from armproof.course.feedback.claim import ANGLE
 from armproof.course.feedback.outcome import MOST_PLACES, place
 from armproof.models.errors import written
 from armproof.models.language import look_up, number_text, separator
@@ -54,6 +55,18 @@ def letters_astray(asked: Values, given: Values, at: Letters) -> str:
     return written("entry {place}: {words}", place=place(where[0] + 1, where[1] + 1), words=words)
 
 
+def letters_astray_in_each(asked: Values, given: Values, at: Letters) -> str:
+    """Say of each wrong entry of a matrix which letters are exchanged in it, missing, or do not belong there."""
+    wrong = _wrong(asked(at), given(at))
+    told = []
+    for row, column in np.argwhere(wrong).tolist()[:MOST_PLACES]:
+        only = np.zeros_like(wrong)
+        only[row, column] = True
+        if words := _letter_astray(asked, given, at, only):
+            told.append(written("entry {place}: {words}", place=place(row + 1, column + 1), words=words))
+    return look_up("; ").join(told)
+
+
 def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray) -> str:
     obtained, few = given(at), list(at)[:_MOST_LETTERS]
     for one, other in combinations(few, 2):
@@ -72,6 +85,22 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
             return written("{name} is missing: what is asked depends on it, your answer does not", name=shown)
         if used and not needed:
             return written("what is asked does not depend on {name}, your answer does", name=shown)
+    return ""
+
+
+def angle_astray(asked: Values, given: Values, at: Letters) -> str:
+    """Say which angle is taken the other way, or counted from a direction a quarter or half a turn away; empty where none is."""
+    obtained = given(at)
+    wrong = _wrong(asked(at), obtained)
+    for name in filter(ANGLE.match, at):
+        shown = symbol_as_latex(name)
+        turned = {turn: asked({**at, name: at[name] + turn * np.pi / 2})[:, wrong] for turn in (-1, 1, 2)}
+        if _same(asked({**at, name: -at[name]})[:, wrong], obtained[:, wrong]):
+            return written("the sign of {name} is wrong: it is taken the other way", name=shown)
+        if _same(turned[2], obtained[:, wrong]):
+            return written("{name} is counted from the opposite direction: half a turn away", name=shown)
+        if any(_same(sign * turned[turn], obtained[:, wrong]) for turn in (-1, 1) for sign in (1, -1)):
+            return written("{name} is counted from another direction: a quarter turn away", name=shown)
     return ""
 
 
@@ -187,6 +216,8 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
         return written("your answer is what is asked minus {product}", product=more[1:])
     if more:
         return written("your answer is what is asked plus {product}", product=more)
+    if more := _product(obtained[good] ** 2 - true[good] ** 2, known):
+        return written("the square of your answer differs from that of what is asked by {product}", product=more)
     return ""
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
+from armproof.course.feedback.choice import Number
 from armproof.course.feedback.derivation import Derivation
 from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
@@ -189,12 +190,16 @@ class Task:
         if is_missing(answer):
             return nothing()
         try:
-            feedback = self.asks.judge(answer)
+            feedback = self._asked().judge(answer)
         except AnswerError as problem:
             return Feedback(Outcome.ERROR, str(problem))
         if feedback.outcome in (Outcome.WRONG, Outcome.LETTERS) and (own := self._own_words(answer)):
             return replace(feedback, message=own)
         return feedback
+
+    def _asked(self) -> Question:
+        """Return the question, which may have to know values that the text gives."""
+        return self.asks.told_in(self.text) if isinstance(self.asks, Number) else self.asks
 
     def _own_words(self, answer: Any) -> str:
         """Return the sentence of the known wrong answer that this one is equal to."""
@@ -205,7 +210,11 @@ class Task:
             given = self.asks.signature(answer)
         except ArmproofError:
             return ""
-        return next((wrong.words for wrong in own if _are_equal(given, _signature_of(self.asks, wrong))), "")
+        known = [(_signature_of(self.asks, wrong), wrong.words) for wrong in own]
+        exact = next((words for signature, words in known if _are_equal(given, signature)), "")
+        if exact or not isinstance(self.asks, Number):
+            return exact
+        return next((words for signature, words in known if self.asks.is_like(given, signature)), "")
 
     def __repr__(self) -> str:
         return f"{self.title}\n\n{self.text}\n\nlesson.{self.name}.check(answer), .hint(), .solution()"

@@ -254,6 +254,23 @@ LESSON = Lesson(
                 "At $\\theta_2 = 0$ the slide points up; at $90°$ it points away from the column.",
                 "The distance from axis 1 is $e + d_3 S_2$, the height $h + d_3 C_2$; then turn by $\\theta_1$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Row 3: the slide moves along $z_3$, which is $-y_2$.",
+                        r"{}^2T_3 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} 0 \\ -d_3 \\ 0 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 2 leans it by $\\theta_2$, at the distance $e$ from axis 1.",
+                        r"{}^1T_3 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} e + d_3 S_2 \\ 0 \\ d_3 C_2 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 1 turns this by $\\theta_1$ and lifts it by $h$.",
+                        r"p_3 = \begin{bmatrix} (e + d_3 S_2) C_1 \\ (e + d_3 S_2) S_1 \\ h + d_3 C_2 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": MODIFIED},
+            ),
             right=(tool, TOOL, WithSympy(_tool_sympy)),
             wrong=(
                 Wrong(
@@ -333,6 +350,27 @@ LESSON = Lesson(
                 "Invert the four steps one by one. In which order?",
                 "In blocks: $R^T$, and $-R^T O$ with $O = [a, -d\\,S\\alpha, d\\,C\\alpha]^T$.",
                 "The last column is $[-a\\,C\\theta, a\\,S\\theta, -d, 1]^T$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The link matrix has four steps. Undo each of them, the last one first.",
+                        r"\left( \mathrm{Rot}_x(\alpha)\,\mathrm{Trans}_x(a)\,\mathrm{Rot}_z(\theta)\,\mathrm{Trans}_z(d) \right)^{-1} = \mathrm{Trans}_z(-d)\,\mathrm{Rot}_z(-\theta)\,\mathrm{Trans}_x(-a)\,\mathrm{Rot}_x(-\alpha)",
+                    ),
+                    Line(
+                        "The two steps along and about $z$, undone.",
+                        r"\mathrm{Trans}_z(-d)\,\mathrm{Rot}_z(-\theta) = \begin{bmatrix} \cos\theta & \sin\theta & 0 & 0 \\ -\sin\theta & \cos\theta & 0 & 0 \\ 0 & 0 & 1 & -d \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The two steps along and about $x$, undone.",
+                        r"\mathrm{Trans}_x(-a)\,\mathrm{Rot}_x(-\alpha) = \begin{bmatrix} 1 & 0 & 0 & -a \\ 0 & \cos\alpha & \sin\alpha & 0 \\ 0 & -\sin\alpha & \cos\alpha & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply the two.",
+                        r"\mathrm{Trans}_z(-d)\,\mathrm{Rot}_z(-\theta)\,\mathrm{Trans}_x(-a)\,\mathrm{Rot}_x(-\alpha) = \begin{bmatrix} \cos\theta & \sin\theta\cos\alpha & \sin\theta\sin\alpha & -a\cos\theta \\ -\sin\theta & \cos\theta\cos\alpha & \cos\theta\sin\alpha & a\sin\theta \\ 0 & -\sin\alpha & \cos\alpha & -d \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"theta": "free", "d": "free", "a": "free", "alpha": "free"}},
             ),
             right=(modified_inverse, MODIFIED_INVERSE, WithSympy(_inverse_sympy)),
             wrong=(

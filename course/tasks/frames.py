@@ -331,6 +331,23 @@ LESSON = Lesson(
                 "Block by block: $R^T$ on the left, $-R^T t$ on the right, $0\\ 0\\ 0\\ 1$ below.",
                 "The last column begins with $-x\\cos\\theta - y\\sin\\theta$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The rotation is undone by its transpose.",
+                        r"\begin{bmatrix} \cos\theta & -\sin\theta & 0 \\ \sin\theta & \cos\theta & 0 \\ 0 & 0 & 1 \end{bmatrix}^{-1} = \begin{bmatrix} \cos\theta & \sin\theta & 0 \\ -\sin\theta & \cos\theta & 0 \\ 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The origin of $A$, seen from $B$: go back along the turned axes.",
+                        r"-\begin{bmatrix} \cos\theta & \sin\theta & 0 \\ -\sin\theta & \cos\theta & 0 \\ 0 & 0 & 1 \end{bmatrix} \begin{bmatrix} x \\ y \\ z \end{bmatrix} = \begin{bmatrix} -x\cos\theta - y\sin\theta \\ x\sin\theta - y\cos\theta \\ -z \end{bmatrix}",
+                    ),
+                    Line(
+                        "Both blocks in one matrix.",
+                        r"\begin{bmatrix} \cos\theta & -\sin\theta & 0 & x \\ \sin\theta & \cos\theta & 0 & y \\ 0 & 0 & 1 & z \\ 0 & 0 & 0 & 1 \end{bmatrix}^{-1} = \begin{bmatrix} \cos\theta & \sin\theta & 0 & -x\cos\theta - y\sin\theta \\ -\sin\theta & \cos\theta & 0 & x\sin\theta - y\cos\theta \\ 0 & 0 & 1 & -z \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"theta": "free", "x": "free", "y": "free", "z": "free"}},
+            ),
             right=(inverse, INVERSE, WithSympy(_inverse_sympy)),
             wrong=(
                 Wrong(
@@ -503,6 +520,19 @@ LESSON = Lesson(
             hints=(
                 "Three steps, each on the frame that the one before made: multiply them from left to right.",
                 "Shift by $d$, turn by $\\theta$, shift by $b$: the bar's end lies at $[d + b\\cos\\theta, b\\sin\\theta, 0]^T$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "First the carriage, then the turn on it.",
+                        r"\mathrm{Trans}_x(d)\,\mathrm{Rot}_z(\theta) = \begin{bmatrix} \cos\theta & -\sin\theta & 0 & d \\ \sin\theta & \cos\theta & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Then $b$ along the turned bar.",
+                        r"\mathrm{Trans}_x(d)\,\mathrm{Rot}_z(\theta)\,\mathrm{Trans}_x(b) = \begin{bmatrix} \cos\theta & -\sin\theta & 0 & d + b\cos\theta \\ \sin\theta & \cos\theta & 0 & b\sin\theta \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"theta": "free", "d": "free", "b": "free"}},
             ),
             right=(carriage, CARRIAGE, WithSympy(_carriage_sympy)),
             wrong=(

@@ -297,6 +297,7 @@ LESSON = Lesson(
                 Wrong([-0.4, 1, 0], "this is the contribution of joint 2 alone", own=True),
                 Wrong([0.4, -0.3, 0], "this is the contribution of joint 1 alone", own=True),
                 Wrong([-0.6, -0.1, 0], "the rates are exchanged", own=True),
+                Wrong([0.8, -1.3, 0], "the sign of the second rate is wrong: joint 2 turns forwards", own=True),
             ),
         ),
         Task(
@@ -790,6 +791,31 @@ LESSON = Lesson(
                 "Axis times lever above, axis below. Where does the lever begin?",
                 "The axis of joint 2 passes $[0, 0, h]^T$: the lever is $b\\,[C_1 C_2, S_1 C_2, S_2]^T$.",
                 "Test it: the derivatives of the position with respect to $\\theta_2$ are the first three rows.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The axis of joint 2.",
+                        r"z_2 = \begin{bmatrix} S_1 \\ -C_1 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The lever begins on that axis, at the height $h$.",
+                        r"p_3 - p_2 = \begin{bmatrix} b C_1 C_2 \\ b S_1 C_2 \\ b S_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Axis times lever: the velocity.",
+                        r"z_2 \times (p_3 - p_2) = \begin{bmatrix} -b C_1 S_2 \\ -b S_1 S_2 \\ b C_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The derivatives of the position are the same.",
+                        r"\frac{\partial p_3}{\partial \theta_2} = \begin{bmatrix} -b C_1 S_2 \\ -b S_1 S_2 \\ b C_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The whole column, with the axis below.",
+                        r"J_2 = \begin{bmatrix} -b C_1 S_2 \\ -b S_1 S_2 \\ b C_2 \\ S_1 \\ -C_1 \\ 0 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": BOOM, "quantities": {"J_2": {"jacobian": 3, "columns": [2]}}},
             ),
             right=(boom_column, BOOM_COLUMN, WithSympy(_boom_sympy)),
             wrong=(

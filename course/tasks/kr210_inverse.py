@@ -14,12 +14,13 @@ _TURNED = {  # two vectors of one length, in any directions
     "m": r"\rho\cos(3\gamma)",
     "n": r"\rho\sin(3\gamma)",
 }
-_ENTRIES = {  # of the wrist's rotation, with a positive sine of θ_5 in four of them
-    "r_11": r"\rho\cos(7\delta)",
-    "r_12": r"\rho\sin(3\gamma)",
-    "r_13": r"\rho\cos(3\gamma)",
-    "r_21": r"\rho\sin(5\beta)",
-    "r_31": r"-\rho\cos(5\beta)",
+_SINE = r"\frac{8\rho}{1 + 16\rho^2}"  # of θ_5, which is between 0 and half a turn: the tangent of its half is 4ρ
+_ENTRIES = {  # of the wrist's rotation
+    "r_11": r"\frac{1 - 16\rho^2}{1 + 16\rho^2}",
+    "r_12": rf"{_SINE}\sin(3\gamma)",
+    "r_13": rf"{_SINE}\cos(3\gamma)",
+    "r_21": rf"{_SINE}\sin(5\beta)",
+    "r_31": rf"-{_SINE}\cos(5\beta)",
 }
 
 
@@ -133,6 +134,10 @@ WRIST = r"\begin{bmatrix} \text{atan2}(r_{21}, -r_{31}) \\ \text{atan2}(\sqrt{r_
 
 def _wrist_with_the_row(r_11, r_12, r_13, r_21, r_31):
     return [np.arctan2(r_21, -r_31), np.arctan2(np.sqrt(r_12**2 + r_13**2), r_11), np.arctan2(r_12, r_13)]
+
+
+def _wrist_by_arccos(r_11, r_12, r_13, r_21, r_31):
+    return [np.arctan2(r_21, -r_31), np.arccos(r_11), np.arctan2(r_12, r_13)]
 
 
 def turret(p_x, p_y, p_z, h):
@@ -274,6 +279,28 @@ LESSON = Lesson(
                 "The forearm has turned by $\\theta_2 + \\theta_3$: its length $L$ gives $[C_{23}, -S_{23}]$.",
                 "What points down at zero, $[0, -1]$, becomes $[-S_{23}, -C_{23}]$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The upper arm is upright at zero; $\\theta_2$ leans it forward.",
+                        r"\begin{bmatrix} C_2 & S_2 \\ -S_2 & C_2 \end{bmatrix} \begin{bmatrix} 0 \\ a_2 \end{bmatrix} = \begin{bmatrix} a_2 S_2 \\ a_2 C_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The forearm goes $L$ forward and $a_3$ down at zero; $\\theta_2 + \\theta_3$ turns it.",
+                        r"\begin{bmatrix} C_{23} & S_{23} \\ -S_{23} & C_{23} \end{bmatrix} \begin{bmatrix} L \\ -a_3 \end{bmatrix} = \begin{bmatrix} L C_{23} - a_3 S_{23} \\ -L S_{23} - a_3 C_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Add the two.",
+                        r"\begin{bmatrix} a_2 S_2 \\ a_2 C_2 \end{bmatrix} + \begin{bmatrix} L C_{23} - a_3 S_{23} \\ -L S_{23} - a_3 C_{23} \end{bmatrix} = \begin{bmatrix} a_2 S_2 + L C_{23} - a_3 S_{23} \\ a_2 C_2 - L S_{23} - a_3 C_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "A check: from the base, the centre of the whole arm has these two parts.",
+                        r"p_5 = \begin{bmatrix} C_1 (a_1 + a_2 S_2 + L C_{23} - a_3 S_{23}) \\ S_1 (a_1 + a_2 S_2 + L C_{23} - a_3 S_{23}) \\ d_1 + d_2 + a_2 C_2 - L S_{23} - a_3 C_{23} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": ARM},
+                given=("L = d_4 + d_5",),
+            ),
             right=(two_links, TWO_LINKS, WithSympy(_two_links_sympy)),
             wrong=(
                 Wrong(
@@ -382,6 +409,37 @@ LESSON = Lesson(
                 "$f\\cos\\beta = L$ and $f\\sin\\beta = a_3$.",
                 "Length and angle of the vector $(L, a_3)$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Expand the sine of the sum.",
+                        r"f \sin(\theta_3 + \beta) = f \cos\beta \sin\theta_3 + f \sin\beta \cos\theta_3",
+                    ),
+                    Line(
+                        "Compare with $L\\sin\\theta_3 + a_3\\cos\\theta_3$: these are the factors.",
+                        r"\begin{bmatrix} L \\ a_3 \end{bmatrix} = f \begin{bmatrix} \cos\beta \\ \sin\beta \end{bmatrix}",
+                    ),
+                    Line(
+                        "Square both and add: $\\beta$ goes.",
+                        "L^2 + a_3^2 = f^2",
+                    ),
+                    Line(
+                        "A length is positive.",
+                        r"f = \sqrt{L^2 + a_3^2}",
+                    ),
+                    Line(
+                        "The angle of $(L, a_3)$.",
+                        r"\beta = \text{atan2}(a_3, L)",
+                    ),
+                ),
+                {"symbols": {"r": "free", "gamma": "free", "theta_3": "free"}},
+                given=(
+                    "f = r",
+                    r"\beta = \gamma",
+                    r"L = f\cos\beta",
+                    r"a_3 = f\sin\beta",
+                ),
+            ),
             right=(forearm, FOREARM, WithSympy(_forearm_sympy)),
             wrong=(
                 Wrong(
@@ -418,6 +476,36 @@ LESSON = Lesson(
                 "$\\sqrt{1 - K^2 / f^2}$, where it is positive; times $f$: $\\sqrt{f^2 - K^2}$.",
                 "atan2 of both, less $\\beta$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The sine is known.",
+                        r"\sin(\theta_3 + \beta) = \frac{K}{f}",
+                    ),
+                    Line(
+                        "Pythagoras gives the square of the cosine.",
+                        r"f^2 \cos^2(\theta_3 + \beta) = f^2 - K^2",
+                    ),
+                    Line(
+                        "The cosine is not negative: the root with the plus.",
+                        r"f \cos(\theta_3 + \beta) = \sqrt{f^2 - K^2}",
+                    ),
+                    Line(
+                        "Sine and cosine, both times $f$, give the angle; the sine first.",
+                        r"\theta_3 + \beta = \text{atan2}(K, \sqrt{f^2 - K^2})",
+                    ),
+                    Line(
+                        "Take $\\beta$ away.",
+                        r"\theta_3 = \text{atan2}(K, \sqrt{f^2 - K^2}) - \beta",
+                    ),
+                ),
+                {"symbols": {"rho": "free", "beta": "free", "t": "free"}},
+                given=(
+                    r"f = \rho",
+                    r"\theta_3 = \arctan t - \beta",
+                    r"K = f \sin(\theta_3 + \beta)",
+                ),
+            ),
             right=(elbow_angle, ELBOW_ANGLE, WithSympy(_elbow_angle_sympy)),
             wrong=(
                 Wrong(
@@ -440,6 +528,11 @@ LESSON = Lesson(
                     "this is θ_3 + β: β is still to be taken away",
                     own=True,
                 ),
+                Wrong(
+                    lambda K, f, beta: K / f - beta,
+                    "K / f is the sine of θ_3 + β, not yet the angle: the arcsine, or atan2, is missing",
+                    own=True,
+                ),
             ),
         ),
         Task(
@@ -452,6 +545,47 @@ LESSON = Lesson(
                 "$(m, n)$ is where the centre would be, up and out, at $\\theta_2 = 0$.",
                 "$\\theta_2$ counts from the vertical, forward: so the angle of the centre is $\\text{atan2}(x, y)$, x first.",
                 "Take the angle $\\text{atan2}(n, m)$ at zero from it.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Write $(m, n)$, up and out, with its length $r$ and its angle $\\alpha$ from the vertical.",
+                        r"\begin{bmatrix} n \\ m \end{bmatrix} = r \begin{bmatrix} \sin\alpha \\ \cos\alpha \end{bmatrix}",
+                    ),
+                    Line(
+                        "Put this into $x$.",
+                        r"x = r (\sin\theta_2 \cos\alpha + \cos\theta_2 \sin\alpha)",
+                    ),
+                    Line(
+                        "The sine of a sum.",
+                        r"x = r \sin(\theta_2 + \alpha)",
+                    ),
+                    Line(
+                        "In the same way $y$ is a cosine.",
+                        r"y = r \cos(\theta_2 + \alpha)",
+                    ),
+                    Line(
+                        "So the angle of the centre, from the vertical, is the sum.",
+                        r"\text{atan2}(x, y) = \theta_2 + \alpha",
+                    ),
+                    Line(
+                        "The angle at $\\theta_2 = 0$ is known.",
+                        r"\alpha = \text{atan2}(n, m)",
+                    ),
+                    Line(
+                        "Take it away.",
+                        r"\theta_2 = \text{atan2}(x, y) - \text{atan2}(n, m)",
+                    ),
+                ),
+                {"symbols": {"r": "free", "beta": "free", "gamma": "free"}},
+                given=(
+                    r"\alpha = \beta",
+                    r"\theta_2 = \gamma",
+                    r"m = r\cos\alpha",
+                    r"n = r\sin\alpha",
+                    r"x = m\sin\theta_2 + n\cos\theta_2",
+                    r"y = m\cos\theta_2 - n\sin\theta_2",
+                ),
             ),
             right=(shoulder, SHOULDER, _shoulder_by_one_arc),
             wrong=(
@@ -491,7 +625,7 @@ LESSON = Lesson(
                 WRIST,
                 ("r_11", "r_12", "r_13", "r_21", "r_31"),
                 given=_ENTRIES,
-                symbols={**_FREE, "delta": "free"},
+                symbols=_FREE,
                 unit="rad",
             ),
             hints=(
@@ -499,7 +633,46 @@ LESSON = Lesson(
                 "Mind the minus of $-C_4 S_5$.",
                 "$S_5 = \\sqrt{r_{21}^2 + r_{31}^2}$, $C_5 = r_{11}$.",
             ),
-            right=(wrist, WRIST, _wrist_with_the_row),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The three turns of the wrist, in the forearm's frame: the first column has $\\theta_4$ and $\\theta_5$.",
+                        r"R_x(\theta_4) R_y(\theta_5) R_x(\theta_6) \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix} = \begin{bmatrix} \cos\theta_5 \\ \sin\theta_4 \sin\theta_5 \\ -\cos\theta_4 \sin\theta_5 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Mind the minus, and $\\theta_4$ is the angle of $(-r_{31}, r_{21})$: the common factor is positive.",
+                        r"\theta_4 = \text{atan2}(r_{21}, -r_{31})",
+                    ),
+                    Line(
+                        "That factor is the length of the same two entries.",
+                        r"\sin\theta_5 = \sqrt{r_{21}^2 + r_{31}^2}",
+                    ),
+                    Line(
+                        "With the cosine above them it gives the second angle.",
+                        r"\theta_5 = \text{atan2}(\sqrt{r_{21}^2 + r_{31}^2}, r_{11})",
+                    ),
+                    Line(
+                        "The first row has $\\theta_5$ and $\\theta_6$.",
+                        r"\begin{bmatrix} 1 & 0 & 0 \end{bmatrix} R_x(\theta_4) R_y(\theta_5) R_x(\theta_6) = \begin{bmatrix} \cos\theta_5 & \sin\theta_5 \sin\theta_6 & \sin\theta_5 \cos\theta_6 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Its last two entries, in the same way.",
+                        r"\theta_6 = \text{atan2}(r_{12}, r_{13})",
+                    ),
+                ),
+                {"symbols": {"l": "free", "beta": "free", "gamma": "free"}},
+                given=(
+                    r"\theta_5 = 2 \arctan l",
+                    r"\theta_4 = \beta",
+                    r"\theta_6 = \gamma",
+                    r"r_{11} = \cos\theta_5",
+                    r"r_{12} = \sin\theta_5 \sin\theta_6",
+                    r"r_{13} = \sin\theta_5 \cos\theta_6",
+                    r"r_{21} = \sin\theta_4 \sin\theta_5",
+                    r"r_{31} = -\cos\theta_4 \sin\theta_5",
+                ),
+            ),
+            right=(wrist, WRIST, _wrist_with_the_row, _wrist_by_arccos),
             wrong=(
                 Wrong(
                     lambda r_11, r_12, r_13, r_21, r_31: wrist(r_11, r_12, r_13, r_21, -r_31),
@@ -524,6 +697,14 @@ LESSON = Lesson(
                     lambda r_11, r_12, r_13, r_21, r_31: wrist(r_11, r_12, r_13, r_21, r_31)[::-1],
                     "the rows are in the reverse order",
                     own=True,
+                ),
+                Wrong(
+                    lambda r_11, r_12, r_13, r_21, r_31: [
+                        np.arctan2(r_21, -r_31),
+                        np.arcsin(np.sqrt(r_21**2 + r_31**2)),
+                        np.arctan2(r_12, r_13),
+                    ],
+                    "entry (2, 1): the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn",
                 ),
             ),
         ),
@@ -556,6 +737,43 @@ LESSON = Lesson(
                 "As for the KR210: first turn to face the point, then look at the vertical plane.",
                 "In that plane the point is $\\sqrt{p_x^2 + p_y^2}$ out and $p_z - h$ up.",
                 "Length and angle of that vector are $d_3$ and $\\theta_2$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Seen from above: the ram goes out by $d_3\\cos\\theta_2$, in the direction $\\theta_1$.",
+                        r"\begin{bmatrix} p_x \\ p_y \end{bmatrix} = d_3 \cos\theta_2 \begin{bmatrix} \cos\theta_1 \\ \sin\theta_1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "That factor is positive: the angle from above.",
+                        r"\theta_1 = \text{atan2}(p_y, p_x)",
+                    ),
+                    Line(
+                        "And it is the distance from axis 1.",
+                        r"d_3 \cos\theta_2 = \sqrt{p_x^2 + p_y^2}",
+                    ),
+                    Line(
+                        "In the vertical plane the ram goes up by the rest of the height.",
+                        r"d_3 \sin\theta_2 = p_z - h",
+                    ),
+                    Line(
+                        "The angle there.",
+                        r"\theta_2 = \text{atan2}(p_z - h, \sqrt{p_x^2 + p_y^2})",
+                    ),
+                    Line(
+                        "And the length.",
+                        r"d_3 = \sqrt{p_x^2 + p_y^2 + (p_z - h)^2}",
+                    ),
+                ),
+                {"symbols": {"h": "free", "l": "free", "gamma": "free", "t": "free"}},
+                given=(
+                    r"\theta_1 = \gamma",
+                    r"\theta_2 = \arctan t",
+                    "d_3 = l",
+                    r"p_x = d_3 \cos\theta_1 \cos\theta_2",
+                    r"p_y = d_3 \sin\theta_1 \cos\theta_2",
+                    r"p_z = h + d_3 \sin\theta_2",
+                ),
             ),
             right=(turret, TURRET, _turret_by_norm),
             wrong=(

@@ -4,7 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from armproof.course.feedback import Choice, Formula, Lesson, Number, Quantity, Table, Task, WithSympy, Wrong
+from armproof.course.feedback import (
+    Choice,
+    Derivation,
+    Formula,
+    Lesson,
+    Line,
+    Number,
+    Quantity,
+    Table,
+    Task,
+    WithSympy,
+    Wrong,
+)
 from armproof.course.links import classic_link, product, shift, turn
 
 DH = {  # the arm by its modified table; frame 6 sits in the wrist's centre
@@ -18,6 +30,17 @@ DH = {  # the arm by its modified table; frame 6 sits in the wrist's centre
         {"alpha": "-pi/2", "a": 0, "d": 0, "theta": "theta_6"},
     ],
 }
+LENGTHS = {
+    "a_1": 0.35,
+    "a_2": 1.25,
+    "a_3": 0.054,
+    "d_1": 0.33,
+    "d_2": 0.42,
+    "d_4": 0.96,
+    "d_5": 0.54,
+    "d_6": 0.193,
+    "d_G": 0.11,
+}  # m
 
 
 def table():
@@ -178,7 +201,7 @@ LESSON = Lesson(
             title="Predict the zero pose",
             text="All joint angles are zero, so all frames of the URDF are parallel. Where is the gripper? Give $[P_x, P_y, P_z]$ in frame 0, in metres, from "
             "the table of offsets.",
-            asks=Number((2.153, 0, 1.946), "m", ("P_x", "P_y", "P_z")),
+            asks=Number((2.153, 0, 1.946), "m", ("P_x", "P_y", "P_z"), LENGTHS),
             hints=(
                 "Parallel frames: the offsets simply add up.",
                 "Add the column x over all seven rows, then the column z. Mind one sign.",
@@ -270,7 +293,9 @@ LESSON = Lesson(
             title="Offsets that merge",
             text="The origin of a DH frame need not sit at its joint: $O_1$ stands on axis 1 at the shoulder's height, $O_4$, $O_5$ and $O_6$ where the axes of the "
             "wrist meet. Give three distances in metres: from $O_0$ up to $O_1$; along axis 4 from the foot of the perpendicular from axis 3 to $O_4$; from $O_6$ to the gripper.",
-            asks=Number((0.75, 1.5, 0.303), "m", ("the first distance", "the second distance", "the third distance")),
+            asks=Number(
+                (0.75, 1.5, 0.303), "m", ("the first distance", "the second distance", "the third distance"), LENGTHS
+            ),
             hints=(
                 "Each of them is the sum of two offsets along one line.",
                 "Up the first axis: rows 1 and 2. Along the forearm: rows 4 and 5. Along the hand: the last two rows.",
@@ -344,6 +369,23 @@ LESSON = Lesson(
                 "$\\mathrm{Rot}(x, \\alpha_1)\\,\\mathrm{Trans}(x, a_1)\\,\\mathrm{Rot}(z, \\theta)\\,\\mathrm{Trans}(z, d)$ with $d = 0$.",
                 "$\\cos\\alpha_1 = 0$ and $\\sin\\alpha_1 = -1$ leave only a few entries.",
                 "$\\cos(\\theta_2 - \\pi/2) = S_2$ and $\\sin(\\theta_2 - \\pi/2) = -C_2$. Row 2 is $[0, 0, 1, 0]$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The two steps about and along $x$.",
+                        r"\mathrm{Rot}_x(-\tfrac{\pi}{2})\,\mathrm{Trans}_x(a_1) = \begin{bmatrix} 1 & 0 & 0 & a_1 \\ 0 & 0 & 1 & 0 \\ 0 & -1 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The angle of the table is $\\theta_2 - \\frac{\\pi}{2}$: sine and cosine change places.",
+                        r"\mathrm{Rot}_z(\theta_2 - \tfrac{\pi}{2}) = \begin{bmatrix} S_2 & C_2 & 0 & 0 \\ -C_2 & S_2 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply: the second row comes third, with a minus.",
+                        r"{}^1T_2 = \begin{bmatrix} S_2 & C_2 & 0 & a_1 \\ 0 & 0 & 1 & 0 \\ C_2 & -S_2 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": DH},
             ),
             right=(dh_link, WithSympy(_modified_link_sympy), DH_LINK),
             wrong=(

@@ -497,6 +497,27 @@ LESSON = Lesson(
                 "Column by column: a joint that turns gives $z \\times p$ and $z$, one that slides gives $z$ and zero.",
                 "The carriage slides along $z_0$, the ram along $[-S_1, C_1, 0]^T$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The axis of the column and the slide of the carriage are vertical.",
+                        r"z_1 = z_2 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Joint 1 turns: its axis times the lever.",
+                        r"z_1 \times \begin{bmatrix} -d_3 S_1 \\ d_3 C_1 \\ d_2 \end{bmatrix} = \begin{bmatrix} -d_3 C_1 \\ -d_3 S_1 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The ram slides along its own axis.",
+                        r"z_3 = \begin{bmatrix} -S_1 \\ C_1 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Only joint 1 turns the tool: the other two have zeros below.",
+                        r"J = \begin{bmatrix} -d_3 C_1 & 0 & -S_1 \\ -d_3 S_1 & 0 & C_1 \\ 0 & 1 & 0 \\ 0 & 0 & 0 \\ 0 & 0 & 0 \\ 1 & 0 & 0 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": CYLINDRICAL, "quantities": {"J": {"jacobian": 3}}},
+            ),
             right=(cylinder, CYLINDER, WithSympy(_cylinder_sympy)),
             wrong=(
                 Wrong(

@@ -507,6 +507,27 @@ LESSON = Lesson(
                 "Diagonal swapped, the other two with changed signs, divided by (5).",
                 "The first row of the adjugate is $l_2 C_{12}$, $l_2 S_{12}$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Your own Jacobian.",
+                        r"J = \begin{bmatrix} -l_1 S_1 - l_2 S_{12} & -l_2 S_{12} \\ l_1 C_1 + l_2 C_{12} & l_2 C_{12} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Its determinant, (5).",
+                        r"\det J = l_1 l_2 S_2",
+                    ),
+                    Line(
+                        "The adjugate: the diagonal swapped, the other two with changed signs. With $J$ it gives the determinant.",
+                        r"J \begin{bmatrix} l_2 C_{12} & l_2 S_{12} \\ -l_1 C_1 - l_2 C_{12} & -l_1 S_1 - l_2 S_{12} \end{bmatrix} = l_1 l_2 S_2 \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Divide.",
+                        r"J^{-1} = \frac{1}{l_1 l_2 S_2} \begin{bmatrix} l_2 C_{12} & l_2 S_{12} \\ -l_1 C_1 - l_2 C_{12} & -l_1 S_1 - l_2 S_{12} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": ARM, "quantities": {"J": _JACOBIAN}},
+            ),
             right=(inverse, INVERSE, _inverse_by_numpy, WithSympy(lambda sp: _jacobian_with_sympy(sp).inv())),
             wrong=(
                 Wrong(

@@ -337,6 +337,23 @@ LESSON = Lesson(
                 "Only the term in $t^2$ is left at $t = 0$.",
                 "$2 \\cdot 3 (q_f - q_0)/t_f^2$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The first derivative.",
+                        r"\frac{d}{dt}\left( 3\frac{t^2}{t_f^2} - 2\frac{t^3}{t_f^3} \right) = \frac{6 t}{t_f^2} - \frac{6 t^2}{t_f^3}",
+                    ),
+                    Line(
+                        "The second.",
+                        r"\frac{d}{dt}\left( \frac{6 t}{t_f^2} - \frac{6 t^2}{t_f^3} \right) = \frac{6}{t_f^2} - \frac{12 t}{t_f^3}",
+                    ),
+                    Line(
+                        "At the start the term in $t$ is gone; the way $q_f - q_0$ is a factor.",
+                        r"\left. (q_f - q_0) \left( \frac{6}{t_f^2} - \frac{12 t}{t_f^3} \right) \right|_{t = 0} = \frac{6(q_f - q_0)}{t_f^2}",
+                    ),
+                ),
+                {"symbols": {"t": "free", "q_0": "free", "q_f": "free", "t_f": "free"}},
+            ),
             right=(
                 r"\frac{6(q_f - q_0)}{t_f^2}",
                 lambda q_0, q_f, t_f: 6 * (q_f - q_0) / t_f**2,

@@ -315,6 +315,27 @@ LESSON = Lesson(
                 "Row 3 of ${}^4T_5$ is $[S_5, C_5, 0, 0]$; the second row of ${}^5T_6$ is $[0, 0, 1, 0]$.",
                 "Row 3 of $U_4$ is $[S_5 C_6, -S_5 S_6, C_5, 0]$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Row 5 of the table, $\\alpha_4 = \\pi/2$.",
+                        r"{}^4T_5 = \begin{bmatrix} C_5 & -S_5 & 0 & 0 \\ 0 & 0 & -1 & 0 \\ S_5 & C_5 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 6, $\\alpha_5 = -\\pi/2$.",
+                        r"{}^5T_6 = \begin{bmatrix} C_6 & -S_6 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ -S_6 & -C_6 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The second row of the first matrix takes the third row of the second, with a minus.",
+                        r"\begin{bmatrix} 0 & 0 & -1 & 0 \end{bmatrix} {}^5T_6 = \begin{bmatrix} S_6 & C_6 & 0 & 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Rows 1 and 3 mix the first two rows of the second matrix.",
+                        r"{}^4T_5 {}^5T_6 = \begin{bmatrix} C_5 C_6 & -C_5 S_6 & -S_5 & 0 \\ S_6 & C_6 & 0 & 0 \\ S_5 C_6 & -S_5 S_6 & C_5 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "rx90"},
+            ),
             right=(fourth_product, U_4, WithSympy(lambda sp: _links_sympy(sp, 5))),
             wrong=(
                 Wrong(U_4.replace("S_5 C_6 &", "S_5 S_6 &"), "entry (3, 1)"),
@@ -431,6 +452,31 @@ LESSON = Lesson(
                 "In frame 3 it is $[-C_4 S_5, C_5, S_4 S_5]^T$. Turn by $\\theta_2 + \\theta_3$, then by $\\theta_1$.",
                 "In frame 1 it is $[-C_{23} C_4 S_5 - S_{23} C_5,\\ -S_4 S_5,\\ -S_{23} C_4 S_5 + C_{23} C_5]^T$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The third column of $U_4$: the axis in frame 4.",
+                        r"{}^4T_6 \begin{bmatrix} 0 \\ 0 \\ 1 \\ 0 \end{bmatrix} = \begin{bmatrix} -S_5 \\ 0 \\ C_5 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "${}^3T_4$ turns it by $\\theta_4$: the axis in frame 3.",
+                        r"{}^3T_6 \begin{bmatrix} 0 \\ 0 \\ 1 \\ 0 \end{bmatrix} = \begin{bmatrix} -C_4 S_5 \\ C_5 \\ S_4 S_5 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Axes 2 and 3 are parallel: their angles add up.",
+                        r"{}^1R_3 = \begin{bmatrix} C_{23} & -S_{23} & 0 \\ 0 & 0 & -1 \\ S_{23} & C_{23} & 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The axis in frame 1.",
+                        r"{}^1T_6 \begin{bmatrix} 0 \\ 0 \\ 1 \\ 0 \end{bmatrix} = \begin{bmatrix} -C_{23} C_4 S_5 - S_{23} C_5 \\ -S_4 S_5 \\ -S_{23} C_4 S_5 + C_{23} C_5 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Joint 1 turns the first two rows.",
+                        r"z_6 = \begin{bmatrix} -C_1 (C_{23} C_4 S_5 + S_{23} C_5) + S_1 S_4 S_5 \\ -S_1 (C_{23} C_4 S_5 + S_{23} C_5) - C_1 S_4 S_5 \\ -S_{23} C_4 S_5 + C_{23} C_5 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "rx90"},
+            ),
             right=(approach, APPROACH, WithSympy(lambda sp: _links_sympy(sp, 1)[:3, 2])),
             wrong=(
                 Wrong(
@@ -485,6 +531,31 @@ LESSON = Lesson(
                 "Correct the sign in the second matrix first; then multiply from the right.",
                 "The third column is ${}^3T_5$'s, $[c_4 s_5, s_4 s_5, c_5]^T$; the tool is $d_6$ along it.",
                 "Rotation: $\\mathbf{Rot}_z(\\theta_4)\\,\\mathbf{Rot}_y(\\theta_5)\\,\\mathbf{Rot}_z(\\theta_6)$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The second matrix with the right entry: row 3 is $[0, 1, 0, 0]$.",
+                        r"{}^4T_5 = \begin{bmatrix} c_5 & 0 & s_5 & 0 \\ s_5 & 0 & -c_5 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The third matrix: a turn about $z$, and the tool $d_6$ along it.",
+                        r"{}^5T_6 = \begin{bmatrix} c_6 & -s_6 & 0 & 0 \\ s_6 & c_6 & 0 & 0 \\ 0 & 0 & 1 & d_6 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply these two first.",
+                        r"{}^4T_5 {}^5T_6 = \begin{bmatrix} c_5 c_6 & -c_5 s_6 & s_5 & s_5 d_6 \\ s_5 c_6 & -s_5 s_6 & -c_5 & -c_5 d_6 \\ s_6 & c_6 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The first matrix mixes rows 1 and 3; its own row 3 takes row 2 with a minus.",
+                        r"{}^3T_4 = \begin{bmatrix} c_4 & 0 & -s_4 & 0 \\ s_4 & 0 & c_4 & 0 \\ 0 & -1 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply.",
+                        r"{}^3T_4 {}^4T_6 = \begin{bmatrix} c_4 c_5 c_6 - s_4 s_6 & -c_4 c_5 s_6 - s_4 c_6 & c_4 s_5 & c_4 s_5 d_6 \\ s_4 c_5 c_6 + c_4 s_6 & -s_4 c_5 s_6 + c_4 c_6 & s_4 s_5 & s_4 s_5 d_6 \\ -s_5 c_6 & s_5 s_6 & c_5 & c_5 d_6 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "spherical_wrist"},
             ),
             right=(wrist, T_36, WithSympy(_wrist_sympy)),
             wrong=(
@@ -541,6 +612,23 @@ LESSON = Lesson(
                 "Two link matrices, and their product: start with the second, ${}^1T_2$.",
                 "With $\\alpha_1 = -\\frac{\\pi}{2}$, ${}^1T_2$ has the rows $[C_2, -S_2, 0, e]$, $[0, 0, 1, 0]$, $[-S_2, -C_2, 0, 0]$.",
                 "${}^0T_1$ turns the first two rows by $\\theta_1$ and adds $h$ to the height.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Row 2 of the table: the twist $-\\pi/2$, and $e$ along $x_1$.",
+                        r"{}^1T_2 = \begin{bmatrix} C_2 & -S_2 & 0 & e \\ 0 & 0 & 1 & 0 \\ -S_2 & -C_2 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 1 turns about the vertical, at the height $h$.",
+                        r"{}^0T_1 = \begin{bmatrix} C_1 & -S_1 & 0 & 0 \\ S_1 & C_1 & 0 & 0 \\ 0 & 0 & 1 & h \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply: rows 1 and 2 mix, row 3 is lifted.",
+                        r"{}^0T_1 {}^1T_2 = \begin{bmatrix} C_1 C_2 & -C_1 S_2 & -S_1 & e C_1 \\ S_1 C_2 & -S_1 S_2 & C_1 & e S_1 \\ -S_2 & -C_2 & 0 & h \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": HEAD},
             ),
             right=(head, HEAD_POSE, _head_of_links),
             wrong=(

@@ -476,6 +476,27 @@ LESSON = Lesson(
                 "$H_3 H_4$ is a turn by $\\theta_4$ with the move $d_3 + d_4$ along $z$.",
                 "The same as in document 000, but for the height $d_1$ of the column.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The two arms: the angles add up, and $y$ and $z$ turn over.",
+                        r"H_0^2 = \begin{bmatrix} C_{12} & S_{12} & 0 & a_1 C_1 + a_2 C_{12} \\ S_{12} & -C_{12} & 0 & a_1 S_1 + a_2 S_{12} \\ 0 & 0 & -1 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The slide and the tool: a move and a turn along one axis.",
+                        r"H_2^4 = \begin{bmatrix} C_4 & -S_4 & 0 & 0 \\ S_4 & C_4 & 0 & 0 \\ 0 & 0 & 1 & d_3 + d_4 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply the first rows.",
+                        r"\begin{bmatrix} C_{12} & S_{12} \end{bmatrix} \begin{bmatrix} C_4 & -S_4 \\ S_4 & C_4 \end{bmatrix} = \begin{bmatrix} \cos(\theta_1 + \theta_2 - \theta_4) & \sin(\theta_1 + \theta_2 - \theta_4) \end{bmatrix}",
+                    ),
+                    Line(
+                        "The others in the same way; the move goes down.",
+                        r"H_0^4 = \begin{bmatrix} \cos(\theta_1 + \theta_2 - \theta_4) & \sin(\theta_1 + \theta_2 - \theta_4) & 0 & a_1 C_1 + a_2 C_{12} \\ \sin(\theta_1 + \theta_2 - \theta_4) & -\cos(\theta_1 + \theta_2 - \theta_4) & 0 & a_1 S_1 + a_2 S_{12} \\ 0 & 0 & -1 & d_1 - d_3 - d_4 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "scara_column", "transforms": "lower"},
+            ),
             right=(whole_pose, WHOLE_POSE, WithSympy(lambda sp: sp.simplify(_chain_sympy(sp, 4, sp.Symbol("d_1"))))),
             wrong=(
                 Wrong(
@@ -586,6 +607,37 @@ LESSON = Lesson(
                 "Put together what stands beside $\\cos\\theta_1$, and what beside $\\sin\\theta_1$.",
                 "It is the vector $(k_1, k_2)$, turned by $\\theta_1$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Expand the cosine of the sum in $X$.",
+                        r"X = a_1 \cos\theta_1 + a_2 (\cos\theta_1 \cos\theta_2 - \sin\theta_1 \sin\theta_2)",
+                    ),
+                    Line(
+                        "Collect what stands beside $\\cos\\theta_1$ and beside $\\sin\\theta_1$.",
+                        r"X = (a_1 + a_2 \cos\theta_2) \cos\theta_1 - a_2 \sin\theta_2 \sin\theta_1",
+                    ),
+                    Line(
+                        "These are $k_1$ and $k_2$.",
+                        r"X = k_1 \cos\theta_1 - k_2 \sin\theta_1",
+                    ),
+                    Line(
+                        "The same with the sine of the sum in $Y$.",
+                        r"Y = (a_1 + a_2 \cos\theta_2) \sin\theta_1 + a_2 \sin\theta_2 \cos\theta_1",
+                    ),
+                    Line(
+                        "So $k_1$ stands beside the sine here.",
+                        r"Y = k_2 \cos\theta_1 + k_1 \sin\theta_1",
+                    ),
+                ),
+                {"symbols": {"a_1": "free", "a_2": "free", "theta_1": "free", "theta_2": "free"}},
+                given=(
+                    r"X = a_1 \cos\theta_1 + a_2 \cos(\theta_1 + \theta_2)",
+                    r"Y = a_1 \sin\theta_1 + a_2 \sin(\theta_1 + \theta_2)",
+                    r"k_1 = a_1 + a_2 \cos\theta_2",
+                    r"k_2 = a_2 \sin\theta_2",
+                ),
+            ),
             right=(collected, COLLECTED, WithSympy(_collected_sympy)),
             wrong=(
                 Wrong(
@@ -631,6 +683,33 @@ LESSON = Lesson(
                 "$r$ and $\\alpha$ are length and angle of the vector $(k_1, k_2)$.",
                 "Square both and add for $r$.",
                 "The angle in all quadrants: atan2, with what has the sine first.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Square both and add: the angle goes.",
+                        "k_1^2 + k_2^2 = r^2",
+                    ),
+                    Line(
+                        "The amplitude is positive.",
+                        r"r = \sqrt{k_1^2 + k_2^2}",
+                    ),
+                    Line(
+                        "The quotient alone leaves two angles, half a turn apart.",
+                        r"\frac{k_2}{k_1} = \tan\alpha",
+                    ),
+                    Line(
+                        "atan2 of both, the one with the sine first, has the quadrant too.",
+                        r"\alpha = \text{atan2}(k_2, k_1)",
+                    ),
+                ),
+                {"symbols": {"rho": "free", "gamma": "free"}},
+                given=(
+                    r"r = \rho",
+                    r"\alpha = \gamma",
+                    r"k_1 = r\cos\alpha",
+                    r"k_2 = r\sin\alpha",
+                ),
             ),
             right=(amplitude, AMPLITUDE, WithSympy(_amplitude_sympy)),
             wrong=(
@@ -703,6 +782,61 @@ LESSON = Lesson(
                 "The slide stands alone in one equation.",
                 "Elbow by the law of cosines, shoulder by atan2 less the angle that the elbow adds: as in document 004, with other letters.",
                 "All axes point up here: $\\theta_4 = \\phi - \\theta_1 - \\theta_2$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The slide stands alone in one equation.",
+                        "d_2 = -z",
+                    ),
+                    Line(
+                        "Square the other two and add: the elbow's cosine; call it $D$.",
+                        r"\cos\theta_2 = \frac{x^2 + y^2 - a_2^2 - a_3^2}{2 a_2 a_3}",
+                    ),
+                    Line(
+                        "Between $0$ and $\\pi$ an angle is the arccosine of its cosine.",
+                        r"\theta_2 = \arccos D",
+                    ),
+                    Line(
+                        "Its sine is not negative there.",
+                        r"\sin\theta_2 = \sqrt{1 - D^2}",
+                    ),
+                    Line(
+                        "With $k_1 = a_2 + a_3 D$ and $k_2 = a_3\\sqrt{1 - D^2}$ the shoulder turns $(k_1, k_2)$ to $(x, y)$.",
+                        r"\begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} \cos\theta_1 & -\sin\theta_1 \\ \sin\theta_1 & \cos\theta_1 \end{bmatrix} \begin{bmatrix} k_1 \\ k_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "So $\\theta_1$ is the angle of one less that of the other.",
+                        r"\theta_1 = \text{atan2}(y, x) - \text{atan2}(k_2, k_1)",
+                    ),
+                    Line(
+                        "All axes point up: the three angles add up to $\\phi$.",
+                        r"\theta_4 = \phi - \theta_1 - \theta_2",
+                    ),
+                ),
+                {
+                    "symbols": {
+                        "a_2": "free",
+                        "a_3": "free",
+                        "l": "free",
+                        "beta": "free",
+                        "gamma": "free",
+                        "delta": "free",
+                    }
+                },
+                given=(
+                    r"\theta_2 = 2 \arctan l",
+                    r"\theta_1 = \beta",
+                    r"\theta_4 = \gamma",
+                    r"d_2 = \delta",
+                    r"x = a_2 \cos\theta_1 + a_3 \cos(\theta_1 + \theta_2)",
+                    r"y = a_2 \sin\theta_1 + a_3 \sin(\theta_1 + \theta_2)",
+                    "z = -d_2",
+                    r"\phi = \theta_1 + \theta_2 + \theta_4",
+                    r"D = \frac{x^2 + y^2 - a_2^2 - a_3^2}{2 a_2 a_3}",
+                    "k_1 = a_2 + a_3 D",
+                    r"k_2 = a_3 \sqrt{1 - D^2}",
+                ),
             ),
             right=(inverse, INVERSE, _inverse_with_tangent),
             wrong=(
@@ -825,6 +959,27 @@ LESSON = Lesson(
                 "Two turns about parallel axes add up: $\\theta_2 + \\theta_3$.",
                 "The last row is constant: half a turn about $x$ changes the signs of the columns $y$ and $z$.",
                 "The origin: $b$ in the direction $\\theta_2$, $c$ in the direction $\\theta_2 + \\theta_3$, at the height $d_1$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The slide lifts, then $\\theta_2$ turns.",
+                        r"{}^0T_2 = \begin{bmatrix} C_2 & -S_2 & 0 & 0 \\ S_2 & C_2 & 0 & 0 \\ 0 & 0 & 1 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "$b$ along the first arm, then $\\theta_3$: the axes are parallel, the angles add up.",
+                        r"{}^0T_3 = \begin{bmatrix} C_{23} & -S_{23} & 0 & b C_2 \\ S_{23} & C_{23} & 0 & b S_2 \\ 0 & 0 & 1 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The last row: $c$ along the second arm, and half a turn about it.",
+                        r"{}^3T_4 = \begin{bmatrix} 1 & 0 & 0 & c \\ 0 & -1 & 0 & 0 \\ 0 & 0 & -1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply: the half turn changes the signs of the columns $y$ and $z$.",
+                        r"{}^0T_3 {}^3T_4 = \begin{bmatrix} C_{23} & S_{23} & 0 & b C_2 + c C_{23} \\ S_{23} & -C_{23} & 0 & b S_2 + c S_{23} \\ 0 & 0 & -1 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": LIFT},
             ),
             right=(lift, LIFT_POSE, WithSympy(_lift_sympy)),
             wrong=(

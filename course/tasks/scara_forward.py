@@ -502,6 +502,23 @@ LESSON = Lesson(
                 "Three link matrices; the first two make a turn and a rise.",
                 "$R_x(-\\frac{\\pi}{2})$ lays $z_3$ along $y_2$: the ram's end is at $[-d_3 S_1, d_3 C_1, d_2]^T$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The first two rows: a turn and a rise along one axis.",
+                        r"{}^0T_2 = \begin{bmatrix} C_1 & -S_1 & 0 & 0 \\ S_1 & C_1 & 0 & 0 \\ 0 & 0 & 1 & d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Row 3: $R_x(-\\frac{\\pi}{2})$ lays the ram along $y_2$.",
+                        r"{}^2T_3 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 0 & 1 & d_3 \\ 0 & -1 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply.",
+                        r"{}^0T_2 {}^2T_3 = \begin{bmatrix} C_1 & 0 & -S_1 & -d_3 S_1 \\ S_1 & 0 & C_1 & d_3 C_1 \\ 0 & -1 & 0 & d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": CYLINDRICAL},
+            ),
             right=(cylinder, CYLINDER, WithSympy(_cylinder_sympy)),
             wrong=(
                 Wrong(lambda q: np.linalg.inv(cylinder(q)), "the inverse"),

@@ -525,6 +525,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
+                    lambda X, Y, k_1, k_2: np.arctan2(Y - k_2, X - k_1),
+                    "the angles are subtracted, not the coordinates: one atan2 of the target, less one of k",
+                    own=True,
+                ),
+                Wrong(
                     lambda X, Y, k_1, k_2: np.arctan2(Y, X) - np.arctan(k_2 / k_1),
                     "arctan of k_2/k_1 holds only while k_1 is positive, and with a long second link it can be negative",
                     own=True,
@@ -628,6 +633,67 @@ LESSON = Lesson(
                 "$\\theta_2$ first, then $k_1, k_2$, then $\\theta_1$, last $\\theta_4$; $d_3$ at any time.",
                 "`theta_2 = np.arccos(...)` gives the value between 0 and π; `np.arctan2(Y, X) - np.arctan2(k_2, k_1)` follows.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The slide alone makes the height.",
+                        "d_3 = d_1 - d_4 - Z",
+                    ),
+                    Line(
+                        "The distance from axis 1 gives the elbow's cosine; call it $D$.",
+                        r"\cos\theta_2 = \frac{X^2 + Y^2 - a_1^2 - a_2^2}{2 a_1 a_2}",
+                    ),
+                    Line(
+                        "Between $0$ and $\\pi$ an angle is the arccosine of its cosine.",
+                        r"\theta_2 = \arccos D",
+                    ),
+                    Line(
+                        "Its sine is not negative there.",
+                        r"\sin\theta_2 = \sqrt{1 - D^2}",
+                    ),
+                    Line(
+                        "With $k_1 = a_1 + a_2 D$ and $k_2 = a_2\\sqrt{1 - D^2}$ the shoulder turns $(k_1, k_2)$ to $(X, Y)$.",
+                        r"\begin{bmatrix} X \\ Y \end{bmatrix} = \begin{bmatrix} \cos\theta_1 & -\sin\theta_1 \\ \sin\theta_1 & \cos\theta_1 \end{bmatrix} \begin{bmatrix} k_1 \\ k_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "So $\\theta_1$ is the angle of one less that of the other.",
+                        r"\theta_1 = \text{atan2}(Y, X) - \text{atan2}(k_2, k_1)",
+                    ),
+                    Line(
+                        "The angle of the tool gives the last joint.",
+                        r"\theta_4 = \theta_1 + \theta_2 - \psi",
+                    ),
+                    Line(
+                        "All four joints.",
+                        r"\begin{bmatrix} \theta_1 \\ \theta_2 \\ d_3 \\ \theta_4 \end{bmatrix} = \begin{bmatrix} \text{atan2}(Y, X) - \text{atan2}(k_2, k_1) \\ \arccos D \\ d_1 - d_4 - Z \\ \text{atan2}(Y, X) - \text{atan2}(k_2, k_1) + \arccos D - \psi \end{bmatrix}",
+                    ),
+                ),
+                {
+                    "symbols": {
+                        "a_1": "free",
+                        "a_2": "free",
+                        "d_1": "free",
+                        "d_4": "free",
+                        "l": "free",
+                        "beta": "free",
+                        "gamma": "free",
+                        "delta": "free",
+                    }
+                },
+                given=(
+                    r"\theta_2 = 2 \arctan l",
+                    r"\theta_1 = \beta",
+                    r"\theta_4 = \gamma",
+                    r"d_3 = \delta",
+                    r"X = a_1 \cos\theta_1 + a_2 \cos(\theta_1 + \theta_2)",
+                    r"Y = a_1 \sin\theta_1 + a_2 \sin(\theta_1 + \theta_2)",
+                    "Z = d_1 - d_3 - d_4",
+                    r"\psi = \theta_1 + \theta_2 - \theta_4",
+                    r"D = \frac{X^2 + Y^2 - a_1^2 - a_2^2}{2 a_1 a_2}",
+                    "k_1 = a_1 + a_2 D",
+                    r"k_2 = a_2 \sqrt{1 - D^2}",
+                ),
+            ),
             right=(inverse, _INVERSE_LONG, INVERSE, _inverse_with_elbow),
             wrong=(
                 Wrong(
@@ -700,6 +766,24 @@ LESSON = Lesson(
             hints=(
                 "Square both equations and add them: the angle goes.",
                 "$X^2 + Y^2 = d_3^2$, and $d_3$ is positive.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Square both and add: the angle goes.",
+                        "X^2 + Y^2 = d_3^2",
+                    ),
+                    Line(
+                        "The ram is out: the root with the plus.",
+                        r"d_3 = \sqrt{X^2 + Y^2}",
+                    ),
+                ),
+                {"symbols": {"rho": "free", "theta_1": "free"}},
+                given=(
+                    r"d_3 = \rho",
+                    r"X = -d_3 \sin\theta_1",
+                    r"Y = d_3 \cos\theta_1",
+                ),
             ),
             right=(ram, r"\sqrt{X^2 + Y^2}", WithSympy(_ram_sympy)),
             wrong=(

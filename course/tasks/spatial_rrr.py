@@ -217,6 +217,27 @@ LESSON = Lesson(
                 "$\\theta_3$ does not occur in $p_3$. What is its column?",
                 "Column 2: $C_2$ becomes $-S_2$, $S_2$ becomes $C_2$, and $C_1$, $S_1$ stay. Column 3 is zero.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "By $\\theta_1$: the first two rows change.",
+                        r"\frac{\partial p_3}{\partial \theta_1} = \begin{bmatrix} -l_2 S_1 C_2 \\ l_2 C_1 C_2 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "By $\\theta_2$: all three rows.",
+                        r"\frac{\partial p_3}{\partial \theta_2} = \begin{bmatrix} -l_2 C_1 S_2 \\ -l_2 S_1 S_2 \\ l_2 C_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "By $\\theta_3$: it is in none.",
+                        r"\frac{\partial p_3}{\partial \theta_3} = \begin{bmatrix} 0 \\ 0 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The three columns.",
+                        r"J_L = \begin{bmatrix} -l_2 S_1 C_2 & -l_2 C_1 S_2 & 0 \\ l_2 C_1 C_2 & -l_2 S_1 S_2 & 0 \\ 0 & l_2 C_2 & 0 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "spatial_rrr", "quantities": {"J_L": {"jacobian": 3, "rows": [1, 2, 3]}}},
+            ),
             right=(
                 elbow_linear,
                 WithSympy(lambda sp: _transforms_sympy(sp)[:3, 3].jacobian(_symbols(sp)[:3])),
@@ -243,6 +264,27 @@ LESSON = Lesson(
                 "Multiply $T_0^1 T_1^2$ by the third column of $T_2^3$, $[S_3, -C_3, 0, 0]^T$.",
                 "$C_2 S_3 + S_2 C_3 = S_{23}$ and $S_2 S_3 - C_2 C_3 = -C_{23}$.",
                 "In the vertical plane of the arm $z_3$ is $[S_{23}, -C_{23}]$; $\\theta_1$ turns that plane.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The third column of $T_2^3$: the axis in frame 2.",
+                        r"T_2^3 \begin{bmatrix} 0 \\ 0 \\ 1 \\ 0 \end{bmatrix} = \begin{bmatrix} S_3 \\ -C_3 \\ 0 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "$T_1^2$ turns it by $\\theta_2$.",
+                        r"T_1^3 \begin{bmatrix} 0 \\ 0 \\ 1 \\ 0 \end{bmatrix} = \begin{bmatrix} C_2 S_3 + S_2 C_3 \\ S_2 S_3 - C_2 C_3 \\ 0 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Sine and cosine of a sum.",
+                        r"\begin{bmatrix} C_2 S_3 + S_2 C_3 \\ S_2 S_3 - C_2 C_3 \end{bmatrix} = \begin{bmatrix} S_{23} \\ -C_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "$T_0^1$ stands that plane upright and turns it by $\\theta_1$.",
+                        r"z_3 = \begin{bmatrix} C_1 S_{23} \\ S_1 S_{23} \\ -C_{23} \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "spatial_rrr", "transforms": "lower"},
             ),
             right=(
                 axis,
@@ -319,6 +361,39 @@ LESSON = Lesson(
                 "$z_0$ is vertical; $z_1 = z_2$ is the third column of $T_0^1$. The angular half is done with that.",
                 "The linear half: derivatives of $P$, or $z_{i-1} \\times (P - p_{i-1})$ with $p_0 = 0$, $p_1 = [0, 0, l_1]^T$, $p_2$ the elbow.",
                 "With $\\rho = l_2 C_2 + l_3 S_{23}$: column 1 is $[-S_1\\rho, C_1\\rho, 0]$, row 3 is $[0, \\rho, l_3 S_{23}]$; the rest are derivatives of $\\rho$ times $C_1$, $S_1$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The axes: $z_0$ is vertical, the other two are level and parallel.",
+                        r"z_0 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}, \qquad z_1 = z_2 = \begin{bmatrix} S_1 \\ -C_1 \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The point, from the task before.",
+                        r"P = \begin{bmatrix} C_1(l_2 C_2 + l_3 S_{23}) \\ S_1(l_2 C_2 + l_3 S_{23}) \\ l_1 + l_2 S_2 - l_3 C_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 1: the cross product of $z_0$ and the whole $P$.",
+                        r"z_0 \times P = \begin{bmatrix} -S_1(l_2 C_2 + l_3 S_{23}) \\ C_1(l_2 C_2 + l_3 S_{23}) \\ 0 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 2: the lever begins at the shoulder, $p_1 = [0, 0, l_1]^T$.",
+                        r"z_1 \times (P - p_1) = \begin{bmatrix} C_1(-l_2 S_2 + l_3 C_{23}) \\ S_1(-l_2 S_2 + l_3 C_{23}) \\ l_2 C_2 + l_3 S_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "Column 3: the lever begins at the elbow; it is the forearm alone.",
+                        r"P - p_2 = \begin{bmatrix} l_3 C_1 S_{23} \\ l_3 S_1 S_{23} \\ -l_3 C_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "The cross product with the axis.",
+                        r"z_2 \times (P - p_2) = \begin{bmatrix} l_3 C_1 C_{23} \\ l_3 S_1 C_{23} \\ l_3 S_{23} \end{bmatrix}",
+                    ),
+                    Line(
+                        "The three columns, each with its axis below.",
+                        r"J = \begin{bmatrix} -S_1(l_2 C_2 + l_3 S_{23}) & C_1(-l_2 S_2 + l_3 C_{23}) & l_3 C_1 C_{23} \\ C_1(l_2 C_2 + l_3 S_{23}) & S_1(-l_2 S_2 + l_3 C_{23}) & l_3 S_1 C_{23} \\ 0 & l_2 C_2 + l_3 S_{23} & l_3 S_{23} \\ 0 & S_1 & S_1 \\ 0 & -C_1 & -C_1 \\ 1 & 0 & 0 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "spatial_rrr", "quantities": {"P": {"origin": "P"}, "J": {"jacobian": "P"}}},
             ),
             right=(jacobian, WithSympy(_jacobian_sympy), JACOBIAN, _crossed),
             wrong=(

@@ -179,6 +179,11 @@ LESSON = Lesson(
             right=([4, 12, 6], "4, 12, 6", np.array([4, 12, 6])),
             wrong=(
                 Wrong([4, 16, 6], "the last row of the matrix is no unknown: 3 and 9 entries", own=True),
+                Wrong(
+                    [4, 9, 6],
+                    "nine direction cosines are the orientation alone: the position belongs to X too",
+                    own=True,
+                ),
                 Wrong([4, 9, 3], "this is the orientation alone: the position has three entries more", own=True),
                 Wrong([6, 12, 6], "q has one entry a joint, and the SCARA has four joints", own=True),
                 Wrong(
@@ -325,6 +330,7 @@ LESSON = Lesson(
                 Wrong([0.8, -0.6, 0.75], "cos θ is asked to be positive", own=True),
                 Wrong([0.8, 0.6, 4 / 3], "tan φ is upside down: sine over cosine, s_y over s_x", own=True),
                 Wrong([0.8, 0.36, 0.75], "cos θ is the length of [s_x, s_y]: 0.36 is its square", own=True),
+                Wrong([0.8, 0.48, 0.75], "s_x is cos φ cos θ: cos θ is the length of [s_x, s_y]", own=True),
                 Wrong([0.8, 0.6, 0.36], "tan φ is s_y / s_x: divide by s_x as well", own=True),
             ),
         ),
@@ -343,6 +349,40 @@ LESSON = Lesson(
                 "Two entries of the first column have $\\phi$ in them, two of the last row $\\psi$.",
                 "`atan2` takes what has the sine first. A positive common factor does no harm.",
                 "$n_z = C\\theta S\\psi$ and $a_z = C\\theta C\\psi$.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The first column of the rotation has $\\phi$ and $\\theta$ alone.",
+                        r"R_z(\phi) R_y(\theta) R_x(\psi) \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix} = \begin{bmatrix} \cos\phi\cos\theta \\ \sin\phi\cos\theta \\ -\sin\theta \end{bmatrix}",
+                    ),
+                    Line(
+                        "Its upper two entries are cosine and sine of $\\phi$, times one factor.",
+                        r"\begin{bmatrix} s_x \\ s_y \end{bmatrix} = \cos\theta \begin{bmatrix} \cos\phi \\ \sin\phi \end{bmatrix}",
+                    ),
+                    Line(
+                        "That factor is positive: the angle of $(s_x, s_y)$ is $\\phi$, in all quadrants.",
+                        r"\phi = \text{atan2}(s_y, s_x)",
+                    ),
+                    Line(
+                        "The last row has $\\theta$ and $\\psi$ alone.",
+                        r"\begin{bmatrix} 0 & 0 & 1 \end{bmatrix} R_z(\phi) R_y(\theta) R_x(\psi) = \begin{bmatrix} -\sin\theta & \cos\theta\sin\psi & \cos\theta\cos\psi \end{bmatrix}",
+                    ),
+                    Line(
+                        "Its last two entries, in the same way.",
+                        r"\psi = \text{atan2}(n_z, a_z)",
+                    ),
+                ),
+                {"symbols": {"t": "free", "beta": "free", "gamma": "free"}},
+                given=(
+                    r"\theta = \arctan t",
+                    r"\phi = \beta",
+                    r"\psi = \gamma",
+                    r"s_x = \cos\phi\cos\theta",
+                    r"s_y = \sin\phi\cos\theta",
+                    r"n_z = \cos\theta\sin\psi",
+                    r"a_z = \cos\theta\cos\psi",
+                ),
             ),
             right=(
                 angles,

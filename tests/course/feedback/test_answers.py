@@ -20,6 +20,7 @@ from armproof.course.feedback import (
     Task,
     WithSympy,
     Wrong,
+    open_lesson,
 )
 from armproof.course.feedback.answer import as_latex
 
@@ -244,6 +245,22 @@ def test_a_known_mistake_in_an_angle_is_known_again_a_whole_turn_away() -> None:
 )
 def test_a_hostile_text_is_refused_and_nothing_is_executed(hostile: str) -> None:
     assert task(POSITION).check(hostile).outcome is Outcome.ERROR
+
+
+@pytest.mark.parametrize("asks, answer", [(REACH, "2"), (ANGLE, "2 X"), (COSINE, "x^2"), (DAMPED, "2")])
+def test_an_answer_that_lacks_letters_of_what_is_asked_is_wrong_and_no_arm_is_missing(asks: Any, answer: str) -> None:
+    feedback = task(asks).check(answer)
+    assert feedback.outcome is Outcome.WRONG
+    assert "no arm" not in feedback.message
+
+
+def test_the_angle_of_a_rotation_is_known_by_its_cosine_and_not_by_its_sine() -> None:
+    wrist = open_lesson("kr210_inverse").wrist
+    answer = r"\begin{bmatrix} \text{atan2}(r_{21}, -r_{31}) \\ %s \\ \text{atan2}(r_{12}, r_{13}) \end{bmatrix}"
+    assert wrist.check(answer % r"\arccos r_{11}").is_right
+    by_sine = wrist.check(answer % r"\arcsin r_{21}")
+    assert by_sine.outcome is Outcome.WRONG and by_sine.message.startswith("entry (2, 1): r_{11} is missing")
+    assert not wrist.check(answer % r"(-\arccos r_{11})").is_right
 
 
 def test_a_formula_of_a_function_is_read_back_as_it_was() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from armproof.course.feedback import Formula, Number, Outcome, Quantity
+from armproof.course.feedback.number_slips import values_in
 
 _ANGLES = ("theta_1", "theta_2", "theta_3")
 COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
@@ -32,6 +33,13 @@ OUT = Formula(r"\sqrt{x^2 + y^2} - l_1", ("x", "y", "l_1"))
 HEIGHT = Formula("l_1 S_1 + l_2 S_{12} + l_3 S_{123}", (*_ANGLES, "l_1", "l_2", "l_3"), arm="planar_3r")
 COLUMN = Quantity("polar_rp", {"jacobian": 2, "rows": [1, 2], "columns": [2]})
 TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
+BENDING = Formula(r"l_1 l_2 C_3 (l_1 C_2 + l_2 S_{23})", ("theta_2", "theta_3", "l_1", "l_2"), arm="planar_3r")
+TURRET = Formula(
+    r"\begin{bmatrix} \operatorname{atan2}(y, x) \\ \operatorname{atan2}(z, \sqrt{x^2 + y^2}) \end{bmatrix}", ("x", "y", "z"), unit="rad",
+    given={"x": r"\rho\cos(3\gamma)", "y": r"\rho\sin(3\gamma)"}, symbols={"rho": "free", "gamma": "free"},
+)  # fmt: skip
+BACK = Quantity("planar_3r", {"difference": [3, 2]})
+ARMS = Number((0.25, 0.85), "m", ("nearest", "farthest"), {"l_1": 0.6, "l_2": 0.3})
 PLACE = Number((0.0, 0.3, -0.4), labels=("x", "y", "z"))
 
 
@@ -75,6 +83,20 @@ def squared(answer: str) -> str:
         (PLACE, [0, 0.6, -0.8], "wrong by a factor of 2"),
         (Number((0.0, np.pi / 2)), [0, 90], "in degrees"),
         (Number((5, 4)), [5, 3], "one too few"),
+        (Number((0.6435011, -1.5707963)), [0.6435, -1.5708], "right, but rounded"),
+        (Number((0, 0, 1)), [0.6, 0.8, 0], "at right angles"),
+        (Number((0, 0, 1)), [0, 1, 1], "a direction has the length 1"),
+        (Number((0.75, 0.6)), [0.6, 0.6], "number 1: this is number 2"),
+        (Number((0.25, 0.8)), [0.25, 1.25], "numerator and denominator are exchanged"),
+        (ARMS, [0.25, 0.55], "farthest: l_2 is missing"),
+        (ARMS, [0.3, 0.85], "nearest: this is l_2 alone"),
+        (ARMS, [0.85, 0.85], "nearest: l_1 does not belong in it"),
+        (BENDING, r"l_1 l_2 C_3 (l_1 S_2 - l_2 C_{23})", "a quarter turn away"),
+        (BENDING, r"l_1 l_2 C_3 (l_1 S_2 + l_2 C_{23})", "sine and cosine are exchanged in two places"),
+        (Formula(r"l_1 \cos\theta + l_2 \sin\theta", ("theta", "l_1", "l_2")), r"l_1 \cos\theta - l_2 \sin\theta", "sign"),
+        (RADIUS, "(x + y)", "the square of your answer differs from that of what is asked by 2 x y"),
+        (TURRET, TURRET.latex.replace(r"\sqrt{x^2 + y^2}", "x"), "entry (2, 1): y is missing"),
+        (BACK, r"\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}", "from the origin of frame 0 to that of frame 2, not from 2 to 3"),
     ],
 )  # fmt: skip
 def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answer: Any, words: str) -> None:
@@ -87,14 +109,44 @@ def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answe
     ("asks", "answer"),
     [
         (COSINE, r"\frac{x^2 + y^2 - l_1^2 - l_1 l_2}{2 l_1 l_2} + \frac{x}{y}"),
-        (RADIUS, "x + y"),
+        (RADIUS, "x + 2 y"),
         (RADIUS, lambda x, y: [1, 2, 3]),
         (RADIUS, lambda x, y: 1 / 0),
         (PLACE, [0.1, 0.37, -0.42]),
+        (ARMS, [0.13, 0.71]),
+        (Number((0, 0, 1)), [0.6, 0, 0.8]),
     ],
 )
 def test_what_has_no_simple_relation_is_told_none(asks: Any, answer: Any) -> None:
     feedback = asks.judge(answer)
     assert not feedback.is_right
-    said = ("units", "exchanged", "missing", "times", "plus", "minus", "root", "square of", "factor", "order")
+    said = (
+        "alone",
+        "does not belong",
+        "right angles",
+        "length 1",
+        "turn away",
+        "square",
+        "rounded",
+        "units",
+        "exchanged",
+        "missing",
+        "times",
+        "plus",
+        "minus",
+        "root",
+        "square of",
+        "factor",
+        "order",
+    )
     assert [word for word in said if word in feedback.message] == []
+
+
+def test_a_wrong_entry_is_not_told_in_letters_that_the_task_keeps_to_itself() -> None:
+    feedback = TURRET.judge(TURRET.latex.replace(r"\sqrt{x^2 + y^2}", "x"))
+    assert not {"rho", "gamma"} & set(feedback.message.replace("\\", " ").split())
+
+
+def test_values_of_a_text_are_lengths_that_it_gives_to_letters() -> None:
+    text = r"$a_1 = 0.4$ m, $d_1 + d_2 = 0.75$ m, $\theta_1 = 90°$, $\dot q_2 = 2$ rad/s, $x^2 = 3$"
+    assert values_in(text) == {"a_1": 0.4, "d_1 + d_2": 0.75}

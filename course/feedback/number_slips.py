@@ -1,0 +1,130 @@
+"""The mistake behind wrong numbers: their signs, order, unit, a factor, a given value that is missing or stands alone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from itertools import combinations
+
+import numpy as np
+
+from armproof.models.errors import written
+from armproof.models.language import look_up
+
+_TOLERANCE = 1e-6
+_LARGEST_FACTOR = 10
+_NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
+_DIGITS = 1e-4  # of a sum or a quotient of given values, which many could meet by chance
+_SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
+_GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
+
+near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
+
+
+def values_in(text: str) -> dict[str, float]:
+    """Return the values that a task's text gives to letters: {"a_1": 0.4} of "$a_1 = 0.4$ m"; not angles in degrees."""
+    return {name: float(value) for name, value in _GIVEN.findall(text)}
+
+
+def number_slip(given: np.ndarray, right: np.ndarray, labels: Sequence[str], known: Mapping[str, float]) -> str:
+    """Return the usual mistake behind wrong numbers, of all of them or of each; empty where none is recognised.
+
+    Args:
+        labels: what each number is.
+        known: given values, which may be missing in a number, or stand for it.
+    """
+    if whole := next(_whole(given, right), ""):
+        return whole
+    wrong = np.flatnonzero(~np.isclose(given, right, rtol=_NEAR, atol=_TOLERANCE)).tolist()
+    told = [(labels[k], _of_one(float(given[k]), float(right[k]), known, len(right))) for k in wrong]
+    told = [
+        (label, words or _of_another(float(given[k]), right, labels))
+        for k, (label, words) in zip(wrong, told, strict=True)
+    ]
+    return look_up("; ").join(written("{label}: {words}", label=label, words=words) for label, words in told if words)
+
+
+def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
+    """Yield what explains all wrong numbers at once."""
+    wrong = ~np.isclose(given, right, rtol=_TOLERANCE)
+    if near(given, right):
+        yield look_up("right, but rounded: hand over the expression itself, such as `np.pi / 2`, or seven digits")
+        return
+    if near(np.abs(given), np.abs(right)):
+        yield look_up("the sign is wrong")
+    if near(np.sort(given), np.sort(right)):
+        yield look_up("the numbers are right, their order is not")
+    if near(np.sort(np.abs(given)), np.sort(np.abs(right))):
+        yield look_up("the numbers are right, their order and signs are not")
+    if near(given, 1000 * right):
+        yield look_up("in millimetres? Metres are asked for")
+    if near(given, np.degrees(right)):
+        yield look_up("in degrees? Radians are asked for")
+    if factor := _common_factor(given[wrong], right[wrong]):
+        yield written("wrong by a factor of {factor}", factor=factor)
+    if right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)):
+        if near(given @ right, 0) and near(np.linalg.norm(given), 1):
+            yield look_up("the length is right, the direction is not: yours is at right angles to it")
+        if not near(np.linalg.norm(given), 1):
+            yield look_up("a direction has the length 1, yours has not")
+        return
+    if near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
+        if (given < right)[wrong].all():
+            yield look_up("one too few")
+        if (given > right)[wrong].all():
+            yield look_up("one too many")
+
+
+def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
+    """Return the whole number by which all numbers are too large, or too small; 0 where there is none."""
+    if (right == 0).any() or np.abs(given / right).min() <= _TOLERANCE or not near(given / right, given[0] / right[0]):
+        return 0
+    ratio = abs(float(given[0] / right[0]))
+    factor = max(ratio, 1 / ratio)
+    return round(factor) if near(factor, round(factor)) and round(factor) <= _LARGEST_FACTOR else 0
+
+
+def _of_one(given: float, right: float, known: Mapping[str, float], count: int) -> str:
+    """Return the mistake in one number; a count has none beside its value."""
+    if float(right).is_integer() and right and float(given).is_integer():
+        return ""
+    if right == 0:
+        return look_up("zero belongs there") if count > 1 and not float(given).is_integer() else ""
+    if given == 0:
+        return look_up("it is not zero")
+    if near(given, -right):
+        return look_up("the sign is wrong")
+    if words := _of_parts(given, right, known) or _of_parts(given, right, _pairs(known)):
+        return words
+    if near(given * right, 1) and not near(abs(right), 1):
+        return look_up("numerator and denominator are exchanged")
+    return ""
+
+
+def _of_another(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
+    """Return of which other label a number would be right, where it is no count."""
+    others = [label for label, value in zip(labels, right.tolist(), strict=True) if near(given, value)]
+    return written("this is {other}", other=others[0]) if len(others) == 1 and not float(given).is_integer() else ""
+
+
+def _of_parts(given: float, right: float, parts: Mapping[str, float]) -> str:
+    """Return which part a number is, or has too much or too little."""
+    close = partial(np.isclose, rtol=_DIGITS, atol=_TOLERANCE)
+    for name, value in parts.items():
+        if close(given, value):
+            return written("this is {name} alone", name=name)
+    for name, value in parts.items():
+        if close(given + value, right):
+            return written("{name} is missing", name=name)
+        if close(given - value, right):
+            return written("{name} does not belong in it", name=name)
+    return ""
+
+
+def _pairs(known: Mapping[str, float]) -> dict[str, float]:
+    """Return the sums and differences of two given values, and their doubles."""
+    pairs = list(combinations(known, 2))
+    sums = {f"{one} + {other}": known[one] + known[other] for one, other in pairs}
+    differences = {f"{one} - {other}": known[one] - known[other] for one, other in pairs}
+    return {**sums, **differences, **{f"2 {name}": 2 * value for name, value in known.items()}}
