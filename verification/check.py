@@ -125,6 +125,10 @@ def load_arm_of(document: Document) -> Arm | None:
         raise document.fault("arm" if "arm" in document.lines else "arms", error) from None
 
 
+def _names_in(outcome: Outcome) -> Iterator[n.Name]:
+    return (below for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name))
+
+
 @lru_cache(maxsize=16)
 def _difference(name: str, table: Table) -> Finding | None:
     about = DocumentChecker(Document(Path(), {}, (), (table,)), load_arm(name), confirm=False)
@@ -150,6 +154,8 @@ class DocumentChecker:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
+        if self._shown_transforms:  # by what the arm was taken from, and not stated by the author
+            self.names = replace(self.names, stated_transforms="")
         self.names.reader.spelling = spelling_of(document, self.names.reader.words)
         self.ring = Ring()
         self.exact = ExactAlgebra(self.ring, arm)
@@ -159,14 +165,21 @@ class DocumentChecker:
         self.correct = correct
         self.samples = samples
         self.direction = self.direction_in(document)
-        self.names.state.transforms = self.direction[0]
+        self.names.state.transforms = self._shown_transforms or self.direction[0]
         self.lengths = self.lengths_in(document)
         self.names.state.configuration.update(self.lengths)
         self._name_entries()
 
+    @cached_property
+    def _shown_transforms(self) -> str:
+        """Which index names the reference, as what the arm was taken from shows it; else an empty text."""
+        return str(self.inferred.arm.front.get("transforms", "")) if self.inferred.arm is not None else ""
+
     def direction_in(self, document: Document) -> tuple[str, int]:
         """Return which index names the reference, as a document's first link matrix shows it, and its line; else ("", 0)."""
-        displays = [display for display in document.displays if TWO_SCRIPTS.search(display.latex)]
+        if self._shown_transforms:
+            return "", 0
+        displays = [display for display in document.displays if TWO_SCRIPTS.search(normalise_unicode(display.latex))]
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
                 return (shown_direction(self.checker, displays) if displays else None) or ("", 0)
@@ -309,7 +322,10 @@ class DocumentChecker:
                     self.statements.circumstances.heed(display.said, display.said_above, display.line)
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
-                return self._judge(record, display, self.names.reader.read(display.latex))
+                statements = self.names.reader.read(display.latex)
+                if display.said_behind:
+                    self.statements.circumstances.heed_behind(display.said_behind, statements, display.line)
+                return self._judge(record, display, statements)
         except ReadError as error:
             return replace(record, findings=(_unreadable(display, error),))
         except NotSampled as error:
@@ -372,18 +388,31 @@ class DocumentChecker:
             return outcome
         if where not in (0, self.names.state.apart):
             return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
-        other = next(filter(self._is_other_variable, (b for node in outcome.nodes for b in n.walk(node))), None)
-        if isinstance(other, n.Name):
+        if (other := next(filter(self._is_other_variable, _names_in(outcome)), None)) is not None:
             joint = self.names.known_symbol(other.key)
             return outcome.left_open(say(Kind.UNTOLD_VARIABLE, name=other.key, joint=str(joint)))
+        if taken.several_tools and (untold := next(filter(self._is_of_any_tool, _names_in(outcome)), None)) is not None:
+            return outcome.left_open(say(Kind.SEVERAL_TOOLS, line=taken.line, name=untold.text))
         return outcome
 
-    def _is_other_variable(self, node: n.Node) -> bool:
+    def _is_of_any_tool(self, name: n.Name) -> bool:
+        """Whether a name stands for a quantity of the last frame without saying so."""
+        quantity = self.checker.quantity_of(name)
+        scripts = (
+            name.sub.partition("rows ")[0],
+            name.sup,
+            name.pre_sub,
+            name.pre_sup,
+        )  # without those of J that are read
+        is_told = quantity is None or quantity.frame in scripts or any(one.isdigit() for one in "".join(scripts))
+        return not is_told
+
+    def _is_other_variable(self, node: n.Name) -> bool:
         """Whether a θ_2 stands where the arm's joint is q_2, and the document, which has both, does not say what it is by that."""
         told = (
             self.names.reader.spelling.variables != "both" or self.names.offset_joints
         )  # what a table has beside q_2 is θ_2
-        if told or not isinstance(node, n.Name) or self.arm is None:
+        if told or self.arm is None:
             return False
         joints = {joint.symbol for joint in self.arm.joints}
         return node.key not in joints and node.base in ("theta", "q") and self.names.known_symbol(node.key) in joints

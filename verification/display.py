@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
@@ -16,12 +17,13 @@ from armproof.verification.conditions.implication import (
     is_rank_condition,
 )
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.misreadings import sizes_of_convention, without_misreading
 from armproof.verification.equations.outcome import Outcome, hold, with_role
-from armproof.verification.equations.readings import counted
+from armproof.verification.equations.readings import counted, side_by_side
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -80,7 +82,12 @@ Judgement = tuple[Outcome, dict[str, float]] | None  # the verdict of an implica
 
 
 class Statements:
-    """Checks the statements of displays; one that begins with a relation goes on about the subject of the one before."""
+    """Checks the statements of displays; one that begins with a relation goes on about the subject of the one before.
+
+    Where `is_closed`, all letters have one meaning that is known, as in the answer to a task: none may be meant otherwise.
+    """
+
+    is_closed: bool = False
 
     def __init__(self, checker: ChainChecker) -> None:
         self.checker = checker
@@ -355,7 +362,22 @@ class Statements:
         unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
         if unclear:
             return self._either_reading(chain, unclear, equation, line, define)
+        if parts := side_by_side(chain):
+            return self._side_by_side(chain, parts, equation, line, define)
         return self._clear_chain(chain, equation, line, define)
+
+    def _side_by_side(
+        self, chain: n.Chain, parts: Sequence[n.Chain], equation: int, line: int, define: bool
+    ) -> list[Outcome]:
+        """A = […] B = […] is two equations, unless it holds as one: what is wrong in one reading alone is left open."""
+        as_one = self._clear_chain(chain, equation, line, False)
+        if hold(as_one):
+            return self._clear_chain(chain, equation, line, define)
+        apart = [o for k, part in enumerate(parts) for o in self._clear_chain(part, equation + k, line, define)]
+        if any(outcome.verdict is Verdict.REFUTED for outcome in as_one):
+            return apart
+        doubt = say(Kind.SIDE_BY_SIDE, name=parts[1].members[0].text)  # type: ignore[attr-defined]
+        return [outcome.unless_refuted(doubt) for outcome in apart]
 
     def _either_reading(
         self, chain: n.Chain, unclear: list[n.Ambiguous], equation: int, line: int, define: bool
@@ -427,12 +449,16 @@ class Statements:
 
     def _understood(self, outcome: Outcome, chain: n.Chain, define: bool) -> Outcome:
         """Return a refuted outcome, left open where the chain or what the text says may be meant otherwise."""
-        outcome = without_misreading(outcome, chain, self.names, not define)
+        outcome = without_misreading(outcome, chain, self.names, not define, self.is_closed)
         speaks = self.names.state.told != Told() and outcome.verdict is Verdict.REFUTED
         return self.circumstances.judge(outcome) if speaks else outcome
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         outcomes = self.checker.check(chain, equation, line, define)
+        undecided = all(outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for outcome in outcomes)
+        frames = self.names.arm.frames if self.names.arm is not None else ()
+        if undecided and outcomes and is_composition(chain, frames):
+            return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
         if (
             self.names.arm is not None
             and outcomes

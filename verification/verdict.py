@@ -269,6 +269,7 @@ class TakenArm:
         front: the keys of front matter that name this arm.
         lines: the places (cell, line) of all that it was taken from: data, not claims.
         products: those of them where a product shows its factors.
+        several_tools: whether the table shows more end effectors than this arm's.
     """
 
     name: str
@@ -280,6 +281,7 @@ class TakenArm:
     cell: int | None = None
     lines: frozenset[tuple[int | None, int]] = frozenset()
     products: frozenset[tuple[int | None, int]] = frozenset()
+    several_tools: bool = False
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""

@@ -505,6 +505,7 @@ SANDBOX = {
     "course/grading/running/client.py": ["subprocess.Popen"],
     "course/grading/running/runner.py": ["exec", "compile"],
     "course/grading/sandbox/bubblewrap.py": ["subprocess.Popen"],
+    "verification/running/servant.py": ["subprocess.Popen"],  # Armproof's own process beside a worker
 }
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from functools import reduce
 
 from armproof.models.exact.numbers import cos_sin_of_pi, cos_sin_of_radians
 from armproof.models.exact.polynomial import Generator
@@ -31,10 +32,8 @@ def cos_sin(angle: Scalar) -> Pair:
     if not angle.denominator.is_constant():
         raise EvaluationError(say(Kind.COSINE_OF_QUOTIENT))
     ring = angle.ring
-    pair = ring.one, ring.zero
-    for powers, coefficient in list(ring.terms(angle.numerator)):
-        pair = _sum(pair, _cos_sin_term(ring, powers, coefficient))
-    return pair
+    pairs = [_cos_sin_term(ring, powers, coefficient) for powers, coefficient in list(ring.terms(angle.numerator))]
+    return reduce(_sum, pairs) if pairs else (ring.one, ring.zero)
 
 
 def _cos_sin_term(ring: Ring, powers: dict[Generator, int], coefficient: Fraction) -> Pair:
@@ -98,9 +97,7 @@ def _sum(a: Pair, b: Pair) -> Pair:
 def _multiple(pair: Pair, times: int) -> Pair:
     if abs(times) > MAX_MULTIPLE:
         raise TooComplex(say(Kind.TIMES_AN_ANGLE, times=times))
-    total = pair[0].ring.one, pair[0].ring.zero
-    for _ in range(abs(times)):
-        total = _sum(total, pair)
+    total = reduce(_sum, [pair] * abs(times)) if times else (pair[0].ring.one, pair[0].ring.zero)
     return (total[0], -total[1]) if times < 0 else total
 
 

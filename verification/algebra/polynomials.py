@@ -145,7 +145,8 @@ class Polynomials:
         present = self.generators_of(polynomial)
         for exponents, coefficient in polynomial.terms():
             powers = {generator: int(exponents[k]) for k, generator in present if exponents[k]}
-            yield powers, Fraction(int(coefficient.p), int(coefficient.q))
+            above, below = int(coefficient.p), int(coefficient.q)
+            yield powers, Fraction(above) if below == 1 else Fraction(above, below)  # the first seeks no common factor
 
     def split(
         self, polynomial: fmpq_mpoly, apart: Collection[Generator]

@@ -78,8 +78,8 @@ def sqrt(value: Scalar) -> Scalar:
     content, factors = value.numerator.factor()
     if int(content.p) < 0 and not factors:
         raise NoValue(say(Kind.ROOT_OF_NEGATIVE))
+    outside = sqrt_of_rational(ring, Fraction(abs(int(content.p)), int(content.q)))  # which may need a new context
     inside = ring.polynomials.constant(1 if int(content.p) > 0 else -1)
-    outside = sqrt_of_rational(ring, Fraction(abs(int(content.p)), int(content.q)))
     for factor, power in factors:
         outside = outside * ring.scalar(factor) ** (power // 2)
         ring.signs_chosen |= power > 1 and not _is_symbol(ring, factor)

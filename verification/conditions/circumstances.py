@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
 
@@ -16,7 +17,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.state import Told
 from armproof.verification.verdict import Verdict
@@ -60,6 +61,19 @@ class Circumstances:
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
         self._begin(names, conditions, in_words)
+
+    def heed_behind(self, said: Iterable[str], statements: Iterable[n.Statement], line: int) -> None:
+        """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""
+        chains = [each for each in statements if isinstance(each, n.Chain)]
+        alone = {bare_key(member) for chain in chains for member in chain.members}
+        held = {b.key for chain in chains for b in n.walk(chain) if isinstance(b, n.Name) and self.names.is_open(b)}
+        if self.names.arm is None or not (held := held - alone):
+            return
+        for latex in said:
+            with suppress(ReadError, RecursionError):
+                for chain in self.names.reader.read(latex):
+                    if isinstance(chain, n.Chain) and bare_key(chain.members[0]) in held:
+                        self._define(chain, line)
 
     def _define(self, chain: n.Chain, line: int) -> None:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""

@@ -21,6 +21,7 @@ from armproof.verification.conditions.system import Condition, System, Undecided
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.naming.conventions import reads_as_length
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
@@ -234,9 +235,9 @@ def _within(variety: Variety, polynomials: tuple[Polynomial, ...]) -> bool:
 
 
 def _lengths(checker: ChainChecker, half: HalfAngles) -> frozenset[str]:
-    """The symbols taken as positive: the arm's lengths, or without an arm what reads as one: l, l_1, a_2, d_i."""
+    """The symbols taken as positive: the arm's lengths, or without an arm what reads as one."""
     arm = checker.names.arm
     if arm is not None:
         return frozenset(arm.lengths) | frozenset(checker.names.state.adopted)
     names = {name for kind, name in half.others if kind == "symbol"}
-    return frozenset(name for name in names if name[:1] in ("l", "L") or name[:2] in ("a_", "d_"))
+    return frozenset(filter(reads_as_length, names))

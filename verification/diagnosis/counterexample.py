@@ -11,6 +11,7 @@ from armproof.models.arm import Joint
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
+from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -18,6 +19,7 @@ from armproof.verification.errors import EvaluationError, NoValue
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
+from armproof.verification.naming.names import Names
 
 PROBES = 12
 SEED = 7
@@ -48,6 +50,20 @@ def _round_values(joint: Joint, generator: np.random.Generator) -> np.ndarray:
     return np.where(np.abs(values) < 0.05, 0.3, values) if high > 0.3 else values
 
 
+class _Remembering(Evaluator):
+    """Evaluates a tree once, however many trees share it: the edits of a cell differ in one place."""
+
+    def __init__(self, names: Names, algebra: SampledAlgebra) -> None:
+        super().__init__(names, algebra)
+        self._known: dict[int, tuple[n.Node, Value]] = {}
+
+    def evaluate(self, node: n.Node) -> Value:
+        """Return the value; raises as the evaluator does."""
+        if (known := self._known.get(id(node))) is None:  # the node is kept, so that its id stays its own
+            known = self._known[id(node)] = node, super().evaluate(node)
+        return known[1]
+
+
 class Probe:
     """A few generic configurations with round values, on the double plant."""
 
@@ -71,11 +87,12 @@ class Probe:
         except EvaluationError:
             return None
         tolerance = 1e-7 * (1.0 + np.abs(target))
+        evaluator = _Remembering(self.names, self.samples)
 
         def agrees(node: n.Node) -> bool:
             try:
                 with np.errstate(all="ignore"):
-                    value = as_scalar(Evaluator(self.names, self.samples).evaluate(node))
+                    value = as_scalar(evaluator.evaluate(node))
                     is_number = not isinstance(value, Matrix | Identity | list)
                     return is_number and bool(np.all(np.abs(value - target) < tolerance))
             except (ArmproofError, TypeError):

@@ -107,7 +107,12 @@ class Diagnostician:
     def _swapped_throughout(self, outcome: Outcome) -> Finding | None:
         """Return that exchanging two lengths in the whole printed value mends it."""
         assert outcome.pair is not None and outcome.printed is not None
+        row, column = outcome.wrong[0]
+        agrees = self._mender.agreement(outcome.pair.true.rows[row][column])
         for edit in swapped_lengths(outcome.printed.node, self.learnt.letters(outcome.printed.node)):
+            cell = find_cell(edit.node, row, column, outcome.printed.value)
+            if agrees is not None and cell is not None and not agrees(cell):
+                continue  # one entry at a few samples tells most of them
             member = self.checker.member(edit.node)
             if member.known and isinstance(member.value, Matrix) and equal_matrices(outcome.pair.true, member.value):
                 return say(Kind.THROUGHOUT, change=edit.finding)

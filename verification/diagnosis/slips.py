@@ -41,6 +41,9 @@ class Letters:
     lengths: tuple[n.Name, ...] = ()
 
 
+_MOST_CALLS = 6  # sines and cosines of which two may be exchanged
+
+
 def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Yield every tree that one small change makes of `root`, the most likely slips first."""
     yield Edit(_negated(root), "sign", say(Kind.WRONG_SIGN))
@@ -119,6 +122,17 @@ def _functions_throughout(root: n.Node) -> Iterator[Edit]:
         [(changed, kind, _)] = _functions(call)
         exchanged = n.substitute(exchanged, call, changed)
     yield Edit(exchanged, kind, say(Kind.EXCHANGED_THROUGHOUT))
+
+
+def function_pairs(root: n.Node) -> Iterator[Edit]:
+    """Yield the trees with two of several sines and cosines exchanged, each for the other function."""
+    calls = [node for node in n.walk(root) if _is_trigonometric(node)]
+    if not 2 < len(calls) <= _MOST_CALLS:  # of two it is all
+        return
+    changed = {id(call): next(_functions(call))[0] for call in calls}
+    for pair in combinations(calls, 2):
+        edited = n.substitute_each(root, {id(call): changed[id(call)] for call in pair})
+        yield Edit(edited, "function", say(Kind.EXCHANGED_TWICE))
 
 
 def _products_of_functions(node: n.Node) -> Iterator[Change]:
@@ -207,9 +221,7 @@ def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
 
 def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
     found = [below for below in n.walk(node) if isinstance(below, n.Name) and below.key in names]
-    for old in found:
-        node = n.substitute(node, old, replace(names[old.key], span=old.span))
-    return node
+    return n.substitute_each(node, {id(old): replace(names[old.key], span=old.span) for old in found})
 
 
 def _dropped_factors(node: n.Node) -> Iterator[Change]:

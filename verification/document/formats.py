@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -88,7 +88,7 @@ def named_arms(text: str) -> tuple[str, ...]:
 
 
 def _with_what_is_said(document: Document) -> Document:
-    """Give each display the equations and the postures of the text before it, which are no displays."""
+    """Give each display the equations and the postures of the text before it and behind it, which are no displays."""
     displays: list[Display] = []
     said: list[Display] = []
     for display in document.displays:
@@ -98,7 +98,20 @@ def _with_what_is_said(document: Document) -> Document:
             said = []
         elif _SAYS.search(display.latex):
             said.append(display)
-    return replace(document, displays=tuple(displays))
+    return replace(document, displays=tuple(_with_what_is_behind(displays, [each.latex for each in said])))
+
+
+def _with_what_is_behind(displays: Sequence[Display], at_the_end: Sequence[str]) -> Iterator[Display]:
+    """Yield the displays with what the next text says: "where ρ = …" is often told below several of them."""
+    behind = tuple(at_the_end)
+    found: list[Display] = []
+    for display, after in zip(reversed(displays), [None, *reversed(displays)], strict=False):
+        if after is not None:
+            same = after.section == display.section
+            of_section = after.said if same else after.said[: after.said_above]
+            behind = of_section or (behind if same else ())
+        found.append(replace(display, said_behind=behind))
+    yield from reversed(found)
 
 
 def find_documents(paths: list[Path]) -> list[Path]:

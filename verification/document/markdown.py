@@ -44,6 +44,7 @@ _BRACKETS = re.compile(
     r"^([ \t>]*)(\\{1,2})\[((?:(?!\$\$|^[ \t>]*$)[^\n]*\n){0,60}?(?!\$\$)[^\n$]*?)\2\](?=[ \t.,;]*$)", re.MULTILINE
 )
 _UNSEEN = re.compile("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
+_HTML_HEADING = re.compile(r"\s*<h[1-6](?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)
 _HTML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
@@ -168,6 +169,8 @@ def _read_blocks(
     tokens = display_reader().parse(_UNSEEN.sub(lambda found: " " * len(found.group()), body))
     for index, token in enumerate(tokens):
         line, erratum, content = first + (token.map[0] if token.map else 0), any(quotes), token.content
+        if token.type == "html_block" and (heading := _HTML_HEADING.match(content)) is not None:
+            section = re.sub(r"<[^<>]*>", "", heading["text"]).strip()
         if token.type == "heading_open":
             section = tokens[index + 1].content
         elif token.type == "blockquote_open":

@@ -70,6 +70,11 @@ def read_parts(path: Path, text: str) -> Iterator[Words | Display]:
     yield from _Scanner(_project(path, text.replace("\r\n", "\n"))).parts()
 
 
+def inputs_of(path: Path, text: str) -> tuple[Path, ...]:
+    """Return the files that a LaTeX file inputs and its local packages, each once, under the names that it asks for."""
+    return tuple(dict.fromkeys(_project(path, text.replace("\r\n", "\n")).read))
+
+
 def begins_as_erratum(text: str, at: int) -> bool:
     """Whether the environment whose content begins at a place is an erratum by its first words."""
     return _ERRATUM.match(text, at) is not None

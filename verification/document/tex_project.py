@@ -48,7 +48,7 @@ class Project:
     definitions: str = ""
     parts: list[_Part] = field(default_factory=list)
     left_out: dict[str, Finding] = field(default_factory=dict)  # and what is remarked about it
-    files: int = 0
+    read: list[Path] = field(default_factory=list)  # the files that were, by the names that they are asked for
 
     def add(self, text: str, file: str, above: tuple[Path, ...]) -> None:
         """Append the text of a file, and in their places those that it inputs; `above` it are it and those that input it."""
@@ -84,14 +84,22 @@ class Project:
 
     def _read(self, name: str, suffixes: tuple[str, ...], above: tuple[Path, ...]) -> tuple[Path, str] | None:
         """Return a file of the project and its text, or None where there is none that may be read."""
-        if not name or "\0" in name or ".." in Path(name).parts or len(above) >= DEEPEST or self.files >= MOST_FILES:
+        if not name or "\0" in name or Path(name).is_absolute() or ".." in Path(name).parts:
+            return None
+        if len(above) >= DEEPEST or len(self.read) >= MOST_FILES:
             return None
         try:
-            tried = [(self.folder / (name + suffix)).resolve() for suffix in suffixes]
-            path = next((each for each in tried if each.is_relative_to(self.folder) and each.is_file()), None)
-            if path is None or path in above or path.suffix not in (".tex", ".sty", ".cls", ".ltx"):
+            tried = [self.folder / (name + suffix) for suffix in suffixes]
+            asked = next(
+                (each for each in tried if each.resolve().is_relative_to(self.folder) and each.is_file()), None
+            )
+            if (
+                asked is None
+                or (path := asked.resolve()) in above
+                or path.suffix not in (".tex", ".sty", ".cls", ".ltx")
+            ):
                 return None
-            self.files += 1
+            self.read.append(asked)
             text = read_any_text(path)[0].replace("\r\n", "\n")
         except (OSError, ValueError, RuntimeError, DocumentError):
             return None

@@ -32,6 +32,7 @@ class Pair:
         return zip(self.true.places, self.true.cells, self.printed.cells, strict=True)
 
 
+MOST_TERMS, TIMES_AS_MANY = 200, 10  # a slip makes no sum of hundreds of terms out of one of a few
 ROTATION = say(Kind.ROTATION_ALONE)
 HOMOGENEOUS = say(Kind.HOMOGENEOUS)
 
@@ -229,6 +230,9 @@ def _shares_terms(true: Scalar, printed: Scalar) -> bool:
     if (a + b).is_zero():
         return True
     if not (a.denominator.is_one() and b.denominator.is_one()):
+        return False
+    few, many = sorted(len(x.numerator) for x in (a, b))
+    if many > MOST_TERMS and many > TIMES_AS_MANY * few:
         return False
     terms, others = ([(tuple(sorted(p.items())), k) for p, k in a.ring.terms(x.numerator)] for x in (a, b))
     if len(terms) == len(others) == 1:

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
+from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.catalogue import Catalogue
 from armproof.verification.equations.conventional import Conventions
-from armproof.verification.equations.definitions import Definitions, Redefinitions, letters_meant_anew
+from armproof.verification.equations.definitions import (
+    Definitions,
+    Redefinitions,
+    letters_meant_anew,
+    letters_placed_before,
+)
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
@@ -20,6 +26,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.names import Names
@@ -108,6 +115,7 @@ class ChainChecker:
         again = partial(self._again, before, first_equation, line, define)
         outcomes = self._read_otherwise(chain, outcomes, settled, again)
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
+        outcomes = [self._left_open_for_places(outcome, before, line) for outcome in outcomes]
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
         check = partial(self.check, first_equation=first_equation, line=line)
@@ -123,7 +131,9 @@ class ChainChecker:
         doubt = self.readings.other_direction(
             [chain], _all_proved(outcomes), lambda: _all_proved(check(chain, define=False))
         )
-        outcomes = [outcome.left_open(doubt) for outcome in outcomes] if doubt else outcomes
+        if doubt:
+            self.names.state.definitions = before  # what names it would define is open too
+            outcomes = [replace(outcome.left_open(doubt), defines=()) for outcome in outcomes]
         return [*outcomes, *_labels(chain, first_equation, definitions)]
 
     def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:
@@ -150,6 +160,16 @@ class ChainChecker:
         if outcomes is first:
             self.names.state.definitions = made
         return outcomes
+
+    def _left_open_for_places(self, outcome: Outcome, before: Mapping[str, Definition], line: int) -> Outcome:
+        """Leave open what does not fit with what the places in another matrix told of a name; nobody knows any more what it is."""
+        placed = letters_placed_before(outcome, before)
+        if not placed:
+            return outcome
+        first = min(placed)
+        self.names.forget(placed)
+        self.names.leave_unknown(placed, line)
+        return outcome.left_open(say(Kind.SECOND_MEANING, name=first, line=before[first].line))
 
     def _again(
         self, before: dict[str, Definition], first_equation: int, line: int, define: bool, chain: n.Chain

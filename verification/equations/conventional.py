@@ -249,8 +249,29 @@ class Conventions:
         refuted = outcome.verdict is Verdict.REFUTED
         if refuted and not near and outcome.true is not None and _is_placed_above(outcome.true.node):
             return outcome.left_open(say(Kind.WHICH_INDEX))  # p_0^2 may place frame 2 in frame 0
+        if refuted and (key := self._seen_from_elsewhere(outcome)):
+            return outcome.left_open(say(Kind.NOT_BOUND, name=key))
         doubtful = (self.doubts.weak and not near) if refuted else (outcome.defines and self.doubts.open)
         return self.doubts.judge(outcome) if doubtful else outcome
+
+    def _seen_from_elsewhere(self, outcome: Outcome) -> str:
+        """Return a block of a pose seen from another frame than the base, T_2^1 = [R, p_2; 0, 1], that names no frame to be seen from."""
+        name = _plain(outcome.true.node) if outcome.true is not None else None
+        quantity = self.names.quantity(name) if name is not None else None
+        if (
+            quantity is None
+            or quantity.kind not in ("pose", "rotation")
+            or quantity.reference == self._base
+            or outcome.printed is None
+        ):
+            return ""
+        blocks = (_plain(cell) for row in written_rows(outcome.printed.node) for cell in row)
+        return next((each.key for each in blocks if each is not None and self._is_unseen(each)), "")
+
+    def _is_unseen(self, name: n.Name) -> bool:
+        """Whether a name is taken as seen from the base, and no index and no front matter says so."""
+        quantity = None if name.sup or name.pre_sup or name.key in self.names.quantities else self.names.quantity(name)
+        return quantity is not None and quantity.reference == self._base
 
     def _defined_otherwise(self, outcome: Outcome) -> Finding | None:
         """A name that the document gave another meaning is exactly what it usually is: nobody can tell which is meant."""

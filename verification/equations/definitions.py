@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.matrix import Matrix
@@ -257,6 +257,20 @@ def _is_another_meaning(outcome: Outcome) -> bool:
     numbers = [is_constant(value) for value in (pair.true, pair.printed)] if pair is not None else []
     near = pair is not None and is_near(pair)
     return outcome.verdict is Verdict.REFUTED and not near and len(set(numbers)) < 2
+
+
+def letters_placed_before(outcome: Outcome, known: Mapping[str, Definition]) -> frozenset[str]:
+    """Return the names of blocks that do not fit, of which their places in another matrix alone told what they are.
+
+    T_2^0 = [R, p; 0, 1] behind T_1^0 = [R, p; 0, 1]: a pattern, or a mistake.
+    """
+    value = outcome.true.value if outcome.true is not None else None
+    if outcome.verdict is not Verdict.REFUTED or not isinstance(value, Matrix) or value.shape[1] == 1:
+        return frozenset()
+    nodes = (side.node for side in (outcome.true, outcome.printed) if side is not None)
+    blocks = [rows for node in nodes if len(rows := written_rows(node)) < value.shape[0]]
+    keys = {key for rows in blocks for row in rows for cell in row if (key := bare_key(cell)) is not None}
+    return frozenset(key for key in keys & set(known) if known[key].by_place)
 
 
 def letters_meant_anew(outcomes: Iterable[Outcome]) -> frozenset[str]:

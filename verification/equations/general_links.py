@@ -51,6 +51,7 @@ class GeneralStatements:
 
     def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
         """Return the outcomes of a chain with a link matrix of any link if they are about that, else None."""
+        chain = _of_link_i(chain)
         heads = [self._is_inverse(member) for member in chain.members]
         if any(m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)):
             return None
@@ -143,6 +144,21 @@ class GeneralStatements:
         modified = any(base in ("a", "alpha") and sub == "i-1" for base, sub in subs)
         classic = any(base in ("a", "alpha") and sub == "i" for base, sub in subs)
         return (("classic",) if classic else ()) + (("modified",) if modified else ())
+
+
+def _of_link_i(chain: n.Chain) -> n.Chain:
+    """Return a chain about link n with the index i: T_n^{n-1} = Rot(z, θ_n) …."""
+    names = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+    scripts = {script for name in names for script in (name.sub, name.sup, name.pre_sub, name.pre_sup)}
+    letter = next((letter for letter in "jkn" if {letter, f"{letter}-1"} <= scripts), "")
+    if not letter or scripts & {"i", "i-1"}:
+        return chain
+    spelt = {letter: "i", f"{letter}-1": "i-1"}
+    for name in names:
+        sub, sup, below, above = (spelt.get(each, each) for each in (name.sub, name.sup, name.pre_sub, name.pre_sup))
+        changed = replace(name, sub=sub, sup=sup, pre_sub=below, pre_sup=above)
+        chain = n.substitute(chain, name, changed) if changed != name else chain  # type: ignore[assignment]
+    return chain
 
 
 def is_sum_of_indices(chain: n.Chain) -> bool:

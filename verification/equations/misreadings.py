@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
@@ -24,12 +25,19 @@ ELEMENTARY = ("Rot", "Rot3", "Trans")
 TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
 
 
-def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: bool = False) -> Outcome:
-    """Return a refuted outcome, or an unchecked one where it was not understood; an erratum is said to be more than a slip."""
+def without_misreading(
+    outcome: Outcome, chain: n.Chain, names: Names, erratum: bool = False, is_closed: bool = False
+) -> Outcome:
+    """Return a refuted outcome, or an unchecked one where it was not understood.
+
+    An erratum is said to be more than a slip; where `is_closed`, each letter is known to have one meaning.
+    """
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
+    reason = reason or _numbered_twice(chain)
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
-    reason = reason or _nothing_to_compare(outcome, chain, names, erratum)
+    if not is_closed:
+        reason = reason or _nothing_to_compare(outcome, chain, names, erratum)
     return outcome if reason is None else outcome.left_open(reason)
 
 
@@ -59,6 +67,18 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
     quantity = names.quantity(name) if isinstance(name, n.Name) and is_matrix else None
     is_jacobian = quantity is not None and quantity.kind == "jacobian" and name.key not in names.quantities  # type: ignore[attr-defined]
     return say(Kind.DETERMINANT_MEANT, name=name.text) if is_jacobian else None  # type: ignore[attr-defined]
+
+
+def _numbered_twice(chain: n.Chain) -> Finding | None:
+    """T_2^1 = T_1^0 = […]: two names of one link, whose frames are counted from another number in each."""
+    alone = [name for name in map(bare, chain.members) if isinstance(name, n.Name) and name.base in "TAHR"]
+    for one, other in pairwise(alone):
+        scripts = [(name.pre_sup, name.sup, name.pre_sub, name.sub) for name in (one, other)]
+        steps = [(int(b) - int(a)) if a.isdigit() and b.isdigit() else a == b for a, b in zip(*scripts, strict=True)]
+        numbers = [step for step in steps if not isinstance(step, bool)]
+        if len(numbers) == 2 and len(set(numbers)) == 1 and numbers[0] and all(steps):
+            return say(Kind.NUMBERED_TWICE, one=one.text, other=other.text)
+    return None
 
 
 def _own_name(chain: n.Chain, names: Names) -> Finding | None:

@@ -63,7 +63,12 @@ class Readings:
             return outcome
         sides = (outcome.true, outcome.printed)
         implied, other = outcome.true, outcome.printed
-        vector = isinstance(implied.node, n.Name) and implied.node.base in "zZ" and implied.node.sub != "0"
+        vector = (
+            isinstance(implied.node, n.Name)
+            and implied.node.base in "zZ"
+            and implied.node.sub != "0"
+            and not implied.node.pre_sup
+        )
         number = isinstance(other.value, Scalar) and other.value.as_fraction() is None  # a height, not the constant 1
         if (
             define
@@ -134,20 +139,25 @@ class Readings:
                     state.inferred.setdefault(name.key, replace(quantity, frame=frame))
 
     def other_direction(self, chains: Iterable[n.Chain], now: bool, holds: Callable[[], bool]) -> Finding | None:
-        """Say which index must name the reference for equations to hold, where nothing tells and only one of them may."""
+        """Say which index must name the reference for equations to hold, where only one of them may and the author states none.
+
+        Nothing tells, or all names are written the other way round than the link matrices that do: T_0^2 = T_0^1 T_1^2 after T_1^0.
+        """
         names = self.names
         below = (each for chain in chains for member in chain.members for each in n.walk(member))
         indexed = [each for each in below if isinstance(each, n.Name) and each.sub and each.sup]
-        if names.arm is None or names.stated_transforms or names.state.transforms or not indexed:
+        if names.arm is None or names.stated_transforms or not indexed:
             return None
-        if not all(leads_outwards(name, names.arm, "lower") for name in indexed):
+        before, other = names.state.transforms, "upper" if names.transforms == "lower" else "lower"
+        if not all(leads_outwards(name, names.arm, other) for name in indexed):
             return None
-        names.state.transforms = "lower"
+        index = names.transforms
+        names.state.transforms = other
         try:
             holding = [now, holds()]
         finally:
-            names.state.transforms = ""
-        index = "upper" if holding[0] else "lower"
+            names.state.transforms = before
+        index = index if holding[0] else other
         return say(Kind.HOLDS_IF_REFERENCE, index=index, name=indexed[0].text) if holding[0] != holding[1] else None
 
     def slipped_index(self, true: Member, member: Member, equation: int) -> Outcome | None:
@@ -183,6 +193,28 @@ def counted(chain: n.Chain, names: Names) -> Finding | None:
             if isinstance(exponent, n.Group) or one or bare(member) is below:
                 return say(Kind.INDEX_OR_POWER)
     return None
+
+
+def side_by_side(chain: n.Chain) -> tuple[n.Chain, ...]:
+    """Return A = […] and B = […] of a chain A = […] B = […]; nothing where no name stands behind a matrix in it."""
+    if len(chain.members) < 3 or set(chain.relations) != {"="}:
+        return ()
+    first, *between, last = chain.members
+    if bare_key(first) is None or not _is_written(last):
+        return ()
+    names, values = [first], []
+    for member in between:
+        factors = member.factors if isinstance(member, n.Product) else ()
+        if len(factors) != 2 or not isinstance(factors[1], n.Name) or not isinstance(bare(factors[0]), n.Matrix):
+            return ()
+        names.append(factors[1])
+        values.append(factors[0])
+    return tuple(n.Chain(pair, ("=",)) for pair in zip(names, [*values, last], strict=True))
+
+
+def _is_written(node: n.Node) -> bool:
+    factors = map(bare, node.factors) if isinstance(node, n.Product) else (bare(node),)
+    return all(isinstance(factor, n.Matrix) for factor in factors)
 
 
 def _is_joint(node: n.Node, names: Names) -> bool:

@@ -14,6 +14,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.conventions import reads_as_length
 from armproof.verification.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -33,12 +34,16 @@ class SecondRoute:
         self.exact = members.exact
         self.sampled = members.sampled
         self.enabled = True
+        self.weighs = False  # whether what is proved is evidence for a reading, and no verdict
 
     def confirm(self, outcome: Outcome, branches: bool) -> Outcome:
         """Evaluate a proved equation on the double plant as well: the second route must agree."""
         ring = self.exact.ring
         if not (
-            self.enabled or ring.signs_chosen or _holds_arcs(outcome)
+            self.enabled
+            or ring.signs_chosen
+            or _holds_arcs(outcome)
+            or (not self.weighs and self._coordinates(outcome))
         ):  # signs and branches are decided by the samples alone
             return outcome
         errors = self.sampled_errors(outcome, branches)
@@ -54,6 +59,8 @@ class SecondRoute:
         elif self._fails_for_lengths(outcome, branches):
             self._refute(outcome, errors.places, branches)
             outcome.findings = outcome.findings or (say(Kind.FOR_THESE_LENGTHS),)
+        else:
+            self._leave_open_for_signs(outcome, branches)
         return outcome
 
     def doubt(self, outcome: Outcome, branches: bool) -> Outcome:
@@ -72,6 +79,7 @@ class SecondRoute:
         if equal and not self._fails_for_lengths(outcome, branches):
             outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
             outcome.samples, outcome.max_error = errors.samples, errors.largest
+            self._leave_open_for_signs(outcome, branches)
         elif not self.on_a_branch(outcome, errors, branches) and signs:
             self._refute(outcome, outcome.wrong, branches)
             outcome.findings = outcome.findings or (say(Kind.ROOTS_POSITIVE),)
@@ -110,7 +118,26 @@ class SecondRoute:
             outcome.findings = (say(Kind.FOR_THESE_LENGTHS), *outcome.findings)
         else:
             outcome.verdict = Verdict.CONFIRMED
+            self._leave_open_for_signs(outcome, branches)
         return outcome
+
+    def _leave_open_for_signs(self, outcome: Outcome, branches: bool) -> None:
+        """Leave open what holds for positive letters only, as √(x²) = x, where a letter is not a length by its look."""
+        letters = self._coordinates(outcome)
+        if letters := [name for name in letters if self._fails_for_negative(name, outcome, branches)]:
+            outcome.verdict, outcome.wrong = Verdict.UNCHECKED, []
+            outcome.findings = (say(Kind.POSITIVE_ALONE, letters=", ".join(letters)),)
+
+    def _coordinates(self, outcome: Outcome) -> list[str]:
+        """The letters without a value that may be negative; none where no root or arc function asks for their sign."""
+        letters = [name for name in sorted(self.names.used) if not reads_as_length(name)]
+        asks = letters and (self.exact.ring.signs_chosen or _holds_arcs(outcome) or self._holds_roots(outcome))
+        return letters if asks else []
+
+    def _fails_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:
+        own = self.sampled()
+        errors = self.sampled_errors(outcome, branches, own.at({letter: -own.symbol(letter)}))
+        return errors is not None and bool(errors.wrong(TOLERANCE))
 
     def _refute(self, outcome: Outcome, wrong: list[tuple[int, int]], branches: bool) -> None:
         """Refute what fails at samples; where the document says which lengths are larger, it may hold for those."""
@@ -155,6 +182,9 @@ class SecondRoute:
         return all(
             isinstance(b, plain) and (not isinstance(b, n.Name) or self.members.is_symbol(b)) for b in n.walk(node)
         )
+
+    def _holds_roots(self, outcome: Outcome) -> bool:
+        return any(side is not None and self._has_roots(side.node) for side in (outcome.true, outcome.printed))
 
     def _has_roots(self, node: n.Node) -> bool:
         """Whether a square root stands in a tree, or may stand behind one of its names."""

@@ -36,7 +36,7 @@ class Member:
     @property
     def known(self) -> bool:
         """Whether it has a value."""
-        return self.problem is None
+        return self.problem is None and self.value is not None
 
 
 TOO_LARGE = (Kind.LARGE_PRODUCT, Kind.LARGE_EXPRESSION)

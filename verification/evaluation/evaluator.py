@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar, sized
@@ -87,7 +87,7 @@ class Evaluator:
 
     def _at(self, node: n.At) -> Value:
         values: dict[str, Any] = {}
-        for left, right in node.values:
+        for left, right in (each for pair in node.values for each in self._of_joints(*pair)):
             symbol = self.names.known_symbol(left.key) if isinstance(left, n.Name) else None
             if symbol is None and isinstance(left, n.Name) and self.names.is_free(left):
                 symbol = left.key
@@ -96,6 +96,24 @@ class Evaluator:
             key = left.key if isinstance(left, n.Name) else ""
             values[symbol] = self.names.variable_at(symbol, self.scalar(right), self.algebra, key)
         return self.at_values(values, node.inner)
+
+    def _of_joints(self, left: n.Node, right: n.Node) -> Iterable[tuple[n.Node, n.Node]]:
+        """q = 0 and q = (0, 0) give each joint variable its value."""
+        arm = self.names.arm
+        is_vector = (
+            isinstance(left, n.Name) and left.key in ("q", "theta") and self.names.known_symbol(left.key) is None
+        )
+        if arm is None or not is_vector or self.names.offset_joints:
+            return [(left, right)]
+        if left.key == "theta" and any(joint.kind != "revolute" for joint in arm.joints):  # type: ignore[attr-defined]
+            return [(left, right)]
+        items = right.items if isinstance(right, n.Sequence) else ()
+        if isinstance(right, n.Number) and right.value == 0:
+            items = (right,) * len(arm.joints)
+        if len(items) != len(arm.joints):
+            return [(left, right)]
+        names = [n.Name(*joint.symbol.partition("_")[::2], span=left.span) for joint in arm.joints]
+        return zip(names, items, strict=True)
 
     def at_values(self, values: dict[str, Any], node: n.Node) -> Value:
         """Return a tree's value where some joint variables or lengths have the values given."""

@@ -20,6 +20,8 @@ VECTOR_LETTERS = frozenset(
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
 _PLACED = re.compile(r"(\w+)\((\d)\)")
+_BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
+_WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 
@@ -69,10 +71,14 @@ class NameReader:
     def configuration(self, text: str, span: tuple[int, int]) -> tuple[tuple[n.Node, n.Node], ...]:
         """Return the names and values of a configuration: θ_2 = 0, a_2 = a_1."""
         offset = self.text.find(text, span[0])
-        values = [part.split("=", 1) for part in re.split(r",|\\[,;]|\\quad|\\\\", text) if part.strip()]
+        values = [part.split("=") for part in _BETWEEN_VALUES.split(text) if part.strip()]
         if not values or any(len(sides) == 1 for sides in values):
             raise ReadError(say(Kind.NO_VALUES_SAID, text=text), span[0])
-        return tuple((self.parse(left, offset), self.parse(right, offset)) for left, right in values)
+        return tuple(
+            (self.parse(name, offset), self.parse(value, offset))
+            for *names, value in values  # θ_1 = θ_2 = 0
+            for name in names
+        )
 
     def _raise_to(
         self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]
@@ -116,7 +122,7 @@ class NameReader:
                 pass  # R_{3×3}: how large it is
             elif kind == "SUB":
                 sub = f"{sub},{canonical}" if sub else canonical
-            elif self._is_index(item.base, canonical, below, bool(item.pre)):
+            elif self._is_index(item.base, canonical, below, bool(item.pre)) or _is_word(text, canonical):
                 sup = f"{sup},{canonical}" if sup else canonical
             elif canonical == "" and item.base in STARRED:
                 pass
@@ -161,6 +167,11 @@ class NameReader:
             of_frame = sub[:1].isdigit() or bool(re.match(r"[a-zA-Z]-\d", sub))
             return not digits or (of_frame and not re.search(r"[xyzXYZ]$", sub))
         return not digits and bool(sub) and len(canonical) <= 3 and canonical not in ("n", "k", "m")
+
+
+def _is_word(text: str, canonical: str) -> bool:
+    """Whether a word in upright letters stands above a name, p^{\\text{des}}: no power, and no operator."""
+    return canonical not in OPERATORS and _WORD.fullmatch(text) is not None
 
 
 def _spaced_row(node: n.Node) -> n.Sequence | None:

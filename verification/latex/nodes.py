@@ -6,7 +6,7 @@ document's own hand; what the names mean is decided later, against an arm.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cache
@@ -224,14 +224,16 @@ class Connective(Node):
 Statement = Chain | Connective
 
 
-def children(node: Node) -> Iterator[Node]:
-    """Yield the nodes directly below."""
+def children(node: Node) -> list[Node]:
+    """Return the nodes directly below."""
+    below: list[Node] = []
     for name in _branching(type(node)):  # type: ignore[arg-type]
         value = getattr(node, name)
         if isinstance(value, Node):
-            yield value
+            below.append(value)
         elif isinstance(value, tuple):
-            yield from _nodes_in(value)
+            _collect(value, below)
+    return below
 
 
 @cache
@@ -243,12 +245,12 @@ def _branching(kind: Any) -> tuple[str, ...]:
     return tuple(spec.name for spec in fields(kind) if spec.type not in plain)
 
 
-def _nodes_in(values: tuple[object, ...]) -> Iterator[Node]:
+def _collect(values: tuple[object, ...], found: list[Node]) -> None:
     for item in values:
         if isinstance(item, Node):
-            yield item
+            found.append(item)
         elif isinstance(item, tuple):
-            yield from _nodes_in(item)
+            _collect(item, found)
 
 
 def walk(node: Node) -> Iterator[Node]:
@@ -257,7 +259,7 @@ def walk(node: Node) -> Iterator[Node]:
     while stack:
         top = stack.pop()
         yield top
-        stack.extend(reversed(list(children(top))))
+        stack.extend(reversed(children(top)))
 
 
 def ungrouped(node: Node) -> Node:
@@ -298,21 +300,26 @@ def has_branches(node: Node) -> bool:
 
 def substitute(node: Node, old: Node, new: Node) -> Node:
     """Return the tree with the very node `old` (by identity) replaced."""
-    if node is old:
-        return new
+    return substitute_each(node, {id(old): new})
+
+
+def substitute_each(node: Node, new: Mapping[int, Node]) -> Node:
+    """Return the tree with very nodes replaced, which are named by their identity, in one pass."""
+    if (found := new.get(id(node))) is not None:
+        return found
     changes: dict[str, Any] = {}
     for name in _branching(type(node)):  # type: ignore[arg-type]
         before = getattr(node, name)
-        after = _substitute_in(before, old, new)
+        after = _substitute_in(before, new)
         if after is not before:
             changes[name] = after
     return replace(node, **changes) if changes else node
 
 
-def _substitute_in(value: object, old: Node, new: Node) -> object:
+def _substitute_in(value: object, new: Mapping[int, Node]) -> object:
     if isinstance(value, Node):
-        return substitute(value, old, new)
+        return substitute_each(value, new)
     if isinstance(value, tuple):
-        items = tuple(_substitute_in(item, old, new) for item in value)
+        items = tuple(_substitute_in(item, new) for item in value)
         return items if any(a is not b for a, b in zip(items, value, strict=True)) else value
     return value

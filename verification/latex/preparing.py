@@ -33,6 +33,7 @@ _DOUBLED = re.compile(r"\\\\(?:\\\\|(?=[A-Za-z]{2,}|[{},;:!|]))")
 _AT_THE_END = re.compile(
     r"\\q?quad[\s~]*(?:\\left)?\((?P<stated>[^()&]{0,200}(?:[=<>]|\\n?eq?\b|\\[lg]eq?\b|\\in\b)[^()&]{0,200}?)(?:\\right)?\)(?=[\s.,;]*$)"
 )
+_NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
 _BARS = re.compile(r"\\(?:abs|norm)\*?\s*(\{)")
 
 
@@ -42,6 +43,7 @@ def prepared(text: str) -> str:
         "\\begin" in text and re.search(r"(?<!\\)\\begin", text) is None
     ):  # \\begin{matrix} a \\\\ b, from a string of Python
         text = _DOUBLED.sub(lambda found: found.group()[: len(found.group()) // 2].rjust(len(found.group())), text)
+    text = _NUMBERED.sub(lambda found: _blank(found.group()), text)
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
     return _SILENT.sub(_plain, _AT_THE_END.sub(_for, text))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
 from armproof.verification.latex.greek import NAMES
 
@@ -10,22 +11,40 @@ COMMANDS = {
     "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
     "º": r"^\circ ", "˚": r"^\circ ",  # as typed for a degree
     "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
-    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ",
+    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "…": r"\dots ", "⋯": r"\cdots ", "⋮": r"\vdots ", "⋱": r"\ddots ",
     "\u00a0": " ", "⁼": "=", "＝": "=", "（": "(", "）": ")", "，": ",", "；": ";", "：": ":", **{character: f"\\{name} " for character, name in NAMES.items()},
 }  # fmt: skip
+_UNSEEN = "\u2061\u2062\u2063\u200b\u200c\u200d\u2060\ufeff"  # a function applied, a product, no width at all
+_STYLED = (*map(chr, range(0x1D400, 0x1D800)), "ℎ")  # letters and digits as word processors write formulas: 𝑇, 𝜃, 𝟏
+COMMANDS |= dict.fromkeys(_UNSEEN, "")
+COMMANDS |= {
+    styled: COMMANDS.get(letter, letter)
+    for styled in _STYLED
+    if (letter := unicodedata.normalize("NFKC", styled)) != styled
+}
 _SIGNS = re.compile("[" + "".join(COMMANDS) + "]")
+_BEHIND_A_COMMAND = re.compile(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
 
 
 def normalise_unicode(text: str) -> str:
     """Write the Unicode signs of mathematics as their LaTeX commands."""
-    return _SIGNS.sub(lambda found: COMMANDS[found.group()], text) if not text.isascii() else text
+    if text.isascii():
+        return text
+    apart = {found.start() for found in _BEHIND_A_COMMAND.finditer(text)}
+    return _SIGNS.sub(lambda found: _written(found.group(), found.start() in apart), text)
+
+
+def _written(character: str, is_apart: bool) -> str:
+    command = COMMANDS.get(character, character)
+    return f" {command}" if is_apart and command != character and not command.startswith("\\") else command
 
 
 def original_offset(text: str, offset: int) -> int:
     """Return the place in `text` of a place in its normalised form."""
+    apart = {found.start() for found in _BEHIND_A_COMMAND.finditer(text)}
     position = 0
     for index, character in enumerate(text):
         if position >= offset:
             return index
-        position += len(COMMANDS.get(character, character))
+        position += len(_written(character, index in apart))
     return len(text)

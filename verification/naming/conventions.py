@@ -40,6 +40,11 @@ def is_usual(name: n.Name) -> bool:
     return (name.base in USUAL and name.sub not in PERHAPS_END) or "to" in name.sub or _is_entry(name)
 
 
+def reads_as_length(letter: str) -> bool:
+    """Whether a letter that nothing binds is a length by its look, and so positive: l, l_1, a_2, d_i, a radius r or ρ."""
+    return letter[:1] in ("l", "L") or letter[:2] in ("a_", "d_") or letter in ("r", "rho")
+
+
 def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:
     """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
     if name.primes or (name.pre_sub and name.sub):

@@ -173,7 +173,8 @@ def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
         pair = (node.sup, node.sub) if transforms == "upper" else (node.sub, node.sup)
     else:
         pair = ("i-1", node.sub) if not node.sup and not node.pre_sup else ("", "")
-    return {("i-1", "i"): False, ("i", "i-1"): True}.get(pair)
+    i = next((letter for letter in "jkn" if f"{letter}-1" in pair), "i")  # an A_n alone may be the last link's
+    return {(f"{i}-1", i): False, (i, f"{i}-1"): True}.get(pair)
 
 
 def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:

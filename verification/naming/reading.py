@@ -16,6 +16,7 @@ from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.latex.reader import Reader, key_as_latex
 from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import read_quantity
@@ -76,11 +77,12 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
 
 def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     """Return how a document spells: φ and ϕ are two letters where it uses both, a decimal comma is French or used before."""
-    text = "\n".join(display.latex for display in document.displays)
-    found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", text))
+    raw = "\n".join(display.latex for display in document.displays)
+    text = normalise_unicode(raw)
+    found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", raw))
     bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
     apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
-    texts = [each for display in document.displays for each in (display.latex, *display.said)]
+    texts = [normalise_unicode(each) for display in document.displays for each in (display.latex, *display.said)]
     said = "\n".join(texts)
     letters = (r"theta", r"(?<![A-Za-z])q", r"(?<![A-Za-z])[cCsS]")
     of_theta, of_q, of_cosine = (set(re.findall(rf"{letter}\s*_\s*\{{?\s*(\d)", said)) for letter in letters)

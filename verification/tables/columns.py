@@ -132,7 +132,7 @@ def read_header(text: str) -> Header:
         spelt = spelt[: found.start()].strip()
     elif found := _BARE_DEGREES.search(spelt):
         unit, spelt = "deg", spelt[: found.start()].strip()
-    bare = re.sub(r"[{}]", "", spelt).strip()
+    bare = re.sub(r"(?<!\w)\*(\w+)\*(?!\w)", r"\1", re.sub(r"[{}]", "", spelt)).strip()  # Link *i*
     if _LABEL.fullmatch(bare.lower() if len(bare) > 3 else bare) or _LABEL.fullmatch(spelt):
         return Header(text, "label", "", unit)
     rest = re.sub(r"\^\s*(?:\*|ast|star)|\*|\(t\)", "", bare)

@@ -513,3 +513,14 @@ def test_a_traced_entry_has_its_value_in_the_ring() -> None:
     entry = {((c, 3), (a, 2)): Fraction(2), ((("sqrt", "2"), 1),): Fraction(1, 3), (): Fraction(-1)}
     assert (x.ring.from_entry(entry) - x.c1**3 * x.a**2 * 2 - x.sqrt(2) / 3 + 1).is_zero()
     assert x.ring.from_entry({}).is_zero()
+
+
+@pytest.mark.parametrize("others", range(26, 33))
+def test_a_root_is_taken_while_the_ring_outgrows_its_first_context(others: int) -> None:
+    ring = Ring()
+    value = ring.symbol("x") * 6 + ring.symbol("y") * 6
+    for k in range(others):
+        ring.symbol(f"k_{k}")
+    root = sqrt(value)
+    assert (root * root - value).is_zero()
+    assert not (root - value).is_zero()

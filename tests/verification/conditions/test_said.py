@@ -32,3 +32,19 @@ def test_a_letter_of_the_text_has_its_meaning(said: str, display: str, verdict: 
 def test_a_display_gives_a_letter_of_the_text_another_meaning() -> None:
     lines = ["$k = l_1 c_1$", "$$ k = l_1 s_1 $$", "$$ y = k + l_2 s_{12} $$", "$$ x = k + l_2 c_{12} $$"]
     assert verdicts_of(*lines) == ["defined", "proved", "refuted"]
+
+
+@pytest.mark.parametrize(("sign", "verdict"), [("+", "proved"), ("-", "refuted")])
+def test_the_text_behind_displays_tells_their_letters(sign: str, verdict: str) -> None:
+    lines = ["$$ x = \\rho c_1 - \\sigma s_1 $$", "", f"$$ y = \\rho s_1 {sign} \\sigma c_1 $$", "", "where $\\rho = l_1 + l_2 c_2$ and $\\sigma = l_2 s_2$."]  # fmt: skip
+    assert verdicts_of(*lines) == ["proved", verdict]
+
+
+def test_what_stands_under_another_heading_tells_nothing_of_the_displays_above() -> None:
+    lines = ["$$ x = \\rho c_1 $$", "## Next", "where $\\rho = l_1 + l_2 c_{12}$", "$$ p_1 = \\rho $$"]
+    assert verdicts_of(*lines)[0] == "unchecked"
+
+
+def test_a_letter_that_the_display_gives_a_meaning_has_that() -> None:
+    lines = ["$$ \\rho = l_1 s_1 \\\\ y = \\rho + l_2 s_{12} $$", "where $\\rho = l_1 c_1$"]
+    assert verdicts_of(*lines) == ["proved"]

@@ -99,6 +99,13 @@ def test_a_table_is_corrected_in_its_cell(tmp_path: Path) -> None:
     assert not copy.remaining
 
 
+def test_a_table_without_bars_at_its_edges_is_corrected_in_its_first_cell(tmp_path: Path) -> None:
+    rows = "a | alpha | d | theta | i\n--|--|--|--|--\nl_1 | 0 | 0 | \\theta_1 | 1\nl_1 | 0 | 0 | \\theta_2 | 2\n"
+    copy = correct_text(tmp_path / "page.md", f"{FRONT}\n{rows}")
+    assert copy.after == f"{FRONT}\n{'$l_2$'.join(rows.rsplit('l_1', 1))}"
+    assert not copy.remaining
+
+
 def test_what_builds_on_a_corrected_display_is_corrected_too(tmp_path: Path) -> None:
     text = f"{FRONT}\n$$ {WRONG} $$\n\n$$ \\det J_v = l_1 l_1 S_2 $$\n\n$$ J_v^T = \\begin{{bmatrix}} 1 & 0 \\\\ 0 & 1 \\end{{bmatrix}} $$\n"
     copy = correct_text(tmp_path / "page.md", text)

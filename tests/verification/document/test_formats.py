@@ -211,11 +211,11 @@ def test_an_environment_that_is_never_closed_is_unreadable_at_its_line(text: str
 
 def test_a_macro_stands_for_its_body() -> None:
     macros = r"\newcommand*{\cs}[1]{\cos\theta_{#1}}\newcommand\s[2][1]{s_{#1#2}}\def\l#1{l_#1}\DeclareMathOperator{\rk}{rank}"
-    text = macros + "\n" + r"\[ \l1 \cs{1} + \cs{12} x + \s{2} + \s[3]{4} = \rk J \]"
+    text = macros + "\n" + r"\[ \l1 \cs{1} + \cs{12} x + \s{2} + \s[3]{4} + \cs2c_1 = \rk J \]"
     [display] = parse_document(Path("page.tex"), text).displays
     assert (
         re.sub(r"\s+", " ", display.latex).strip()
-        == r"l_1 \cos\theta_{1} + \cos\theta_{12} x + s_{12} + s_{34} = \operatorname{rank}J"
+        == r"l_1 \cos\theta_{1} + \cos\theta_{12} x + s_{12} + s_{34} + \cos\theta_{2}c_1 = \operatorname{rank}J"
     )
 
 

@@ -30,6 +30,7 @@ def verdicts(check: Callable[..., DocumentResult], *displays: str, **front: obje
         (r"\frac{1}{3} = 0.3", r"\frac{1}{3} = 0.4"),
         (r"\arctan 2 = 63.43^\circ", r"\arctan 2 = 63.53^\circ"),
         (r"45^\circ = 0.79", r"45^\circ = 0.80"),
+        (r"\frac{2499995}{10000000} = 0.2", r"\frac{2500005}{10000000} = 0.2"),  # and no hair more
         (r"\sqrt{1.5^2 + 0.054^2} = 1.501", r"\sqrt{1.5^2 + 0.054^2} = 1.502"),
     ],
 )

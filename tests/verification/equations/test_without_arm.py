@@ -26,6 +26,8 @@ from armproof.verification.verdict import DocumentResult
         (["(a+b)^2 = a^2 + b^2"], "refuted"),
         (["a b = b c"], "unchecked"),
         (["F = m a"], "unchecked"),
+        (["lcosa = l\\cos a"], "proved"),  # a function is spelt within
+        (["lcosa = l\\sin a"], "refuted"),
         (["a + b = 0"], "unchecked"),
         ([r"R_z(\theta) = \begin{bmatrix}\cos\theta & -\sin\theta & 0\\ \sin\theta & \cos\theta & 0\\0&0&1\end{bmatrix}"], "proved"),
         ([r"R_z(\theta) = \begin{bmatrix}\cos\theta & \sin\theta & 0\\ \sin\theta & \cos\theta & 0\\0&0&1\end{bmatrix}"], "refuted"),
@@ -57,7 +59,7 @@ from armproof.verification.verdict import DocumentResult
         ([r"\cos^2 a + \sin^2 a = 1 = 2"], "unchecked"),
         ([r"\tan a = \frac{\sin a}{\cos a}"], "proved"),
         ([r"\tan a = \frac{\cos a}{\sin a}"], "refuted"),
-        (["{}^0T_2 = {}^0T_1 {}^1T_2"], "unchecked"),
+        (["{}^0T_2 = {}^0T_1 {}^1T_2"], "proved"),
         (["{}^0T_2 = {}^1T_2 {}^0T_1"], "unchecked"),
         ([r"u = \sqrt{a^2+b^2}", "u^2 = a^2 - b^2", "u^2 = a^2 + b^2"], "defined refuted proved"),
     ],

@@ -234,3 +234,11 @@ def test_functions_of_a_module_of_ones_own_are_traced(tmp_path: Path, monkeypatc
     traced = trace_function(lambda q: [mine.reach(q[0] + q[1])], call)
     assert value(traced[0], {"a": 0.2, "b": 0.5}) == pytest.approx(0.3 * math.cos(0.7))
     assert vars(mine) == before
+
+
+def test_a_number_and_an_array_make_an_array() -> None:
+    x = TracedNumber("symbol", ("x",))
+    for made in (x * array([1.0, 2.0]), array([1.0, 2.0]) * x, x - array([1.0, 2.0])):
+        assert isinstance(made, np.ndarray) and made.shape == (2,)
+    with pytest.raises(TypeError):
+        x + "1"

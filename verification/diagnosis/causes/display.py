@@ -47,7 +47,7 @@ def _quantity(checker: ChainChecker, outcome: Outcome) -> Quantity | None:
     if outcome.pair is None or outcome.true is None or outcome.sampled_only:
         return None
     quantity = checker.quantity_of(outcome.true.node)
-    if quantity is None or not kind_of(quantity).matrix or quantity.scalar:
+    if quantity is None or quantity.scalar or not (kind_of(quantity).matrix or quantity.kind == "difference"):
         return None
     rows = outcome.pair.true_rows
     return quantity if rows is None else replace(quantity, rows=tuple(row + 1 for row in rows))

@@ -84,7 +84,8 @@ def find_other(case: Case) -> Explanation:
 
 def find_slip(case: Case, best: Explanation) -> Explanation:
     """Return the slip in the making of the right matrix, where it explains the result better than what was found."""
-    if _has_no_cause(case) or best.is_whole:
+    in_entries = case.is_printed and case.quantity.kind == "difference"  # there a slip is told where it stands
+    if _has_no_cause(case) or best.is_whole or in_entries:
         return best
     if not case.fits:
         return best.or_better(case.explained_by(jacobian_slips(case)))

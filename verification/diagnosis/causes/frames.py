@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import permutations
 
 import numpy as np
 
@@ -26,6 +27,8 @@ def other_poses(case: Case) -> Iterator[Candidate]:
         yield from _other_frames(case)
     if quantity.kind == "axis":
         yield from _other_axes(case)
+    if quantity.kind == "difference":
+        yield from _other_differences(case)
 
 
 def _inverted(case: Case, kind: Kind) -> Iterator[Candidate]:
@@ -46,6 +49,16 @@ def _other_frames(case: Case) -> Iterator[Candidate]:
             kind = Kind.POSE_IN_OTHER_FRAME if is_pose else Kind.IN_OTHER_FRAME
             finding = say(kind, other=frame, reference=quantity.reference)
             yield finding, case.selected(case.kinematics.pose(quantity.frame, frame))
+
+
+def _other_differences(case: Case) -> Iterator[Candidate]:
+    quantity = case.quantity
+    for start, frame in permutations(case.arm.frames, 2):
+        # with one end right, a term is missing; the other way round is the sign of the whole
+        if start != quantity.start and frame != quantity.frame and (start, frame) != (quantity.frame, quantity.start):
+            p, p_start = (case.kinematics.pose(each, quantity.reference)[:, :3, 3:] for each in (frame, start))
+            terms = {"other_start": start, "other": frame, "start": quantity.start, "frame": quantity.frame}
+            yield say(Kind.OTHER_DIFFERENCE, **terms), p - p_start
 
 
 def _other_axes(case: Case) -> Iterator[Candidate]:

@@ -29,6 +29,7 @@ class Candidate:
         frames: the names of all frames, where rows are fixed.
         quantities: names of the document that are usually something else.
         products: where matrices stand that a product shows factor by factor: all of such a display is data.
+        several_tools: whether the table shows more end effectors than the one of the last row.
     """
 
     source: str
@@ -42,6 +43,7 @@ class Candidate:
     frames: tuple[str, ...] = ()
     quantities: Mapping[str, Any] = field(default_factory=dict)
     products: tuple[tuple[int | None, int], ...] = ()
+    several_tools: bool = False
 
     @property
     def lines(self) -> frozenset[tuple[int | None, int]]:

@@ -84,7 +84,7 @@ def _given(chain: n.Chain) -> Iterator[tuple[str, n.Node]]:
 def _column(name: n.Node, printed: n.Node) -> tuple[n.Node, ...]:
     """Return the coordinates in a matrix that a name of the tool's position or pose, or a column of x, y and z, is equated to."""
     rows = printed.rows if isinstance(printed, n.Matrix) else ()
-    if len(rows) == len(rows[0] if rows else ()) == 4 and isinstance(name, n.Name) and _is_pose_of_tool(name):
+    if [len(row) for row in rows] == [4] * 4 and isinstance(name, n.Name) and _is_pose_of_tool(name):
         return tuple(row[3] for row in rows[:3])
     if len(rows) not in (2, 3) or any(len(row) != 1 for row in rows):
         return ()

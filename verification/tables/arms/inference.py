@@ -11,6 +11,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.document import Document, Table
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.findings import Finding, Kind, finding_of, say
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
@@ -42,7 +43,9 @@ def infer_arm(document: Document) -> Inference:
         found = candidate_of_matrices(document, plain_names(document))
     except EvaluationError as error:
         problem = finding_of(error)
-        return of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms["line"])
+        return (
+            of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
+        )
     if found is None and of_table.problem is None:
         found = candidate_of_closed_form(document, plain_names(document))
     settled = _settle(document, [found]) if found is not None else of_table
@@ -119,7 +122,13 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
 
 def _joints_used(document: Document) -> set[int]:
     """Return the indices of joint variables in a document's displays, as in θ_3 or c_{23}."""
-    found = (digit for d in document.displays if not d.erratum for part in _INDEXED.findall(d.latex) for digit in part)
+    found = (
+        digit
+        for d in document.displays
+        if not d.erratum
+        for part in _INDEXED.findall(normalise_unicode(d.latex))
+        for digit in part
+    )
     return set(map(int, found))
 
 
@@ -152,5 +161,6 @@ def _taken(document: Document, candidate: Candidate, reading: Reading) -> Infere
         candidate.cell,
         candidate.lines,
         frozenset(candidate.products),
+        candidate.several_tools,
     )
     return Inference(replace(document, front=dict(reading.front)), arm)

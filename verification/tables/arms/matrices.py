@@ -10,10 +10,13 @@ from itertools import permutations
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
+from armproof.verification.equations.misreadings import ELEMENTARY
+from armproof.verification.equations.readings import side_by_side
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
@@ -24,6 +27,7 @@ from armproof.verification.tables.row import PARAMETERS, equal, right_row
 
 _TRANSFORMS = "TAHM"
 _JOINTS = re.compile(r"(?:theta|q|phi)_?\w*")  # names of angles that move
+_WRITTEN = re.compile(r"matri|array|R|T|𝑅|𝑇")  # a matrix, or Rot and Trans in one of their spellings
 SECONDS = 0.5  # for all link matrices of a document
 
 
@@ -94,9 +98,10 @@ def _between(links: Mapping[int, _Link], fixed: Mapping[int, _Link]) -> Iterator
 
 def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[_Link]:
     for display in document.displays:
-        if "matri" in display.latex or "array" in display.latex:
+        if _WRITTEN.search(display.latex):
             for chain in equations_of(display, names):
-                yield from _link_of(chain, names, algebra, display)
+                for part in side_by_side(chain) or (chain,):
+                    yield from _link_of(part, names, algebra, display)
 
 
 def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Display) -> Iterator[_Link]:
@@ -109,16 +114,22 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
 
 
 def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
-    """Yield names with their printed matrices: A_1 = […], and factor by factor, T_0^1 T_1^2 = […] […]."""
+    """Yield names with what is printed for them: A_1 = […], R_z(θ_1) Trans(0, 0, d_1) or […] […]; T_0^1 T_1^2 = […] […]."""
     members = [unapplied(member) for member in chain.members]
     named = [member for member in members if _index(member) is not None]
-    matrices = [member for member in members if isinstance(member, n.Matrix)]
-    if matrices and len({_index(name) for name in named}) == 1:
-        yield named[0], matrices[0], False
+    written = [member for member in members if _is_written(member)]
+    if written and len({_index(name) for name in named}) == 1:
+        yield named[0], min(written, key=lambda one: not isinstance(one, n.Matrix)), False
     products = [tuple(map(unapplied, member.factors)) for member in members if isinstance(member, n.Product)]
     for names, values in permutations(products, 2):
         if len(names) == len(values) and all(isinstance(value, n.Matrix) for value in values):
             yield from ((name, value, True) for name, value in zip(names, values, strict=True))
+
+
+def _is_written(node: n.Node) -> bool:
+    """Whether a matrix, or an elementary one, or a product of such is written out, and no other name stands for it."""
+    factors = map(bare, node.factors) if isinstance(node, n.Product) else (node,)
+    return all(isinstance(f, n.Matrix) or (isinstance(f, n.Call) and f.function in ELEMENTARY) for f in factors)
 
 
 def _index(node: n.Node) -> int | None:

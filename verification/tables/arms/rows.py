@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.ring import Ring, Scalar
@@ -15,7 +15,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import letter_of, symbols_of, to_radians
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
-from armproof.verification.tables.arms.frame_names import frame_names, is_tool
+from armproof.verification.tables.arms.frame_names import end_effectors, frame_names, is_tool
 from armproof.verification.tables.cells import Cell, read_cell, read_kind
 from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
@@ -44,6 +44,7 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
     if not in_metres:
         columns = replace(columns, headers=tuple(replace(each, unit=_of_angle(each.unit)) for each in columns.headers))
     rows = [_read_row(names, table, columns, number, in_metres) for number in range(1, len(table.rows) + 1)]
+    labels = [row.label for row in rows]
     letters = [node for row in rows for cell in row.cells.values() for node in _names_in(cell) if node.key != "pi"]
     keys = {node.key for node in letters}
     if _is_general(keys):
@@ -51,15 +52,27 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
     bound = replace(names, symbols={**names.symbols, **{key: key for key in keys}})
     for reading in columns.readings(("",)):
         made = [_entries(bound, columns, reading, row) for row in rows]
+        ends = end_effectors(labels, [joint for _, joint in made])
+        made = made[: ends[0] + 1] if ends is not None else made
         joints = tuple(symbol_of(joint) if joint else "" for _, joint in made)
         entries = tuple(row for row, _ in made)
         in_line = all(row["a"] == row["alpha"] == "0" for row in entries)  # one arm in both conventions
         conventions = CONVENTIONS[:1] if in_line else CONVENTIONS
-        found = Candidate("table", table.line, table.cell, entries, joints, renamed(letters), conventions)
+        found = Candidate(
+            "table", table.line, table.cell, entries, joints, renamed(letters), conventions, several_tools=bool(ends)
+        )
         if not any(joints):
             raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=1))
-        named = frame_names([row.label for row in rows], [not joint for joint in joints]) if "" in joints else [()]
-        yield from (replace(found, frames=frames) for frames in named)
+        yield from (replace(found, frames=frames) for frames in _frames(labels, joints, ends))
+
+
+def _frames(labels: Sequence[str], joints: Sequence[str], ends: tuple[int, str] | None) -> Iterator[tuple[str, ...]]:
+    """Yield the names that the frames may have; none where each row has its joint and leads to the frame of its number."""
+    fixed = [not joint for joint in joints]
+    if ends is not None:
+        yield from ((*frames, ends[1]) for frames in frame_names(labels[: ends[0]], fixed[: ends[0]]))
+    else:
+        yield from frame_names(labels, fixed) if any(fixed) else [()]
 
 
 def _of_angle(unit: str) -> str:

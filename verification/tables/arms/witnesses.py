@@ -16,6 +16,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.readings import side_by_side
 from armproof.verification.errors import NotSampled
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
@@ -66,7 +67,7 @@ class _Trial:
         names = read_names(arm, front)
         names.reader.spelling = spelling_of(document, names.reader.words)
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), _no_samples)
-        self.checker.confirm = False
+        self.checker.confirm, self.checker.route.weighs = False, True
         self.held = self.failed = self.entries = 0
 
     def take(self, latex: str, line: int) -> None:
@@ -79,7 +80,10 @@ class _Trial:
                     self._take_chain(chain, line)
 
     def _take_chain(self, chain: n.Chain, line: int) -> None:
-        for outcome in self.checker.check(chain, 1, line):
+        outcomes = self.checker.check(chain, 1, line, define=not (parts := side_by_side(chain)))
+        if parts and not all(outcome.verdict is Verdict.PROVED for outcome in outcomes):
+            outcomes = [outcome for part in parts for outcome in self.checker.check(part, 1, line)]
+        for outcome in outcomes:
             tells = bool(links_of(outcome, self.checker.members))
             self.held += tells and outcome.verdict is Verdict.PROVED
             self.failed += tells and outcome.verdict is Verdict.REFUTED

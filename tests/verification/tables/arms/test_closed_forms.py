@@ -137,3 +137,8 @@ def test_a_point_or_a_pose_of_the_tool_shows_its_coordinates(shown: str) -> None
 
 def test_a_row_of_another_pair_of_letters_shows_no_tool() -> None:
     assert verify_text(f"$$ [u; v] = {COLUMN} $$ \n\n$$ T_1^0 = {POSE} $$").arms == ()
+
+
+def test_a_pose_with_a_row_too_short_shows_no_coordinates() -> None:
+    pose = r"$$ T_2^0 = \begin{bmatrix} n_x & o_x & a_x & p_x \\ n_y & o_y & a_y \\ n_z & o_z & a_z & p_z \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    assert verdicts(pose + "\n\n" + PLANAR + JACOBIAN.replace("LAST", "l_2 c_{12}"))[1:] == ["proved"] * 3

@@ -88,3 +88,41 @@ def test_a_transform_to_a_tool_that_the_arm_has_not_is_no_identity() -> None:
         "unchecked",
         "refuted",
     )
+
+
+BESIDE = [("2→G", "2→E"), ("E1", "E2"), ("EE", "EE"), ("2e1 (nozzle)", "2e2 (gripper)"), ("tool 1", "tool 2")]
+
+
+def two_tools(labels: tuple[str, str], theta: str = "0") -> str:
+    ends = [f"| {label} | $b_{k}$ | 0 | 0 | {theta} |\n" for k, label in enumerate(labels, start=1)]
+    return HEAD.replace("Link", "Link *i*") + ROWS + "".join(ends) + "\n"
+
+
+@pytest.mark.parametrize("labels", BESIDE)
+def test_of_two_end_effectors_the_arm_has_the_first_and_the_second_follows_no_other(labels: tuple[str, str]) -> None:
+    table = two_tools(labels)
+    assert verdict(table + TWO) == "proved"
+    assert verdict(table + TWO + TWO.replace("l_2 s_{12}", "l_2 c_{12}")) == "refuted"
+    assert "b_2" not in verify_text(table + TWO).arms[0].front_matter
+
+
+def test_end_effectors_at_a_joint_of_their_own_share_it() -> None:
+    table = two_tools(("3e1", "3e2"), "$\\theta_3$")
+    tool = "$$ {}^0p_{e1} = \\begin{bmatrix} l_1 c_1 + l_2 c_{12} + b_1 c_{123} \\\\ l_1 s_1 + l_2 s_{12} + b_1 s_{123} \\\\ 0 \\end{bmatrix} $$\n"
+    assert verdict(table + TWO + tool) == "proved"
+    assert verdict(table + TWO + tool.replace("b_1 s_{123}", "b_1 s_{12}")) in ("refuted", "unchecked")
+
+
+@pytest.mark.parametrize(
+    "wrong", ["p = " + COLUMN("l_1 c_1 + l_2 c_{12}", "l_1 s_1 - l_2 s_{12}", "0"), "\\det J_v = l_1 l_2 c_2"]
+)
+def test_what_does_not_say_of_which_end_effector_it_is_is_not_refuted(wrong: str) -> None:
+    assert verdict(HEAD + ROWS + "\n" + TWO + f"$$ {wrong} $$\n") == "refuted"
+    result = verify_text(two_tools(("E1", "E2")) + TWO + f"$$ {wrong} $$\n")
+    assert result.equations[-1].verdict == "unchecked"
+    assert "shows several end effectors" in result.equations[-1].message
+
+
+def test_tools_one_behind_the_other_are_steps_of_one_arm() -> None:
+    table = HEAD + ROWS + "| 2→F | $b_1$ | 0 | 0 | 0 |\n| F→E | $b_2$ | 0 | 0 | 0 |\n\n"
+    assert "b_2" in verify_text(table + TWO).arms[0].front_matter

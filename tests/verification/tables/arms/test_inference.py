@@ -246,3 +246,8 @@ def test_a_column_of_offsets_leaves_the_variable_out() -> None:
     right = verify_text(table + last)
     assert right.arms[0].source == "table" and verdicts(right) == ["proved", "proved"]
     assert "proved" not in verdicts(verify_text(table + last.replace("q_2 -", "q_2 +")))
+
+
+def test_an_equation_of_defined_names_is_evidence_for_an_arm() -> None:
+    displays = "$$ k = l_1 c_1 $$\n\n$$ x = k + l_2 c_{12} $$\n"
+    assert [arm.convention for arm in verify_text(PLAIN + "\n" + displays).arms] == ["classic"]

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from armproof import verify_text
+from armproof.verification.document import parse_document
+from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Role
 from tests.verification.tables.arms.test_inference import (
     CLASSIC,
@@ -19,6 +23,14 @@ from tests.verification.tables.arms.test_inference import (
 )
 
 JACOBIAN = "$$ J_v = \\begin{bmatrix} -l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\\\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \\end{bmatrix} $$\n"
+
+
+def turn(k: str) -> str:
+    return rf"\begin{{bmatrix}} c_{k} & -s_{k} & 0 & 0 \\ s_{k} & c_{k} & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{{bmatrix}}"
+
+
+def shift(x: str) -> str:
+    return rf"\begin{{bmatrix}} 1 & 0 & 0 & {x} \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{{bmatrix}}"
 
 
 def roles(result: DocumentResult) -> list[Role]:
@@ -169,3 +181,63 @@ def test_matrices_that_a_table_repeats_are_shown_twice() -> None:
     table = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | $l_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | %s | 0 | 0 | $\\theta_2$ |\n\n"
     links = link(1, "T_{01}") + link(2, "T_{12}")
     assert set(verdicts(verify_text(table % "$l_2$" + links))) <= {"proved", "defined"}
+
+
+@pytest.mark.parametrize("y", ["l_1 s_1 + l_2 s_{12}", "l_1 s_1 - l_2 s_{12}"])
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        (r"R_z(\theta_1) \operatorname{Trans}(l_1, 0, 0)", r"Rot(z, \theta_2) Trans(x, l_2)"),
+        (" ".join([turn("1"), shift("l_1")]), " ".join([turn("2"), shift("l_2")])),
+        (r"𝑅_𝑧(𝜃_1) 𝑇𝑟𝑎𝑛𝑠(𝑙_1, 0, 0)", r"𝑅_𝑧(𝜃_2) \cdot 𝑇𝑟𝑎𝑛𝑠(𝑙_2, 0, 0)"),
+    ],
+)
+def test_a_link_may_be_shown_by_elementary_steps(first: str, second: str, y: str) -> None:
+    result = verify_text(f"$$ {FIRST} = {first} $$\n\n$$ {SECOND} = {second} $$\n\n" + whole(y=y))
+    assert [arm.source for arm in result.arms] == ["matrices"]
+    assert verdicts(result) == (["defined", "defined", "refuted"] if "-" in y else ["proved"] * 3)
+
+
+def test_the_height_of_the_base_may_be_the_first_link() -> None:
+    base = (
+        r"$$ T_1^0 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & h \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    )
+    links = base + "\n\n" + link(1, "T_2^1") + link(2, "T_3^2")
+    right = links + whole("T_3^0").replace("1 & 0 \\\\ 0 & 0 & 0 & 1", "1 & h \\\\ 0 & 0 & 0 & 1")
+    assert "& h" in right[len(links) :] and verdicts(verify_text(right)) == ["proved"] * 4
+    assert verdicts(verify_text(links + whole("T_3^0")))[3] == "refuted"
+
+
+def test_a_product_that_is_written_the_other_way_round_than_the_links_is_left_open() -> None:
+    links = link(1, "T_1^0") + link(2, "T_2^1")
+    blocks = "$$ T_0^2 = T_0^1 T_1^2 = \\begin{bmatrix} R & P \\\\ 0 & 1 \\end{bmatrix} $$\n"
+    point = "$$ P = \\begin{bmatrix} l_1 c_1 + l_2 c_{12} \\\\ l_1 s_1 + l_2 s_{12} \\\\ 0 \\end{bmatrix} $$\n"
+    result = verify_text(links + whole("T_2^0") + blocks + point)
+    assert verdicts(result) == ["proved"] * 3 + ["unchecked", "proved"]
+    assert "holds only if the lower index" in result.equations[3].message
+    assert verdicts(verify_text(links + whole("T_2^0") + blocks + point.replace("+ l_2 s", "- l_2 s")))[4] == "refuted"
+    assert verdicts(verify_text(links + "$$ T_2^0 = T_2^1 T_1^0 $$\n"))[2] == "refuted"
+    assert verdicts(verify_text(links + whole("T_2^0") + "$$ T_0^2 = T_0^1 T_0^1 $$\n"))[3] == "refuted"
+
+
+def test_watching_leaves_open_what_checking_leaves_open() -> None:
+    text = link(1, "T_1^0") + link(2, "T_2^1") + whole("T_2^0") + "$$ T_0^2 = T_0^1 T_1^2 $$\n"
+    checker = IncrementalChecker(Path("sheet.md"))
+    for each in (text, text + "$$ x = l_1 c_1 + l_2 c_{12} $$\n"):
+        list(checker.update(parse_document(Path("sheet.md"), each)))
+        assert checker.result is not None
+        found = [record.verdict.value for record in checker.result.equations]
+        assert found == verdicts(verify_text(each)) and found[3] == "unchecked"
+
+
+def test_links_may_stand_side_by_side_in_one_display() -> None:
+    both = link(1, FIRST).strip().strip("$") + link(2, SECOND).strip().strip("$")
+    assert verdicts(verify_text(f"$$ {both} $$\n\n" + whole())) == ["proved"] * 2
+    assert verdicts(verify_text(f"$$ {both} $$\n\n" + whole(y="l_1 s_1 - l_2 s_{12}"))) == ["defined", "refuted"]
+
+
+def test_a_link_of_a_length_that_nobody_can_name_gives_no_arm() -> None:
+    first = turn("1").replace("1 & 0 \\\\ 0 & 0 & 0 & 1", r"1 & d_1 _+ d_2 \\ 0 & 0 & 0 & 1")
+    second = turn("2").replace("0 & 0 & 1 & 0", "0 & 0 & 1 & l_2")
+    assert "_+" in first
+    assert not verify_text(rf"$$ {{}}^0T_1 = {first} \qquad {{}}^1T_2 = {second} $$").arms

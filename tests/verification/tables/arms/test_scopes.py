@@ -56,6 +56,13 @@ def test_other_link_matrices_under_another_heading_are_another_arm() -> None:
     assert verdicts(wrong) == ["proved"] * 3 + ["defined"] * 2 + ["refuted"]
 
 
+def test_headings_of_html_part_a_document_as_others_do() -> None:
+    result = verify_text("<h2>A</h2>\n\n" + CLASSIC + "<h2 id='b'><b>B</b></h2>\n\n" + OF_CRAIG)
+    assert [arm.convention for arm in result.arms] == ["classic", "modified"] and verdicts(result) == ["proved"] * 6
+    wrong = verify_text("<h2>A</h2>\n\n" + CLASSIC + "<h2>B</h2>\n\n" + OF_CRAIG.replace("l_2 s_1", "l_2 c_1"))
+    assert verdicts(wrong)[-1] == "refuted"
+
+
 def test_link_matrices_of_another_exercise_are_not_refuted_by_the_table_of_the_first() -> None:
     result = verify_text("# A\n\n" + PLAIN + "\n" + CLASSIC + "# B\n\n" + OF_CRAIG)
     assert [arm.source for arm in result.arms] == ["table", "matrices"] and verdicts(result) == ["proved"] * 6

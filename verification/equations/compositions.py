@@ -1,0 +1,128 @@
+"""The law by which transforms compose, {}^0T_2 = {}^0T_1 {}^1T_2: it holds of any frames, by the indices alone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+
+_TRANSFORMS = "TAHR"
+_INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijkn]))(?:(?P<sign>[+-])(?P<step>\d))?")
+_ENDS = {
+    "B": -1,
+    "b": -1,
+    "base": -1,
+    "G": 2000,
+    "E": 2000,
+    "e": 2000,
+    "EE": 2000,
+    "ee": 2000,
+    "tool": 2000,
+    "TCP": 2000,
+}
+
+
+@dataclass(frozen=True)
+class _Step:
+    """From which frame a factor leads to which; `open` where unwritten factors, …, stand before it."""
+
+    start: str
+    end: str
+    open: bool = False
+
+
+def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
+    """Whether both sides of each equation lead from one frame to the same other, index by index.
+
+    With one script above and one below, T_2^0 = T_1^0 T_2^1, the reference is that under which all names lead outwards. Where
+    an arm has those frames, it is for the document to tell, and not for this law.
+    """
+    if len(chain.members) < 2 or set(chain.relations) != {"="} or _are_frames(chain, frames):
+        return False
+    for reference in ("upper", "lower"):
+        ends = [_ends(member, reference) for member in chain.members]
+        if None not in ends and len(set(ends)) == 1 and any(isinstance(bare(m), n.Product) for m in chain.members):
+            return True
+    return False
+
+
+def _are_frames(chain: n.Chain, frames: Collection[str]) -> bool:
+    """Whether all names with one script above and one below are of frames that an arm has."""
+    below = (each for member in chain.members for each in n.walk(member))
+    scripts = [script for each in below if isinstance(each, n.Name) and each.sup for script in (each.sup, each.sub)]
+    return bool(scripts) and all(script in frames for script in scripts)
+
+
+def _ends(node: n.Node, reference: str) -> tuple[str, str] | None:
+    """Return from which frame a product of transforms leads to which, None where its indices do not cancel."""
+    node = bare(node)
+    factors: Sequence[n.Node] = node.factors if isinstance(node, n.Product) else (node,)
+    steps = [*_steps(factors, reference)]
+    if None in steps or not steps:
+        return None
+    found = [step for step in steps if step is not None]
+    cancels = all(_follows(*pair) if pair[1].open else pair[0].end == pair[1].start for pair in pairwise(found))
+    return (found[0].start, found[-1].end) if cancels and not found[0].open else None
+
+
+def _steps(factors: Sequence[n.Node], reference: str) -> Iterator[_Step | None]:
+    is_open = False
+    for factor in map(bare, factors):
+        if isinstance(factor, n.Dots):
+            is_open = True
+            continue
+        pair = _pair(factor, reference)
+        yield _Step(*pair, is_open) if pair is not None else None
+        is_open = False
+    if is_open:
+        yield None
+
+
+def _follows(one: _Step, other: _Step) -> bool:
+    """Whether factors between two links are those of the links between: T_0^1 T_1^2 … T_{n-1}^n."""
+    ranks = [_rank(index) for index in (one.start, one.end, other.start, other.end)]
+    return ranks[1] == ranks[0] + 1 <= ranks[2] and ranks[3] == ranks[2] + 1
+
+
+def _pair(node: n.Node, reference: str) -> tuple[str, str] | None:
+    """Return (reference, frame) of a transform or its inverse."""
+    if isinstance(node, n.Postfix) and node.operator in ("-1", "T"):
+        inner = bare(node.base)
+        of_rotation = isinstance(inner, n.Name) and inner.base == "R"
+        pair = _pair(inner, reference) if node.operator == "-1" or of_rotation else None
+        return (pair[1], pair[0]) if pair is not None else None
+    if not isinstance(node, n.Name) or node.base not in _TRANSFORMS or node.primes or node.dots:
+        return None
+    if node.pre_sup and not node.sup and bool(node.sub) != bool(node.pre_sub):
+        return node.pre_sup, node.sub or node.pre_sub
+    if node.pre_sup or node.pre_sub:
+        return None
+    if node.sup:
+        pair = (node.sup, node.sub) if reference == "upper" else (node.sub, node.sup)
+    elif (two := re.fullmatch(r"(\d),?(\d)", node.sub)) is not None:
+        pair = two[1], two[2]
+    else:
+        pair = (_before(node.sub), node.sub) if node.base in "AH" and re.fullmatch(r"[1-9in]", node.sub) else ("", "")
+    return pair if _rank(pair[0]) < _rank(pair[1]) < _UNKNOWN else None
+
+
+def _before(index: str) -> str:
+    return str(int(index) - 1) if index.isdigit() else f"{index}-1"
+
+
+_UNKNOWN = 10_000
+
+
+def _rank(index: str) -> int:
+    """Return how far from the base a frame is, by its index: 0 < 1 < i < n-1 < n < E; _UNKNOWN where nothing tells."""
+    if index in _ENDS:
+        return _ENDS[index]
+    found = _INDEX.fullmatch(index)
+    if found is None:
+        return _UNKNOWN
+    first = int(found["digit"]) if found["digit"] else {"i": 100, "j": 200, "k": 300, "n": 1000}[found["letter"]]
+    return first + int(f"{found['sign'] or '+'}{found['step'] or 0}")
