@@ -60,6 +60,7 @@ DECLARED_FOR = {  # extras that a place may need; whoever has not installed them
     "verification/cli/server.py": "lsp",
     "course/feedback/hands_on.py": "lab",
     "course/sources": "lab",
+    "verification/running/cluster.py": "cluster",
     "course/grading": "lab",
     "course/printing": "print",
 }
@@ -75,7 +76,9 @@ def undeclared_imports(place: str, source: str) -> set[str]:
     """Return what a module imports that neither Python has nor pyproject.toml declares for its place."""
     extras = [name for start, name in DECLARED_FOR.items() if place.startswith(start)]
     lines = [*PROJECT["dependencies"], *(line for name in extras for line in PROJECT["optional-dependencies"][name])]
-    declared = {re.split(r"[^\w.-]", line)[0].lower() for line in lines}
+    declared = {
+        name.lower() for line in lines for name in re.findall(r"[\w.-]+", re.split(r"[<>=;]", line)[0])
+    }  # dask[distributed]
     nodes = imports_of(source)
     found = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     found |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and node.level == 0 and node.module}

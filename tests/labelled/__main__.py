@@ -1,6 +1,7 @@
 """Print the labelled displays with our verdicts beside the labels: `python -m tests.labelled`.
 
-Exit code 1 if a verdict is wrong that is not on the list of what is not yet right (not_yet.txt), or one on it is mended.
+Exit code 1 if a verdict is wrong that is not on the list of what is not yet right (not_yet.txt), or one on it is mended, or
+another thing is said of a display than is on record (verdicts.txt).
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from tests.labelled.faults import (
 from tests.labelled.faults import write_not_yet as rewrite
 from tests.labelled.judging import Judged
 from tests.labelled.pages import STRICT, load_pages
+from tests.labelled.record import differences, read_record, write_record
 
 
 def main() -> int:
@@ -33,7 +35,9 @@ def main() -> int:
     parser.add_argument("--totals", action="store_true", help="only the totals")
     parser.add_argument("--about", default="", help="only groups and pages whose name holds this")
     parser.add_argument("--page", default="", help="print a page of that name, the attack and its true twin")
-    parser.add_argument("--update", action="store_true", help="take out of not_yet.txt what is mended")
+    parser.add_argument(
+        "--update", action="store_true", help="take out of not_yet.txt what is mended, and write verdicts.txt anew"
+    )
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes")
     options = parser.parse_args()
     if options.page:
@@ -44,7 +48,7 @@ def main() -> int:
         print_cases(cases, options.faults)
         print_pages([fault for fault in faults_of_pages() if options.about in fault.where])
     print_totals()
-    return compare(faults, options.update)
+    return max(compare(faults, options.update), compare_record(judged_cases(options.jobs), options.update))
 
 
 def print_cases(cases: Sequence[Judged], only_faults: bool) -> None:
@@ -99,6 +103,17 @@ def compare(faults: Sequence[Fault], update: bool) -> int:
     if update and not new:
         rewrite(faults)
     return 1 if new or (gone and not update) else 0
+
+
+def compare_record(judged: Sequence[Judged], update: bool) -> int:
+    """Hold what is said against the record, or write it anew; return the exit code."""
+    found = differences(judged, read_record())
+    print(f"of {len(found)} displays another thing is said than is on record")
+    for line in found:
+        print(f"  {line}")
+    if update:
+        write_record(judged)
+    return 1 if found and not update else 0
 
 
 def print_page(name: str) -> int:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from armproof.verification.check import check_document
 from armproof.verification.document.formats import parse_document
-from armproof.verification.verdict import DocumentResult
+from armproof.verification.verdict import DocumentResult, EquationResult, Record
 from tests.labelled.cases import Case
 
 PAGE = Path("page.md")
@@ -17,11 +17,12 @@ PAGE = Path("page.md")
 
 @dataclass(frozen=True)
 class Judged:
-    """A case, our verdict on its display, and what we say of it."""
+    """A case, our verdict on its display, and what we say of it: in words, and for the record in short."""
 
     case: Case
     verdict: str
     message: str
+    said: str
 
     @property
     def fault(self) -> str:
@@ -39,8 +40,23 @@ def judge(case: Case) -> Judged:
     try:
         record = verify_text(case.text).equations[-1]
     except Exception as error:
-        return Judged(case, "error", f"{type(error).__name__}: {error}")
-    return Judged(case, record.verdict.value, record.message)
+        return Judged(case, "error", f"{type(error).__name__}: {error}", "error")
+    return Judged(case, record.verdict.value, record.message, said_of(record))
+
+
+def said_of(record: Record) -> str:
+    """Return the verdict of a display and its wrong entries; of each equation its role, verdict, kinds of findings and reading."""
+    entries = " ".join(f"({each.row},{each.column})" for each in record.entries if each.row is not None)
+    return " | ".join(filter(None, [record.verdict.value, entries, *map(_said_of_equation, record.outcomes)]))
+
+
+def _said_of_equation(result: EquationResult) -> str:
+    kinds = ", ".join(finding.kind.value for finding in result.findings)
+    return (
+        f"{result.role.value} {result.verdict.value}"
+        + f" [{kinds}]" * bool(kinds)
+        + f" {result.read_as}" * bool(result.read_as)
+    )
 
 
 def judge_all(cases: Iterable[Case], jobs: int = 1) -> list[Judged]:

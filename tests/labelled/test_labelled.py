@@ -6,22 +6,47 @@ Of the displays every other one of each kind and label is judged; `make sweep` a
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
 from tests.labelled.cases import ALLOWED, FALSE_PASS, FALSE_REFUTATION, UNDECIDED, Case, drawn, load_cases
 from tests.labelled.faults import Fault, faults_among, faults_of_pages, mended, read_not_yet, unexpected
-from tests.labelled.judging import judge_all
+from tests.labelled.judging import Judged, judge_all
 from tests.labelled.pages import load_pages
+from tests.labelled.record import differences, is_kept, read_record
 
 DRAWN = drawn(load_cases("displays.yaml"), 2)
 
 
 @cache
+def judged() -> list[Judged]:
+    """Return our verdicts on the displays; the spellings have a file of their own, for another worker."""
+    return judge_all(DRAWN)
+
+
+@cache
 def all_faults() -> tuple[Fault, ...]:
-    """Return those of the displays and pages; the spellings have a file of their own, for another worker."""
-    return (*faults_among(judge_all(DRAWN)), *faults_of_pages())
+    """Return those of the displays and pages."""
+    return (*faults_among(judged()), *faults_of_pages())
+
+
+def test_what_is_said_is_what_is_on_record():
+    found = differences(judged(), read_record())
+    assert not found, "\n".join(["look at each, then write the record anew: python -m tests.labelled --update", *found])
+
+
+def test_a_case_that_left_is_no_more_on_record():
+    assert set(read_record()) == {case.key for case in load_cases() if is_kept(case)}
+
+
+def test_another_reading_and_another_verdict_are_noticed():
+    one = judged()[0]
+    record = {one.case.key: one.said}
+    assert not differences([one], record)
+    assert differences([replace(one, said=f"{one.said} of frame 1")], record)
+    assert differences([one], {})
 
 
 def test_no_verdict_is_wrong_that_is_not_on_the_list():

@@ -54,6 +54,7 @@ HARD = (
     ),
     ("kr210", r"\operatorname{rank} J = 3 \iff \theta_5 = 0"),
     ("kr210", r"\operatorname{rank} J = 3 \iff \det J = 0"),
+    ("kr210", r"n_z = C_6C_{23}(((S_4 + S_6(C_{23}C_4C_5 - S_{23}S_5))^2)^2)^2"),
 )
 
 

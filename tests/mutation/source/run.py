@@ -108,17 +108,18 @@ def put_in_place(file: str, index: int) -> None:
 
 
 def labels_differ() -> bool:
-    """Whether a verdict on a labelled display or page is another than the labels and the list of what is not yet right say."""
+    """Whether what is said of a labelled display or page is not what is on record, or no label allows it."""
     from tests.labelled.cases import load_cases
     from tests.labelled.faults import faults_of_pages, read_not_yet
     from tests.labelled.judging import judge
+    from tests.labelled.record import differences, read_record
 
-    listed = read_not_yet()
+    listed, record = read_not_yet(), read_record()
     cases = list(load_cases())
     Random(1).shuffle(cases)  # another kind of display each time: what is wrong shows early
     for case in cases:
-        fault = judge(case).fault
-        if bool(fault) != (case.key in listed) or fault == "error":
+        judged = judge(case)
+        if bool(judged.fault) != (case.key in listed) or judged.fault == "error" or differences([judged], record):
             return True
     mine = {fault.key for fault in faults_of_pages()}
     return mine != set(listed) - {case.key for case in cases}
