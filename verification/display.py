@@ -174,7 +174,9 @@ class Statements:
         self.names.state.configuration = given  # a premise holds in its implication alone
         outcome, counterexample = judged
         read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
-        display.outcomes.append(replace(outcome, role=Role.CONDITION, uses=self._consulted(), read_as=read_as))
+        sides = tuple(member for chain in implication.chains for member in chain.members)
+        of_all = replace(outcome, role=Role.CONDITION, uses=self._consulted(), read_as=read_as, conditions=sides)
+        display.outcomes.append(of_all)
         display.counterexample.update(counterexample)
         goes_on = _goes_on(display.statements, implication)
         display.links = [*display.links, implication] if goes_on else []

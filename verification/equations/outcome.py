@@ -42,6 +42,7 @@ class Outcome:
     role: Role = Role.CLAIM
     read_as: str = ""
     uses: frozenset[tuple[str, int]] = frozenset()
+    conditions: tuple[n.Node, ...] = ()  # the sides of an implication
 
     def also(self, finding: Finding) -> None:
         """Add a finding to those of the equation."""

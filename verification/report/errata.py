@@ -18,10 +18,12 @@ from armproof.verification.findings.finding import Piece, distinct, pieces
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.report.headings import sentences_of
 from armproof.verification.report.text import ordered_records
-from armproof.verification.verdict import DocumentResult, Record, Verdict
+from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
 
 _ERRATUM = re.compile(r"[>%\s.]*(?:\\\w+\{?)*[*_]*errat(?:um|a)\b[*_}:.\s]*", re.IGNORECASE)
-_NAMED = re.compile(r"((?:(?!\\(?:begin|left|frac)(?![a-z]))[^=&<>\[|]){1,60})=")  # the left side, where it is short
+_NAMED = re.compile(  # each left side that is short, where an equation begins: in x = …, y = … there are two
+    r"(?=(?:^|\\\\|\\q?quad|\\(?:begin|text)\{[^{}]*\}|[,;&])((?:(?!\\(?:begin|left|frac|text|q?quad)(?![a-z])|\\\\)[^=&<>\[|]){1,60})&?=)"
+)
 _FORMULA = re.compile(r"\$([^$]+)\$")
 _SPACING = re.compile(r"(\\\\)\s*\[[^\]]*\]")
 _RESTATES = (Kind.WRONG_ENTRY, Kind.SAME_ERROR)  # what the lines of the sheet say already
@@ -109,9 +111,12 @@ def _one(index: int, mistake: Mistake, notation: Notation) -> str:
 def _said(mistake: Mistake) -> Iterator[Finding]:
     """Yield what is printed and what is right, why, an example, and where it stands again."""
     record = mistake.record
-    if record.entries and (name := _NAMED.match(record.latex)) and name[1].count("{") == name[1].count("}"):
-        yield say(Kind.IN_FORMULA, name=name[1].strip())
+    told_name = ""
     for entry in record.entries:
+        name = _name_of_formula(record.latex, entry)
+        if name and name != told_name:
+            yield say(Kind.IN_FORMULA, name=name)
+        told_name = name
         terms = {"printed": entry.printed, "correct": entry.correct}
         change = entry.finding is not None
         said = say(Kind.PRINTED_BECAUSE, **terms, change=entry.finding) if change else say(Kind.PRINTED_RIGHT, **terms)
@@ -128,6 +133,18 @@ def _said(mistake: Mistake) -> Iterator[Finding]:
         yield say(Kind.FOR_EXAMPLE, values=values)
     if mistake.again:
         yield say(Kind.ALSO_IN, lines=mistake.again)
+
+
+def _name_of_formula(latex: str, entry: WrongEntry) -> str:
+    """Return the left side of the equation in which an entry stands; empty where that is long, or not sure."""
+    end = entry.span[0] if entry.span else len(latex)
+    names = [name for found in _NAMED.finditer(normalise_unicode(latex), 0, end) if _is_whole(name := found[1].strip())]
+    return names[-1] if names and (entry.span or len(names) == 1) else ""
+
+
+def _is_whole(name: str) -> bool:
+    """Whether it is no piece of something in brackets."""
+    return bool(name) and all(name.count(left) == name.count(right) for left, right in ("{}", "()"))
 
 
 def _said_by_source(path: Path, record: Record) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from pathlib import Path
 
 import pytest
@@ -47,6 +48,20 @@ def test_the_sheet_says_where_what_is_printed_what_is_right_and_why(folder: Path
     assert "in the formula of $J_v$" in text
     assert "*slide 4, as printed, $l_1$ lost*" in text
     assert "line 9" not in text  # what is proved is no mistake
+
+
+@pytest.mark.parametrize(
+    ("display", "name"),
+    [
+        (r"x = l_1 C_1 + l_2 C_{12}, \qquad y = l_1 S_1 + l_2 S_2", "y"),
+        (r"\begin{aligned} x &= l_1 C_1 + l_2 C_2 \\ y &= l_1 S_1 + l_2 S_{12} \end{aligned}", "x"),
+        (r"p_2(\theta_1, \theta_2) = \begin{bmatrix} l_1 C_1 + l_2 C_2 \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}",
+         r"p_2(\theta_1, \theta_2)"),
+    ],
+)  # fmt: skip
+def test_the_formula_is_that_of_the_equation_with_the_mistake(tmp_path: Path, display: str, name: str) -> None:
+    (tmp_path / "a.md").write_text(f"{FRONT}$${display}$$\n", encoding="utf-8")
+    assert re.findall(r"in the formula of \$(.*)\$", sheet(tmp_path, "errata.md", 1)) == [name]
 
 
 def test_more_wrong_entries_stand_first(folder: Path) -> None:

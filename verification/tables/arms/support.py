@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.models.exact.trace import trace_of
@@ -11,7 +11,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.document import Document
 from armproof.verification.equations.outcome import HOLDS, Outcome
-from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import EquationResult, Record, Role, TakenArm, Verdict, worst
@@ -36,11 +36,17 @@ def links_of(outcome: Outcome, members: Members, source: str = "") -> frozenset[
     One that is wrong of an angle of the table tells of that row. A closed form leaves open the frames of the arm, and the
     order of joints without numbers.
     """
+    if outcome.conditions:  # where det J = 0 holds of many arms: that confirms none of its links
+        nodes = outcome.conditions if outcome.verdict is Verdict.REFUTED else ()
+        return _links([each for node in nodes for each in _quantities(node, members)], members, source)
     if outcome.verdict is Verdict.REFUTED and (rows := _angle_rows(outcome, members)):
         return rows
-    if outcome.true is None or outcome.printed is None or _quantities(outcome.printed, members):
+    if outcome.true is None or outcome.printed is None or _quantities(outcome.printed.node, members):
         return frozenset()
-    quantities = _quantities(outcome.true, members)
+    return _links(_quantities(outcome.true.node, members), members, source)
+
+
+def _links(quantities: Sequence[Quantity], members: Members, source: str) -> frozenset[int]:
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     return links.union(*(_untold(quantity, members) for quantity in quantities)) if source == "closed form" else links
 
@@ -62,7 +68,7 @@ def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
     """Return the links of the table's angles in an equation that tells of no quantity: θ_2 = q_2 + π/2."""
     arm, names = members.names.arm, members.names
     sides = [side for side in (outcome.true, outcome.printed) if side is not None]
-    if arm is None or any(_quantities(side, members) for side in sides):
+    if arm is None or any(_quantities(side.node, members) for side in sides):
         return frozenset()
     keys = {below.key for side in sides for below in n.walk(side.node) if isinstance(below, n.Name)}
     symbols = {s for key in keys if (s := names.known_symbol(key)) is not None and names.table_row(s, key) is not None}
@@ -99,8 +105,8 @@ def _symbols(value: Matrix) -> set[str]:
     return symbols_in([cell.normal() for cell in value.cells])
 
 
-def _quantities(side: Member, members: Members) -> list[Quantity]:
-    return [quantity for node in n.walk(side.node) if (quantity := members.quantity_of(node)) is not None]
+def _quantities(side: n.Node, members: Members) -> list[Quantity]:
+    return [quantity for node in n.walk(side) if (quantity := members.quantity_of(node)) is not None]
 
 
 def _span(quantity: Quantity, members: Members) -> Iterable[int]:
@@ -206,7 +212,9 @@ class _Settled:
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
             links = self.confirmed  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
-        has_sides = bool(links) or has_entry  # else a shape, or an inverse that this arm's Jacobian does not have
+        has_sides = (
+            bool(links) or has_entry or result.role is Role.CONDITION
+        )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_sure = has_sides and (self.taken.source == "matrices" or links <= self.confirmed)
         if result.verdict is not Verdict.REFUTED or is_sure or record.erratum:
             return result

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NoReturn
 
 from armproof.models.arm import Arm
@@ -77,7 +77,9 @@ class _Trial:
         with suppress(Exception), budget.of(SECONDS):  # a fault of ours must not cost the document its verdicts
             for chain in self.checker.names.reader.read(latex):
                 if isinstance(chain, n.Chain) and chain.relations and set(chain.relations) == {"="}:
-                    self._take_chain(chain, line)
+                    told = [member for member in chain.members if not isinstance(n.bare(member), n.Number)]
+                    if len(told) > 1:  # det J = 0 is a condition, and no evidence
+                        self._take_chain(replace(chain, members=tuple(told), relations=("=",) * (len(told) - 1)), line)
 
     def _take_chain(self, chain: n.Chain, line: int) -> None:
         outcomes = self.checker.check(chain, 1, line, define=not (parts := side_by_side(chain)))

@@ -96,6 +96,22 @@ def test_the_author_breaks_a_tie() -> None:
         assert result.arms[0].convention == convention and result.equations[0].verdict == "unchecked"
 
 
+SINGULAR = "$$ J = \\begin{bmatrix} -l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\\\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \\end{bmatrix} $$\n\n"
+
+
+@pytest.mark.parametrize(
+    ("zeros", "verdict"),
+    [(r"\theta_2 = 0", "refuted"), (r"\theta_2 = 0 \text{ or } \theta_2 = \pi", "proved")],
+)
+def test_a_condition_is_no_evidence_and_is_refuted_where_the_jacobian_confirms_the_arm(
+    zeros: str, verdict: str
+) -> None:
+    condition = f"$$ \\det J = 0 \\iff {zeros} $$\n"
+    alone = verify_text(PLAIN + "\n" + condition)  # det J vanishes everywhere in the other convention
+    assert verdicts(alone) == ["unchecked"]
+    assert verdicts(verify_text(PLAIN + "\n" + SINGULAR + condition)) == ["proved", verdict]
+
+
 def test_the_direction_of_the_indices_is_told_by_what_holds() -> None:
     displays = link(1, "T_0^1") + link(2, "T_1^2") + whole("T_0^2")
     result = verify_text(PLAIN + "\n" + displays)
