@@ -16,11 +16,12 @@ from armproof.verification.conditions.implication import (
     is_condition,
     is_rank_condition,
 )
+from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
-from armproof.verification.equations.inequalities import check_relation, parts_of
+from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import sizes_of_convention, without_misreading
 from armproof.verification.equations.outcome import Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side
@@ -142,7 +143,7 @@ class Statements:
         statements, index = display.statements, display.index
         given = dict(self.names.state.configuration)
         alternative = _is_alternative(statements, index)
-        found = self._chain(chain, display.equation, display.line, display.define and not alternative)
+        found = self._claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
         if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
             self.names.state.configuration = given  # what is concluded is no data
@@ -308,6 +309,18 @@ class Statements:
             return replace(statement, members=(subject, *statement.members[1:]))
         return statement
 
+    def _claim(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Return the outcomes of a chain that is no condition: numbers may be those of the values that the text gives."""
+        self._begin()
+        there = self._at_told_values(chain, equation, line)
+        if any(outcome.verdict in DECIDED for outcome in there):
+            return [replace(outcome, uses=self._consulted()) for outcome in there]
+        outcomes = self._chain(chain, equation, line, define)
+        for outcome in outcomes if there else ():
+            if any(finding.kind is Kind.NUMBERS_OF_NOWHERE for finding in outcome.findings):
+                outcome.findings = there[0].findings
+        return outcomes
+
     def _chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain, each with the definitions that it rests on."""
         self._begin()
@@ -341,6 +354,25 @@ class Statements:
             met = {key for key in self._consulted() if key[0] not in outcome.defines and key != outcome.repeats}
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
         return outcomes
+
+    def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+        """Return what becomes of numbers at the values that the text before gives; [] where there are none.
+
+        What is not decided there leaves no trace. Only numbers right behind the text are refuted there, and few of many.
+        """
+        state = self.names.state
+        speaks = state.told.conditions or state.told_lengths
+        if not speaks or len(chain.members) < 2 or not any(map(is_numbers, chain.members)):
+            return []
+        before = state.copy()
+        state.configuration = self.circumstances.told_values() | state.configuration
+        outcomes = self._read_chain(chain, equation, line, False)
+        wrong = [each for each in outcomes if each.verdict is not Verdict.CONFIRMED]
+        if not wrong or (state.told.line == line and all(map(is_mostly_right, wrong))):
+            state.configuration = before.configuration
+            return outcomes
+        state.become(before)
+        return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]
 
     def _of_own_sums(self, outcome: Outcome, chain: n.Chain) -> Outcome:
         """A θ_{34} that the document says to be θ_3 - θ_4 is what it says: that is no claim, and what then fails is left open."""

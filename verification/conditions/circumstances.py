@@ -19,7 +19,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import conventional, is_usual
-from armproof.verification.naming.state import Told
+from armproof.verification.naming.state import Stated, Told
 from armproof.verification.verdict import Verdict
 
 
@@ -60,7 +60,18 @@ class Circumstances:
                 self._define(chain, line)
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
-        self._begin(names, conditions, in_words)
+        self._begin(names, conditions, in_words, line)
+        told = self._values(conditions)
+        self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
+
+    def told_values(self) -> dict[str, Stated]:
+        """Return the values that the text gives: of lengths, wherever above, and of joints, for the display at hand."""
+        return self.names.state.told_lengths | self._values(self.names.state.told.conditions)
+
+    def _values(self, conditions: Iterable[n.Chain]) -> dict[str, Stated]:
+        given = {k: node for each in conditions for k, node in (self.given.values(*each.members[:2]) or {}).items()}
+        numbers = {name: (node, self.given.number(node)) for name, node in given.items()}
+        return {name: Stated(node, value) for name, (node, value) in numbers.items() if value is not None}
 
     def heed_behind(self, said: Iterable[str], statements: Iterable[n.Statement], line: int) -> None:
         """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""
@@ -93,7 +104,7 @@ class Circumstances:
         """A display that is a condition itself, c_1 = 1 or l_1 = l_2, may limit those behind it."""
         self._begin(set(), [*self._conditions(chain)], in_words=False)
 
-    def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool) -> None:
+    def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool, line: int = 0) -> None:
         """Forget what is given anew: a length by its name, a configuration as a whole."""
         state = self.names.state
         held = names | {b.key for each in conditions for b in n.walk(each) if isinstance(b, n.Name)}
@@ -103,7 +114,7 @@ class Circumstances:
         ended = [(key, _value(key, state.configuration.pop(key).node)) for key in over]
         if conditions or in_words:
             earlier = tuple(value for key, value in ended if key not in names)
-            state.told = Told(tuple(conditions), earlier, in_words)
+            state.told = Told(tuple(conditions), earlier, in_words, line)
 
     def _conditions(self, chain: n.Chain) -> Iterator[n.Chain]:
         """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""

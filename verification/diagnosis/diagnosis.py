@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
@@ -16,6 +17,7 @@ from armproof.verification.diagnosis.slips import swapped_lengths
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.decimals import finest_decimals, is_number
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -148,13 +150,23 @@ class Diagnostician:
             if not correct and outcome.sampled_only and pair.is_scalar and outcome.true is not None:
                 start, end = outcome.true.node.span  # exactly, the two sides differ by no more than a sign or a branch
                 correct = latex[start:end].strip()
-            correct = correct or write_bounded(true, notation)
+            correct = correct or self._in_decimals(true, cell, printed) or write_bounded(true, notation)
             if change is None and not pair.is_scalar and mend:
                 change = moved_cell(pair, row, column)
             place = (None, None) if pair.is_scalar else (row + 1, column + 1)
             span = cell.span if cell is not None else None
             entries.append(WrongEntry(outcome.equation, place[0], place[1], printed, correct, change, span))
         return entries
+
+    def _in_decimals(self, true: Value, cell: n.Node | None, printed: str) -> str:
+        """Return a number with as many decimals, behind the same mark, as the one printed in its place; empty of anything else."""
+        decimals = finest_decimals([cell]) if cell is not None and is_number(cell) else 0
+        if not decimals or not isinstance(true, Scalar) or symbols_in([true]):
+            return ""
+        number = true.as_fraction()
+        size = float(number) if number is not None else float(self.checker.sampled().from_exact(true)[0])
+        mark = next((mark for mark in ("{,}", ",") if mark in printed), ".")
+        return f"{size:.{decimals}f}".replace(".", mark)
 
 
 def _summary(entries: list[WrongEntry]) -> Iterator[Finding]:

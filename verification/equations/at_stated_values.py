@@ -108,7 +108,8 @@ class StatedValues:
         outcome.pair, outcome.wrong = best.pair, []
         if best.wrong and len(best.wrong) <= FEW:
             stated = self._stated(symbols_in(_differences(best.pair)))
-            outcome.wrong, outcome.there = best.wrong, {name: value.value for name, value in stated.items()}
+            outcome.wrong, outcome.coarse = best.wrong, best.open
+            outcome.there = {name: value.value for name, value in stated.items()}
             sides = [side.map(lambda cell: self._at(cell, stated)) for side in (best.pair.true, best.pair.printed)]
             outcome.pair = replace(best.pair, true=sides[0], printed=sides[1])
         elif best.open and not best.wrong and self._says_that_it_vanishes(outcome):
@@ -249,6 +250,14 @@ class StatedValues:
             raise
         except EvaluationError:
             return False
+
+
+def is_mostly_right(outcome: Outcome) -> bool:
+    """Whether numbers are refuted at stated values, and at least as many are right as are wrong, 0 and ±1 not counted."""
+    if outcome.verdict is not Verdict.REFUTED or not outcome.there or outcome.pair is None:
+        return False
+    telling = {place for place, true, _ in outcome.pair.entries() if true.as_fraction() not in (-1, 0, 1)}
+    return len(telling - {*outcome.wrong, *outcome.coarse}) >= len(outcome.wrong)
 
 
 def _sides(outcome: Outcome) -> tuple[Member, Member]:

@@ -59,7 +59,7 @@ class GivenValues:
         if not set(values).isdisjoint(joints):
             self.names.state.told = Told()
         for name, node in values.items():
-            if (value := self._number(node)) is not None:
+            if (value := self.number(node)) is not None:
                 before[name] = Stated(node, value, line, self.names.state.section)
 
     def repeats(self, chain: n.Chain) -> bool:
@@ -67,7 +67,7 @@ class GivenValues:
         values = self.values(*chain.members) if chain.relations == ("=",) else None
         stated = self.names.state.configuration
         return bool(values) and all(
-            name in self.lengths and name in stated and stated[name].value == self._number(node)
+            name in self.lengths and name in stated and stated[name].value == self.number(node)
             for name, node in (values or {}).items()
         )
 
@@ -146,7 +146,8 @@ class GivenValues:
         walked = n.walk(value)
         return symbol in self.lengths and not any(isinstance(b, n.Name | n.Call | n.Matrix) for b in walked)
 
-    def _number(self, node: n.Node) -> float | None:
+    def number(self, node: n.Node) -> float | None:
+        """Return the number that a value is, or None."""
         value = self.members.evaluate(node).value
         if not isinstance(value, Scalar):
             return None

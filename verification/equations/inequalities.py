@@ -71,13 +71,18 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
 
 def _at_configuration(checker: ChainChecker, left: n.Node, right: n.Node, equation: int) -> Outcome | None:
     """P_x ≈ 0.346 behind a stated configuration is decided as P_x = 0.346, None elsewhere; P_x ≈ 1 is refuted by nothing."""
-    cells = [cell for row in written_rows(right) for cell in row] or [right]
-    if not checker.names.state.configuration or is_number(left) or not all(map(is_number, cells)):
+    if not checker.names.state.configuration or is_number(left) or not is_numbers(right):
         return None
     (found,) = checker.check(n.Chain((left, right), ("=",)), equation, 0, define=False)
     if found.verdict is Verdict.CONFIRMED or (found.verdict is Verdict.REFUTED and finest_decimals((right,))):
         return found
     return None
+
+
+def is_numbers(node: n.Node) -> bool:
+    """Whether a side is a number, or a matrix of numbers."""
+    cells = [cell for row in written_rows(node) for cell in row] or [node]
+    return all(map(is_number, cells))
 
 
 def _identical(a: Any, b: Any) -> bool:

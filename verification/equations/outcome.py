@@ -42,6 +42,7 @@ class Outcome:
     role: Role = Role.CLAIM
     read_as: str = ""
     uses: frozenset[tuple[str, int]] = frozenset()
+    coarse: list[tuple[int, int]] = field(default_factory=list)  # entries whose numbers are rounded too much to tell
     conditions: tuple[n.Node, ...] = ()  # the sides of an implication
 
     def also(self, finding: Finding) -> None:

@@ -56,11 +56,13 @@ class Told:
         conditions: equations that it gives.
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation.
+        line: of the display behind it.
     """
 
     conditions: tuple[n.Chain, ...] = ()
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
+    line: int = 0
 
 
 @dataclass(frozen=True)
@@ -137,6 +139,7 @@ class DocumentState:
         beyond: a frame the document adds → (on which of the arm's, name).
         configuration: joint variables, rates and lengths → the value that a display gave them.
         told: what the text between displays says: no display is judged there, but what holds there is not refuted.
+        told_lengths: lengths → the value that the text between displays gave them last.
         compares_lengths: whether a display says which lengths are larger.
         rounded: names made of rounded numbers → to how many decimals.
         shown: the rows in which a Jacobian is read that only convention binds.
@@ -162,6 +165,7 @@ class DocumentState:
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)
     configuration: dict[str, Stated] = field(default_factory=dict)
     told: Told = field(default_factory=Told)
+    told_lengths: dict[str, Stated] = field(default_factory=dict)
     compares_lengths: bool = False
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, JacobianRows] = field(default_factory=dict)

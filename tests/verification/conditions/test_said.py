@@ -48,3 +48,57 @@ def test_what_stands_under_another_heading_tells_nothing_of_the_displays_above()
 def test_a_letter_that_the_display_gives_a_meaning_has_that() -> None:
     lines = ["$$ \\rho = l_1 s_1 \\\\ y = \\rho + l_2 s_{12} $$", "where $\\rho = l_1 c_1$"]
     assert verdicts_of(*lines) == ["proved"]
+
+
+LENGTHS = "The links measure $l_1 = 0.5$ m and $l_2 = 0.3$ m."
+AT = "For $\\theta_1 = 30^\\circ$ and $\\theta_2 = 60^\\circ$:"
+P_2 = "$$ p_2 = \\begin{{bmatrix}} {} \\\\ {} \\\\ 0 \\end{{bmatrix}} $$"
+RIGHT = P_2.format("0.433", "0.55")
+
+
+@pytest.mark.parametrize(
+    ("display", "verdict"),
+    [
+        (RIGHT, "confirmed"),
+        ("$$ x = 0.433, \\quad y = 0.55 $$", "confirmed"),
+        ("$$ \\det J \\approx 0.13 $$", "confirmed"),
+        (P_2.format("0.433", "0.65"), "refuted"),  # one of two is right: they are of this configuration
+        (P_2.format("0.733", "0.65"), "unchecked"),  # they may be of another one
+        (P_2.format("0.5", "0.65"), "unchecked"),  # 0.5 is rounded too coarsely to tell
+        ("$$ \\det J = 0.23 $$", "unchecked"),
+    ],
+)
+def test_numbers_are_those_of_the_values_that_the_text_before_gives(display: str, verdict: str) -> None:
+    assert verdicts_of(LENGTHS, "", AT, "", display) == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("between", "verdict"),
+    [
+        ("and once more", "confirmed"),
+        ("For $\\theta_1 = 0$ and $\\theta_2 = 60^\\circ$:", "unchecked"),
+        ("For $\\theta_1 = 30^\\circ$:", "unchecked"),  # nobody knows what θ_2 is now
+        ("# Next", "unchecked"),
+        ("Now $l_2 = 0.4$.", "unchecked"),
+        ("$$ l_2 = 0.4 $$", "unchecked"),  # a display goes before the text
+    ],
+)
+def test_the_values_of_the_text_hold_until_others_are_given(between: str, verdict: str) -> None:
+    assert verdicts_of(LENGTHS, "", AT, "", RIGHT, "", between, "", RIGHT)[-1] == verdict
+
+
+def test_only_numbers_right_behind_the_values_are_refuted() -> None:
+    wrong = P_2.format("0.433", "-0.55")
+    assert verdicts_of(LENGTHS, "", AT, "", RIGHT, "", "With the other elbow", "", wrong) == ["confirmed", "unchecked"]
+
+
+def test_a_number_is_corrected_to_as_many_decimals_behind_the_same_mark() -> None:
+    text = "\n".join([FRONT, LENGTHS, "", AT, "", P_2.format("0{,}433", "0{,}650"), ""])
+    (entry,) = verify_text(text).equations[0].entries
+    assert (entry.row, entry.correct) == (2, "0{,}550")
+
+
+def test_a_premise_is_not_a_number_of_the_text() -> None:
+    lines = ["Stretched out, at $\\theta_2 = 0$:", "$$ \\sin\\theta_2 = 0 \\Rightarrow \\det J = 0 $$"]
+    assert verdicts_of(*lines) == ["proved"]
+    assert verdicts_of(lines[0], lines[1].replace("sin", "cos")) == ["refuted"]

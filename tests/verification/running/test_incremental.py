@@ -50,6 +50,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
     "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
     "told": lambda state: setattr(state, "told", Told(in_words=True)),
+    "told_lengths": lambda state: state.told_lengths.update(l_1=Stated(Name("a"), 0.5)),
     "rounded": lambda state: state.rounded.update(a=2),
     "shown": lambda state: state.shown.update(J=JacobianRows((1, 2))),
     "signs": lambda state: state.signs.values.update(sigma=1),
