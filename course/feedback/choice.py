@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback.answer import is_function, read_plain
+from armproof.course.errors import AnswerError
+from armproof.course.feedback.answer import is_function
 from armproof.course.feedback.number_slips import near, number_slip, values_in
+from armproof.course.feedback.numbers import numbers_in
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.models.errors import ArmproofError, counted, written
-from armproof.models.language import ENGLISH, look_up, separator, spoken
+from armproof.models.language import look_up, separator
 
 _TOLERANCE = 1e-6
-_DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?:,\d+)?)*\s*[\])]?\s*")
-_BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +107,9 @@ class Number:
         """Return what becomes of a number or a list of numbers."""
         right = np.atleast_1d(np.array(self.value, dtype=float))
         try:
-            given = np.atleast_1d(np.array(_numbers(answer), dtype=float)).ravel()
+            given = numbers_in(answer, self.unit, right.size)
+        except AnswerError as problem:
+            return Feedback(Outcome.WRONG, str(problem))
         except (TypeError, ValueError, ArmproofError):
             wanted = counted(
                 "the answer is a number, not {given}",
@@ -128,36 +130,15 @@ class Number:
             written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
             for k in np.flatnonzero(wrong).tolist()
         ]
-        slip = number_slip(given, right, [self._label(k) for k in range(right.size)], self.known)
+        is_count = self.unit == "–"
+        slip = number_slip(given, right, [self._label(k) for k in range(right.size)], self.known, is_count)
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the numbers, by which two answers are told apart."""
-        return np.atleast_1d(np.array(_numbers(answer), dtype=float)).ravel()
+        return numbers_in(answer, self.unit, np.size(self.value))
 
     def _label(self, index: int) -> str:
         if index < len(self.labels):
             return self.labels[index]
         return look_up("the number") if np.ndim(self.value) == 0 else written("number {number}", number=index + 1)
-
-
-def _numbers(answer: Any) -> Any:
-    """Return numbers as they are, and those of a text, of SymPy or of a function without arguments by their value."""
-    if is_function(answer):
-        return answer()
-    if isinstance(answer, str):
-        return _numbers_of_text(answer)
-    if isinstance(answer, list | tuple):
-        return [float(item) for item in answer]
-    return answer
-
-
-def _numbers_of_text(text: str) -> list[float]:
-    """Return the numbers of a text: "[0, 2]", "0 2", "pi/2"; of "0,05 ; 0,55", which is French, two."""
-    text = text.replace("−", "-").translate(_BLANKS)
-    if _DECIMAL_COMMAS.fullmatch(text) and (";" in text or spoken() != ENGLISH):
-        text = text.replace(",", ".").replace(";", ",")
-    plain = read_plain(text)
-    if plain is None:
-        return [float(part) for part in re.split(r"[,;\s]+", text.strip(" []()"))]
-    return [float(item) for item in (plain if isinstance(plain, list) else [plain])]

@@ -37,6 +37,7 @@ _FILE = Path("answer")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
 ANGLE = re.compile(rf"{one_of(ANGLES)}|q(_|$)")  # letters of angles
 _WORD = re.compile(r"\\?[A-Za-z]+(?:_\w+)?")
+_PARAMETER = re.compile(r"(?:[adlrq]|alpha|theta)_\d+")  # of a link or a joint
 _READ = (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED)
 _DECIMAL = re.compile(r"\d\.\d|\\frac\{\d+\}\{\d+\}")
 _NEAR = 1e-9
@@ -203,6 +204,10 @@ class Claim:
         for name in _names_in(node):
             if name.key == "Xi" or (not self.names and self._is_of_the_arm(name)):
                 shown = latex[name.span[0] : name.span[1]]
+                if _PARAMETER.fullmatch(name.key):
+                    raise AnswerError(
+                        "{shown} is no letter of this task; {letters}", shown=shown, letters=self._letters()
+                    )
                 raise AnswerError("work the entries out: the answer may not name {shown} of the arm itself", shown=shown)  # fmt: skip
         return self._size_problem(node)
 

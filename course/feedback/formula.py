@@ -23,7 +23,10 @@ from armproof.course.feedback.relation import (
     letter_at_fault,
     letters_astray,
     letters_astray_in_each,
+    random_values,
     relation,
+    remembered,
+    transform_astray,
     units_astray,
 )
 from armproof.models.errors import ArmproofError, counted, written
@@ -38,7 +41,6 @@ from armproof.verification.naming.reading import FREE
 SECONDS = 2.0  # that a function may run
 FEW = 8  # samples by which two answers are told apart
 _TOLERANCE = 1e-9
-_DRAWN = 48  # values of each letter
 _TIME = re.compile(r"t(_|$)")
 
 
@@ -91,12 +93,39 @@ class Formula:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the arguments, or a formula."""
-        feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        feedback = (
+            self._judge_function(answer)
+            if is_function(answer)
+            else self._judge_latex(as_latex(answer), judge_formula(self.claim, answer))
+        )
+        if feedback.outcome is Outcome.WRONG and (words := self._of_inverse(answer)):
+            feedback = replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
         if feedback.at and set(self.given) & set(self.arguments):
             return replace(feedback, at=self._at_arguments(feedback.at))
         return feedback
+
+    def _judge_latex(self, latex: str, feedback: Feedback) -> Feedback:
+        """Return what becomes of a formula: of angles, whole turns too many are no mistake, once they are taken away and it is proved."""
+        if feedback.outcome is not Outcome.WRONG or self.unit != "rad" or not (turns := self._whole_turns(latex)):
+            return feedback
+        less = self.claim.judge(f"{latex} - {turns}")
+        return replace(less, notes=(*less.notes, look_up("right up to whole turns"))) if less.is_right else feedback
+
+    def _whole_turns(self, latex: str) -> str:
+        """Return the turns that an answer has too many, as LaTeX; empty where it differs by anything else."""
+        true, obtained = self._true, self.claim.values(latex)
+        if true.shape != obtained.shape:
+            return ""
+        turns = (obtained - true)[self._with_value] / (2 * np.pi)
+        if not np.isfinite(turns).all() or np.ptp(turns, axis=0).max() > _TOLERANCE:
+            return ""
+        whole = np.round(turns[0]).astype(int)
+        if not whole.any() or np.abs(turns[0] - whole).max() > _TOLERANCE:
+            return ""
+        rows = r" \\ ".join(" & ".join(rf"{2 * turn}\pi" for turn in row) for row in whole.tolist())
+        return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}" if whole.size > 1 else f"({rows})"
 
     def _at_arguments(self, at: Mapping[str, float]) -> Mapping[str, float]:
         """Return the values of the arguments where a counterexample has those of the joints that give them."""
@@ -124,6 +153,13 @@ class Formula:
 
     # -- relations -----------------------------------------------------------------------------------------------------
 
+    def _of_inverse(self, answer: Any) -> str:
+        """Return which parts of a homogeneous transform are those of its inverse: what entry by entry is many slips."""
+        try:
+            return transform_astray(self._true[:FEW], self._values_of(answer)) if self._true[0].size == 16 else ""
+        except ArmproofError:
+            return ""
+
     def _relation(self, answer: Any) -> str:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters."""
         try:
@@ -140,9 +176,9 @@ class Formula:
         return self if len(given) == len(self.given) else replace(self, given=given)
 
     def _relations(self, answer: Any) -> Iterator[str]:
-        at = {name: _drawn(name, k) for k, name in enumerate(self.arguments)}
-        asked = _remembered(partial(self.claim.values_over, ASKED))
-        given = _remembered(
+        at = random_values(self.arguments)
+        asked = remembered(partial(self.claim.values_over, ASKED))
+        given = remembered(
             self._called(answer) if is_function(answer) else partial(self.claim.values_over, as_latex(answer))
         )
         true, obtained = asked(at), given(at)
@@ -203,11 +239,11 @@ class Formula:
                 return stopped
             traced = guard.call(lambda: write_matrix(self._trace(function)))
             if traced.error is None:
-                feedback = self.claim.judge(traced.value)
+                feedback = self._judge_latex(traced.value, self.claim.judge(traced.value))
             else:
                 feedback = self._compare(function, guard, traced.error.message)
             if feedback.outcome is Outcome.WRONG and (degrees := self._in_degrees(function, guard)):
-                return replace(feedback, message=degrees)
+                return replace(feedback, message=degrees, findings=())
             return feedback
 
     def _in_order(self, function: Callable[..., Any]) -> Callable[..., Any]:
@@ -351,19 +387,6 @@ class Formula:
         )
 
 
-def _remembered(side: Values) -> Values:
-    """Return values that are worked out once: the relations try the same letters again for each entry."""
-    known: dict[tuple[bytes, ...], np.ndarray] = {}
-
-    def values(at: Letters) -> np.ndarray:
-        key = tuple(each.tobytes() for each in at.values())
-        if key not in known:
-            known[key] = side(at)
-        return known[key]
-
-    return values
-
-
 def _stopped(value: Any, error: CallError | None) -> Feedback | None:
     """Return the feedback on a call that gave no numbers; None where it gave some."""
     if error is not None:
@@ -379,16 +402,6 @@ def _stopped(value: Any, error: CallError | None) -> Feedback | None:
     except NotNumbers as problem:
         return Feedback(Outcome.ERROR, str(problem))
     return None
-
-
-def _drawn(name: str, seed: int) -> np.ndarray:
-    """Return values of a letter at random: angles of either sign; of other letters one half is positive."""
-    rng = np.random.default_rng([seed, _DRAWN])
-    if ANGLE.match(name):
-        return rng.uniform(-2.6, 2.6, _DRAWN)
-    values = rng.uniform(0.3, 2.2, _DRAWN)
-    values[_DRAWN // 2 :] *= rng.choice([-1, 1], _DRAWN - _DRAWN // 2)
-    return values
 
 
 def _as_latex(name: str) -> str:

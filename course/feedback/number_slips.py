@@ -10,12 +10,13 @@ from itertools import combinations
 import numpy as np
 
 from armproof.models.errors import written
-from armproof.models.language import look_up
+from armproof.models.language import look_up, noted
 
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _DIGITS = 1e-4  # of a sum or a quotient of given values, which many could meet by chance
+_FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
 
@@ -27,17 +28,27 @@ def values_in(text: str) -> dict[str, float]:
     return {name: float(value) for name, value in _GIVEN.findall(text)}
 
 
-def number_slip(given: np.ndarray, right: np.ndarray, labels: Sequence[str], known: Mapping[str, float]) -> str:
+def number_slip(
+    given: np.ndarray, right: np.ndarray, labels: Sequence[str], known: Mapping[str, float], is_count: bool = True
+) -> str:
     """Return the usual mistake behind wrong numbers, of all of them or of each; empty where none is recognised.
 
     Args:
         labels: what each number is.
         known: given values, which may be missing in a number, or stand for it.
+        is_count: whether whole numbers are numbers of things, of which none is "not zero".
     """
     if whole := next(_whole(given, right), ""):
         return whole
     wrong = np.flatnonzero(~np.isclose(given, right, rtol=_NEAR, atol=_TOLERANCE)).tolist()
-    told = [(labels[k], _of_one(float(given[k]), float(right[k]), known, len(right))) for k in wrong]
+    told = [
+        (
+            labels[k],
+            _of_function(labels[k], float(given[k]), float(right[k]))
+            or _of_one(float(given[k]), float(right[k]), known, len(right), is_count),
+        )
+        for k in wrong
+    ]
     told = [
         (label, words or _of_another(float(given[k]), right, labels))
         for k, (label, words) in zip(wrong, told, strict=True)
@@ -85,12 +96,21 @@ def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     return round(factor) if near(factor, round(factor)) and round(factor) <= _LARGEST_FACTOR else 0
 
 
-def _of_one(given: float, right: float, known: Mapping[str, float], count: int) -> str:
+def _of_function(label: str, given: float, right: float) -> str:
+    """Return that a number is the angle, where its sine, cosine or tangent is asked."""
+    for name, words in _FUNCTIONS.items():
+        function = getattr(np, name)
+        if label.startswith(name) and (near(function(given), right) or near(function(np.radians(given)), right)):
+            return written("this is the angle: its {function} is asked", function=look_up(words))
+    return ""
+
+
+def _of_one(given: float, right: float, known: Mapping[str, float], count: int, is_count: bool) -> str:
     """Return the mistake in one number; a count has none beside its value."""
-    if float(right).is_integer() and right and float(given).is_integer():
+    if is_count and float(right).is_integer() and right and float(given).is_integer():
         return ""
     if right == 0:
-        return look_up("zero belongs there") if count > 1 and not float(given).is_integer() else ""
+        return look_up("zero belongs there") if count > 1 and not (is_count and float(given).is_integer()) else ""
     if given == 0:
         return look_up("it is not zero")
     if near(given, -right):

@@ -14,7 +14,7 @@ from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
-from armproof.course.feedback.table import ORDER
+from armproof.course.feedback.table import ORDER, TURN
 from armproof.course.figures.facts.dh_rows import LinkRow
 from armproof.course.figures.facts.placing import (
     NEAR,
@@ -149,7 +149,7 @@ class Placement:
         for number, (row, right) in enumerate(zip(given, rows.rows, strict=True), 1):
             wrong = [name for name in ORDER["modified"] if not self._same(row[name], right, name, drawn[right.joint])]
             if wrong:
-                yield _of_row(number, row, right, wrong)
+                yield _of_row(number, row, right, wrong, self._slides(number - 1))
 
     def _same(self, form: LinearForm, right: LinkRow, name: str, drawn: LinearForm) -> bool:
         """Whether an entry is right: a variable is counted from the common direction of both x axes, or from the drawing."""
@@ -283,14 +283,48 @@ def _of_x(x: np.ndarray, origins: np.ndarray, ways: np.ndarray) -> Iterator[str]
                 yield written("x_{i} points from axis {j} back to axis {i}: step 4 wants it from z_{i} to z_{j}, so that a_{i} is a distance", i=i, j=j)  # fmt: skip
 
 
-def _of_row(number: int, row: Mapping[str, LinearForm], right: LinkRow, wrong: Sequence[str]) -> str:
+def _of_row(number: int, row: Mapping[str, LinearForm], right: LinkRow, wrong: Sequence[str], slides: bool) -> str:
     """Say what is wrong in a row, and the mistake where it is a known one."""
     if {"a", "d"} <= set(wrong) and (row["a"], row["d"]) == (right.d, right.a):
         return written("row {row}: a and d are exchanged: a runs along x_{before}, d along z_{row}", row=number, before=number - 1)  # fmt: skip
+    variable = "d" if slides else "theta"
+    astray = [name for name in ORDER["modified"] if name != variable and row[name].coefficient(right.joint)]
+    if astray and not row[variable].coefficient(right.joint):
+        return written("row {row}: {joint} stands in the column of {name}; joint {row} {moves}, so its variable is {variable}",
+            row=number, joint=right.joint, name=astray[0], variable=variable, moves=look_up("slides") if slides else look_up("turns"))  # fmt: skip
     name = wrong[0]
-    if name == "alpha" and row[name] == LinearForm(pi=-right.alpha.pi):
+    form, wanted = row[name], getattr(right, name)
+    if name == "alpha" and form == LinearForm(pi=-wanted.pi):
         return written("row {row}: alpha has the wrong sign for your axes: turn z_{before} into z_{row} about x_{before}", row=number, before=number - 1)  # fmt: skip
-    return written("row {row}: {name} is wrong for the frames that you placed", row=number, name=name)
+    told = written("row {row}: {name} is wrong for the frames that you placed", row=number, name=name)
+    change = _change(form.without(right.joint), wanted.without(right.joint), is_angle=name in ("alpha", "theta"))
+    return f"{told} ({change})" if change else told
+
+
+def _change(form: LinearForm, wanted: LinearForm, is_angle: bool) -> str:
+    """Return what makes an entry wrong, beside its variable; empty where it is nothing short."""
+    if form == wanted:
+        return look_up("the variable")
+    if form == LinearForm():
+        return look_up("it is missing")
+    if is_angle and not form.symbols and abs(form.number) > TURN:
+        return look_up("in degrees? Radians are asked for")
+    if wanted == LinearForm():
+        return look_up("it should vanish")
+    if form == _negated(wanted):
+        return look_up("the sign")
+    printed, correct = ([symbol for symbol, _ in each.symbols] for each in (form, wanted))
+    if len(printed) == len(correct) == 1 and printed != correct:
+        return written("{printed} for {correct}", printed=printed[0], correct=correct[0])
+    if missing := sorted(set(correct) - set(printed)):
+        return written("{name} is missing", name=missing[0])
+    if extra := sorted(set(printed) - set(correct)):
+        return written("{name} does not belong", name=extra[0])
+    return ""
+
+
+def _negated(form: LinearForm) -> LinearForm:
+    return LinearForm(tuple((symbol, -coefficient) for symbol, coefficient in form.symbols), -form.pi, -form.number)
 
 
 def _foot_test(way: np.ndarray, next_way: np.ndarray) -> np.ndarray:

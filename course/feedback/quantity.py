@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any
@@ -16,7 +16,14 @@ from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, place, told
 from armproof.course.feedback.picture import call_at, draw_answer
-from armproof.course.feedback.relation import relation
+from armproof.course.feedback.relation import (
+    Letters,
+    letters_astray,
+    letters_astray_in_each,
+    random_values,
+    relation,
+    remembered,
+)
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
@@ -80,17 +87,40 @@ class Quantity:
         return feedback
 
     def _relation(self, answer: Any) -> str:
-        """Return how the values of an answer with no known slip relate to what is asked."""
+        """Return how an answer with no known slip relates to what is asked, in its letters and in values."""
         try:
-            obtained = self._values(answer, MANY)
+            return next(filter(None, self._relations(answer)), "")
         except ArmproofError:
             return ""
-        joints = dict(zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True))
-        turning = {joint.symbol: q for joint, q in joints.items() if joint.kind == "revolute"}
-        factors = {joint.symbol: q for joint, q in joints.items() if joint.symbol not in turning}
+
+    def _relations(self, answer: Any) -> Iterator[str]:
+        """Yield the relations; with lengths at random, since two of an arm's may be equal, or four times each other."""
+        joints = {joint.symbol: q for joint, q in zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True)}
+        at = {**joints, **random_values([*self.loaded.lengths], MANY)}
+        asked, given = (
+            remembered(partial(self.claim.values_over, ASKED)),
+            remembered(partial(self._values_over, answer)),
+        )
+        true, obtained = asked(at), given(at)
+        if true.shape == obtained.shape:
+            yield letters_astray(asked, given, at)
+            yield relation(true, obtained, self._factors(at))
+            yield letters_astray_in_each(asked, given, at)
+
+    def _factors(self, at: Letters) -> Letters:
+        """Return what may be a factor too many: lengths, the way of a slide, sines and cosines of the joints' angles."""
+        turning = {joint.symbol: at[joint.symbol] for joint in self.loaded.joints if joint.kind == "revolute"}
+        factors = {symbol_as_latex(symbol): values for symbol, values in at.items() if symbol not in turning}
         for symbol, q in turning.items():
             factors |= {f"sin {symbol_as_latex(symbol)}": np.sin(q), f"cos {symbol_as_latex(symbol)}": np.cos(q)}
-        return relation(self.claim.values(ASKED)[:MANY], obtained, factors)
+        return factors
+
+    def _values_over(self, answer: Any, at: Letters) -> np.ndarray:
+        """Return an answer at values of joints and lengths."""
+        if not is_function(answer):
+            return self.claim.values_over(as_latex(answer), at)
+        rows = zip(*(values.tolist() for values in at.values()), strict=True)
+        return np.array([call_at(self.loaded, answer, dict(zip(at, row, strict=True))) for row in rows])
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""

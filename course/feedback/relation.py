@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
@@ -11,7 +12,7 @@ import numpy as np
 
 from armproof.course.feedback.claim import ANGLE
 from armproof.course.feedback.outcome import MOST_PLACES, place
-from armproof.models.errors import written
+from armproof.models.errors import counted, written
 from armproof.models.language import look_up, number_text, separator
 from armproof.verification.latex.writer import symbol_as_latex
 
@@ -22,9 +23,11 @@ _JOINT_ANGLE = re.compile(r"theta_\d$")
 ENOUGH = 5  # samples at which both sides have a value, so that a chance agreement is none
 _TOLERANCE = 1e-8
 _MOST_FACTORS = 4
+_SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _LARGEST = 64  # denominator of a number in a product
 _GROWN = 1.5  # by which a letter, or all of one unit, is changed to see what follows it
 _MOST_LETTERS = 8
+_DRAWN = 48  # values of each letter
 
 
 def relation(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
@@ -58,17 +61,19 @@ def letters_astray(asked: Values, given: Values, at: Letters) -> str:
 def letters_astray_in_each(asked: Values, given: Values, at: Letters) -> str:
     """Say of each wrong entry of a matrix which letters are exchanged in it, missing, or do not belong there."""
     wrong = _wrong(asked(at), given(at))
-    told = []
+    told = {}
     for row, column in np.argwhere(wrong).tolist()[:MOST_PLACES]:
         only = np.zeros_like(wrong)
         only[row, column] = True
         if words := _letter_astray(asked, given, at, only):
-            told.append(written("entry {place}: {words}", place=place(row + 1, column + 1), words=words))
-    return look_up("; ").join(told)
+            told[row, column] = words
+    return _by_places(told)
 
 
 def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray) -> str:
     obtained, few = given(at), list(at)[:_MOST_LETTERS]
+    if any(not np.nan_to_num(np.abs(side[:, wrong])).max(initial=0) > _TOLERANCE for side in (asked(at), obtained)):
+        return ""  # that zero stands there, or belongs there, is said in its own words
     for one, other in combinations(few, 2):
         if _same(asked({**at, one: at[other], other: at[one]})[:, wrong], obtained[:, wrong]):
             return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
@@ -102,6 +107,30 @@ def angle_astray(asked: Values, given: Values, at: Letters) -> str:
         if any(_same(sign * turned[turn], obtained[:, wrong]) for turn in (-1, 1) for sign in (1, -1)):
             return written("{name} is counted from another direction: a quarter turn away", name=shown)
     return ""
+
+
+def transform_astray(true: np.ndarray, obtained: np.ndarray) -> str:
+    """Say which parts of a homogeneous transform are those of its inverse, or only half inverted; empty where none is."""
+    if true.shape[1:] != (4, 4) or obtained.shape != true.shape or not _same(true[:, 3], np.eye(4)[[3] * len(true)]):
+        return ""
+    other = np.linalg.inv(true)
+    (R, p), (R_right, p_right), (R_other, p_other) = ((X[:, :3, :3], X[:, :3, 3]) for X in (obtained, true, other))
+    rotation = look_up("the rotation is that of the inverse: it is still to be transposed")
+    if _same(R, R_right):
+        rotation = ""
+    elif not _same(R, R_other):
+        return ""
+    origins = {
+        "": p_right,
+        look_up("the origin is that of the inverse, only negated: it is still to be turned"): -p_other,
+        look_up("the origin is that of the inverse"): p_other,
+        look_up("the origin has the wrong sign"): -p_right,
+        look_up("the origin is turned by the transpose of the rotation that belongs there"): -(
+            R_other @ p_other[..., None]
+        )[..., 0],
+    }
+    origin = next((words for words, values in origins.items() if _same(p, values)), None)
+    return "" if origin is None else look_up("; ").join(filter(None, [rotation, origin]))
 
 
 def units_astray(asked: Values, given: Values, at: Letters, units: Sequence[Sequence[str]]) -> str:
@@ -150,13 +179,21 @@ def _told(true: np.ndarray, obtained: np.ndarray, words_of: Callable[[np.ndarray
     places = np.argwhere(_wrong(true, obtained)).tolist()
     found = {(r, c): words_of(true[:, r, c], obtained[:, r, c]) for r, c in places}
     said = {at: words for at, words in found.items() if words}
-    if (len(found) > 1 and len(set(found.values())) == 1) or true[0].size == 1:
+    is_everywhere = len(found) == np.count_nonzero(np.nan_to_num(np.abs(true)).max(axis=0) > _TOLERANCE)
+    if (len(found) > 1 and is_everywhere and len(set(found.values())) == 1) or true[0].size == 1:
         return next(iter(found.values()), "")
-    entries = [
-        written("entry {place}: {words}", place=place(r + 1, c + 1), words=words)
-        for (r, c), words in list(said.items())[:MOST_PLACES]
-    ]
-    return look_up("; ").join(entries)
+    return _by_places(said)
+
+
+def _by_places(said: Mapping[tuple[int, int], str]) -> str:
+    """Return what is said of entries, each sentence once with its places."""
+    places: dict[str, list[str]] = {}
+    for (row, column), words in list(said.items())[:MOST_PLACES]:
+        places.setdefault(words, []).append(place(row + 1, column + 1))
+    return look_up("; ").join(
+        counted("entry {places}: {words}", "entries {places}: {words}", len(where), places=separator(where).join(where), words=words)
+        for words, where in places.items()
+    )  # fmt: skip
 
 
 def _of_values(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
@@ -191,11 +228,24 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
         yield look_up("the tangent of the angle is known: `atan2` belongs there, not `arcsin` or `arccos`")
     if _same(np.sin(obtained), np.sin(true)):
         yield look_up("the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn")
+    for of, name in (
+        (np.tan(true), look_up("tangent")),
+        (np.sin(true), look_up("sine")),
+        (np.cos(true), look_up("cosine")),
+    ):
+        if _same(of, obtained) and np.abs(true).max() > _SMALL:
+            yield written("your answer is the {function} of the angle: the angle itself is asked", function=name)
+    if _same(np.exp(1j * (obtained + true)), np.ones(len(true))) and not _same(obtained, -true):
+        yield look_up("the sign of the angle is wrong")
     if _same(np.exp(1j * (obtained + true)), np.full(len(true), 1j)):
         yield look_up("the arguments of `atan2` are exchanged: first the side across, then the side along")
     turns = (obtained - true) / np.pi
     if _same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
         yield look_up("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")
+    if _same(np.exp(2j * (obtained + true)), np.full(len(true), -1 + 0j)):
+        yield look_up(
+            "the quotient in the arctangent is upside down: the side across stands above; and `atan2` keeps the quadrant"
+        )
     if _same(np.abs(obtained), np.abs(true)) and np.ptp(np.sign(obtained * true)) > 0:
         yield look_up("right but for the sign, and for some values only: it must hold in all quadrants")
 
@@ -207,7 +257,7 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
         return ""
     ratio = obtained[good] / true[good]
     if _same(ratio, np.full_like(ratio, ratio[0])):
-        return _by_number(float(ratio[0]))
+        return _by_number(float(ratio[0]), true[good], {name: values[good] for name, values in factors.items()})
     known = {name: values[good] for name, values in factors.items()}
     if times := _product(ratio, known):
         return written("your answer is {product} times what is asked", product=times)
@@ -223,23 +273,31 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
 
 def _product(values: np.ndarray, factors: Letters) -> str:
     """Return values as a product of powers of factors; empty where they are none, or one of many factors."""
+    powers, number = _powers(values, factors) or ({}, None)
+    if number is None or not 0 < len(powers) <= _MOST_FACTORS:
+        return ""
+    over, under = ([_power(name, abs(power)) for name, power in powers.items() if power * sign > 0] for sign in (1, -1))
+    sign = "-" if number < 0 else ""
+    over = [str(abs(number.numerator))] * (abs(number.numerator) != 1 or not over) + over
+    under = [str(number.denominator)] * (number.denominator != 1) + under
+    below = f" / ({' '.join(under)})" if len(under) > 1 else " / " + "".join(under)
+    return f"{sign}{' '.join(over)}{below if under else ''}"
+
+
+def _powers(values: np.ndarray, factors: Letters) -> tuple[dict[str, int], Fraction] | None:
+    """Return which powers of factors, and which number, make values as a product; None where none do."""
     factors = {name: each for name, each in factors.items() if (np.abs(each) > _TOLERANCE).all()}
     if len(values) < len(factors) + ENOUGH or not (np.abs(values) > _TOLERANCE).all():
-        return ""
+        return None
     logarithms = np.column_stack([np.log(np.abs(each)) for each in factors.values()] + [np.ones(len(values))])
     powers = np.round(np.linalg.lstsq(logarithms, np.log(np.abs(values)), rcond=None)[0][:-1]).astype(int)
     rest = values / np.prod(
         [each**power for each, power in zip(factors.values(), powers.tolist(), strict=True)], axis=0
     )
     number = Fraction(float(np.median(rest))).limit_denominator(_LARGEST)
-    if not _same(rest, np.full_like(rest, float(number))) or not 0 < np.count_nonzero(powers) <= _MOST_FACTORS:
-        return ""
-    over, under = ([_power(name, abs(power)) for name, power in zip(factors, powers.tolist(), strict=True) if power * sign > 0] for sign in (1, -1))  # fmt: skip
-    sign = "-" if number < 0 else ""
-    over = [str(abs(number.numerator))] * (abs(number.numerator) != 1 or not over) + over
-    under = [str(number.denominator)] * (number.denominator != 1) + under
-    below = f" / ({' '.join(under)})" if len(under) > 1 else " / " + "".join(under)
-    return f"{sign}{' '.join(over)}{below if under else ''}"
+    if not number or not _same(rest, np.full_like(rest, float(number))):
+        return None
+    return {name: power for name, power in zip(factors, powers.tolist(), strict=True) if power}, number
 
 
 def _power(name: str, power: int) -> str:
@@ -248,13 +306,35 @@ def _power(name: str, power: int) -> str:
     return shown if power == 1 else f"{shown}^{power}"
 
 
-def _by_number(factor: float) -> str:
-    size = number_text(max(abs(factor), 1 / abs(factor)), ".4g")
-    if abs(abs(factor) - 1) < _TOLERANCE:
+def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
+    """Say by which number an answer is too large or too small, and what makes it so, where that shows."""
+    size = max(abs(factor), 1 / abs(factor))
+    if abs(size - 1) < _TOLERANCE:
         return look_up("the sign is wrong")
+    if abs(size - 180 / np.pi) < _TOLERANCE * size:
+        return look_up("in degrees? Radians are asked for") if abs(factor) > 1 else look_up("radians are asked for: no π / 180")  # fmt: skip
+    number = _number_in(true, factors)
+    if number and abs(factor * number**2 - 1) < _TOLERANCE:
+        return written(
+            "the number in front is upside down: {number} where its reciprocal belongs", number=str(1 / number)
+        )
+    shown = _as_root(size) or number_text(size, ".4g")
     if abs(factor) > 1:
-        return written("your answer is {factor} times too large", factor=size)
-    return written("your answer is {factor} times too small", factor=size)
+        return written("your answer is {factor} times too large", factor=shown)
+    return written("your answer is {factor} times too small", factor=shown)
+
+
+def _number_in(values: np.ndarray, factors: Letters) -> Fraction | None:
+    """Return the number in a product of letters; None where values are none."""
+    (_, number) = _powers(values, factors) or ({}, None)
+    return number
+
+
+def _as_root(size: float) -> str:
+    """Return a number as the root of a whole one; empty where it is whole, or no root."""
+    square = round(size**2)
+    is_root = abs(size - math.sqrt(square)) < _TOLERANCE * size and math.isqrt(square) ** 2 != square
+    return f"√{square}" if is_root and square <= _LARGEST else ""
 
 
 def _wrong(true: np.ndarray, obtained: np.ndarray) -> np.ndarray:
@@ -266,3 +346,30 @@ def _wrong(true: np.ndarray, obtained: np.ndarray) -> np.ndarray:
 def _same(one: np.ndarray, other: np.ndarray) -> bool:
     good = np.isfinite(one) & np.isfinite(other)
     return bool(good.sum() >= ENOUGH and (np.abs(one - other) <= _TOLERANCE * (1 + np.abs(other)))[good].all())
+
+
+def random_values(names: Sequence[str], count: int = _DRAWN) -> Letters:
+    """Return values of letters at random: angles of either sign; of other letters one half is positive."""
+    return {name: _drawn(name, seed, count) for seed, name in enumerate(names)}
+
+
+def _drawn(name: str, seed: int, count: int) -> np.ndarray:
+    rng = np.random.default_rng([seed, _DRAWN])
+    if ANGLE.match(name):
+        return rng.uniform(-2.6, 2.6, count)
+    values = rng.uniform(0.3, 2.2, count)
+    values[count // 2 :] *= rng.choice([-1, 1], count - count // 2)
+    return values
+
+
+def remembered(side: Values) -> Values:
+    """Return values that are worked out once: the relations try the same letters again for each entry."""
+    known: dict[tuple[bytes, ...], np.ndarray] = {}
+
+    def values(at: Letters) -> np.ndarray:
+        key = tuple(each.tobytes() for each in at.values())
+        if key not in known:
+            known[key] = side(at)
+        return known[key]
+
+    return values

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function, is_missing
@@ -18,6 +21,7 @@ from armproof.models.dh.table import read_table
 from armproof.models.errors import ArmproofError, written
 from armproof.models.language import look_up, spoken
 from armproof.models.loading.dh_plant import build_arm
+from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.check import check_document
 from armproof.verification.document import Document
 from armproof.verification.document import Table as Printed
@@ -33,7 +37,10 @@ COLUMNS = {
     "classic": (r"\theta_i", "d_i", "a_i", r"\alpha_i"),
     "modified": (r"\alpha_{i-1}", "a_{i-1}", "d_i", r"\theta_i"),
 }
-_TURN = 6.3  # rad: no constant angle of a table is larger
+TURN = 6.3  # rad: no constant angle of a table is larger
+_PLAIN = re.compile(r"\s*[-+]?\d+(?:\.\d+)?\s*")
+_POSES = 6  # at which two arms are compared
+_NEAR = 1e-9
 ORDER = {"classic": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "d", "theta")}
 
 
@@ -69,8 +76,8 @@ class Table:
         if len(rows) != len(self.loaded.joints):
             wanted = len(self.loaded.joints)
             return Feedback(Outcome.WRONG, written("a table has one row a joint: {wanted} rows, not {given}", wanted=wanted, given=len(rows)))  # fmt: skip
-        if degrees := self._in_degrees(answer):
-            return Feedback(Outcome.WRONG, degrees)
+        if problem := self._in_degrees(answer) or self._of_other_kind(rows):
+            return Feedback(Outcome.WRONG, problem)
         record = self._record(rows)
         if record.verdict is Verdict.PROVED and record.says(Kind.LENGTHS_IN_NUMBERS):
             return Feedback(Outcome.LETTERS, look_up("the numbers are right, in metres: which length is which letter?"))
@@ -128,9 +135,48 @@ class Table:
             cells = row if isinstance(row, Mapping) else dict(zip(ORDER[self.convention], row, strict=False))
             for name in ("alpha", "theta"):
                 value = cells.get(name)
-                if isinstance(value, int | float) and abs(value) > _TURN:
+                if isinstance(value, str) and _PLAIN.fullmatch(value):  # with a degree sign it is what it says
+                    value = float(value)
+                if isinstance(value, int | float) and abs(value) > TURN:
                     return written("row {row}: {name} = {value:g} is in degrees; angles are in radians, -pi/2 or -np.pi/2", row=number + 1, name=name, value=value)  # fmt: skip
         return ""
+
+    def _of_other_kind(self, rows: Sequence[Sequence[str]]) -> str:
+        """Say which length stands in a column of angles, or which angle in one of lengths, or that the columns are in another order."""
+        found = next(self._letters_of_other_kind(rows), "")
+        return found and (self._in_other_order(rows) or self._of_other_convention(rows) or found)
+
+    def _letters_of_other_kind(self, rows: Sequence[Sequence[str]]) -> Iterator[str]:
+        turning = {joint.symbol for joint in self.loaded.joints if joint.kind == "revolute"} | set(self.loaded.angles)
+        for number, row in enumerate(rows, 1):
+            for name, cell in zip(ORDER[self.convention], row, strict=True):
+                keys = [node.key for node in n.walk(Reader().read_expression(cell)) if isinstance(node, n.Name)]
+                variables = {joint.symbol for joint in self.loaded.joints}
+                for letter in (self._names.known_symbol(key) or key for key in keys if key != "pi"):
+                    if name == "alpha" and letter in variables & turning:
+                        yield written("row {row}: {letter} is the variable of a joint, and stands in the column of alpha", row=number, letter=letter)  # fmt: skip
+                    if name in ("alpha", "theta") and letter not in turning:
+                        yield written("row {row}: {letter} is a length, and stands in the column of {name}", row=number, letter=letter, name=name)  # fmt: skip
+                    if name in ("a", "d") and letter in turning:
+                        yield written("row {row}: {letter} is an angle, and stands in the column of {name}", row=number, letter=letter, name=name)  # fmt: skip
+
+    def _of_other_convention(self, rows: Sequence[Sequence[str]]) -> str:
+        """Say if the rows are a table of the arm in the other convention, in its order."""
+        (other,) = (convention for convention in ORDER if convention != self.convention)
+        joints = [joint.symbol for joint in self.loaded.joints]
+        spec = {"dh": other, "rows": [dict(zip(ORDER[other], row, strict=True)) for row in rows], "joints": joints}
+        try:
+            arm = build_arm(read_table(spec), self.loaded.lengths)
+        except ArmproofError:
+            return ""
+        if [(joint.symbol, joint.kind) for joint in arm.joints] != [(j.symbol, j.kind) for j in self.loaded.joints]:
+            return ""
+        q = np.random.default_rng(0).uniform(0.2, 1.2, (_POSES, len(joints)))
+        poses = [NumericKinematics(each, q).pose(each.frames[len(joints)]) for each in (arm, self.loaded)]
+        tool = np.linalg.inv(poses[0]) @ poses[1]
+        if np.ptp(tool, axis=0).max() > _NEAR:
+            return ""
+        return look_up("this is a table of the classic convention, in its order; here the modified one is asked") if other == "classic" else look_up("this is a table of the modified convention, in its order; here the classic one is asked")  # fmt: skip
 
     def _sentence(self, record: Record) -> str:
         """Name the row and the parameter that are wrong, not their values."""

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import TypeGuard, TypeVar
 
 from armproof.verification.findings import Finding, Kind, say
@@ -47,6 +47,7 @@ _MOST_CALLS = 6  # sines and cosines of which two may be exchanged
 def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Yield every tree that one small change makes of `root`, the most likely slips first."""
     yield Edit(_negated(root), "sign", say(Kind.WRONG_SIGN))
+    yield from _on_all(root, _signs_of_angles)
     yield from _on_all(root, _signs)
     yield from _on_all(root, _functions)
     yield from _functions_throughout(root)
@@ -70,6 +71,44 @@ def sign_pairs(root: n.Node) -> Iterator[Edit]:
             terms = tuple((_FLIPPED[sign] if k in (one, other) else sign, term) for k, (sign, term) in enumerate(node.terms))  # fmt: skip
             finding = say(Kind.WRONG_SIGNS_OF_TERMS, one=one + 1, other=other + 1)
             yield Edit(n.substitute(root, node, replace(node, terms=terms)), "sign", finding)
+
+
+def bracketings(root: n.Node) -> Iterator[Edit]:
+    """Yield the trees in which a factor or a divisor that stands at one term of a sum is that of two, or of all before it."""
+    return _on_all(root, _brackets)
+
+
+def _brackets(node: n.Node) -> Iterator[Change]:
+    if not isinstance(node, n.Sum):
+        return
+    finding = say(Kind.MISSING_BRACKETS)
+    for k, ((sign, term), (next_sign, next_term)) in enumerate(pairwise(node.terms)):
+        for grouped in _grouped(sign, term, next_sign, next_term):
+            terms = (*node.terms[:k], (sign, grouped), *node.terms[k + 2 :])
+            yield grouped if terms == (("+", grouped),) else replace(node, terms=terms), "term", finding
+    sign, last = node.terms[-1]
+    if isinstance(last, n.Quotient) and len(node.terms) > 2:
+        above = replace(node, terms=(*node.terms[:-1], (sign, last.numerator)))
+        yield replace(last, numerator=above), "term", finding
+
+
+def _grouped(sign: str, term: n.Node, next_sign: str, next_term: n.Node) -> Iterator[n.Node]:
+    """Yield two terms as one, with the factor of either in common: of -a + b c, say, (a - b) c and (a + b) c."""
+    for inside in dict.fromkeys([next_sign, "+" if next_sign == sign else "-"]):
+        if (parts := _parted(next_term, last=False)) is not None:
+            yield parts[1](n.Group(n.Sum((("+", term), (inside, parts[0])), span=term.span)))
+        if (parts := _parted(term, last=True)) is not None:
+            yield parts[1](n.Group(n.Sum((("+", parts[0]), (inside, next_term)), span=term.span)))
+
+
+def _parted(node: n.Node, last: bool) -> tuple[n.Node, Callable[[n.Node], n.Node]] | None:
+    """Return the first or last factor of a product, or the numerator of a quotient, and what puts another in its place."""
+    if isinstance(node, n.Quotient) and not last:
+        return node.numerator, lambda new: replace(node, numerator=new)
+    if _is_scalar_product(node):
+        place = len(node.factors) - 1 if last else 0
+        return node.factors[place], lambda new: replace(node, factors=_with(node.factors, place, new))
+    return None
 
 
 def _negated(node: n.Node) -> n.Node:
@@ -103,6 +142,17 @@ def _signs(node: n.Node) -> Iterator[Change]:
     for k, (sign, term) in enumerate(node.terms):
         terms = _with(node.terms, k, (_FLIPPED[sign], term))
         yield replace(node, terms=terms), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
+
+
+def _signs_of_angles(node: n.Node) -> Iterator[Change]:
+    """The sign of one angle of several in a sine or cosine."""
+    if not _is_trigonometric(node) or not isinstance(argument := node.arguments[0], n.Sum):
+        return
+    for k, (sign, term) in enumerate(argument.terms):
+        if k and isinstance(term, n.Name):
+            terms = _with(argument.terms, k, (_FLIPPED[sign], term))
+            changed = replace(node, arguments=(replace(argument, terms=terms),))
+            yield changed, "sign", say(Kind.SIGN_OF_ANGLE, angle=_show(term))
 
 
 def _functions(node: n.Node) -> Iterator[Change]:
@@ -203,6 +253,11 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
     terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
     if not all(isinstance(term, n.Name) for _, term in terms):
         return
+    for k, (_, term) in enumerate(terms):
+        if len(terms) > 1 and isinstance(term, n.Name):
+            shorter = _with(terms, k)
+            rest = shorter[0][1] if len(shorter) == 1 and shorter[0][0] == "+" else n.Sum(shorter, span=argument.span)
+            yield replace(node, arguments=(rest,)), "index", say(Kind.EXTRA_ANGLE, angle=_show(term))
     present = {term.key for _, term in terms if isinstance(term, n.Name)}
     for angle in letters.angles:
         if angle.key not in present:

@@ -98,6 +98,11 @@ def change_of_angle(printed: Scalar, right: Scalar) -> Finding | None:
         return say(Kind.ROUNDED)
     if symbols_of(printed) and _signs(printed) == _signs(right):
         return say(Kind.THE_OFFSET)
+    if printed.is_zero() or right.is_zero():
+        return _change_of_terms(printed, right)
+    for kind, scaled in ((Kind.HALF_OF_IT, right / 2), (Kind.TWICE_IT, right * 2)):
+        if (printed - scaled).is_zero():
+            return say(kind)
     return _change_of_terms(printed, right)
 
 

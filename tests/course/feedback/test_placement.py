@@ -186,6 +186,26 @@ def test_the_table_is_that_of_ones_own_frames() -> None:
     assert "a and d are exchanged" in message(planar, "table", {**up, "table": [rows[0], (0, 0, "l_1", "theta_2")]})
 
 
+@pytest.mark.parametrize(
+    ("row", "words"),
+    [
+        ((0, "l_2", 0, "theta_2"), "row 2: a is wrong for the frames that you placed (l_2 for l_1)"),
+        ((0, "-l_1", 0, "theta_2"), "(the sign)"),
+        ((0, "l_1 + l_2", 0, "theta_2"), "(l_2 does not belong)"),
+        ((0, 0, 0, "theta_2"), "(it is missing)"),
+        (("pi", "l_1", 0, "theta_2"), "(it should vanish)"),
+        ((90, "l_1", 0, "theta_2"), "(in degrees? Radians are asked for)"),
+        (("theta_2", "l_1", 0, 0), "theta_2 stands in the column of alpha; joint 2 turns, so its variable is theta"),
+        ((0, "l_1", 0, 0), "(the variable)"),
+        ((0, "2 l_1", 0, "theta_2"), "row 2: a is wrong for the frames that you placed"),
+    ],
+)
+def test_what_is_wrong_in_a_row_is_named(row: tuple[object, ...], words: str) -> None:
+    planar = SCHEMES["planar_2r"]
+    frames = {"z": ["z", "z"], "O": ["A", "B"], "x": ["x", "x"]}
+    assert message(planar, "table", {**frames, "table": [(0, 0, 0, "theta_1"), row]}).endswith(words)
+
+
 def test_what_cannot_be_read_is_told() -> None:
     planar = SCHEMES["planar_2r"]
     for answer in (["w", "z"], ["z"], ["AA", "z"], [[0, 0, 0], "z"], "z"):

@@ -38,6 +38,15 @@ TURRET = Formula(
     r"\begin{bmatrix} \operatorname{atan2}(y, x) \\ \operatorname{atan2}(z, \sqrt{x^2 + y^2}) \end{bmatrix}", ("x", "y", "z"), unit="rad",
     given={"x": r"\rho\cos(3\gamma)", "y": r"\rho\sin(3\gamma)"}, symbols={"rho": "free", "gamma": "free"},
 )  # fmt: skip
+LINK = Formula(
+    r"\begin{bmatrix} C_1 & S_1 & 0 & -l_1 \\ -S_1 & C_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}", ("theta_1", "l_1"), arm="planar_2r",
+)  # fmt: skip
+AXIS = Quantity("planar_3r", {"difference": [3, 2]})
+TURNING = Quantity("planar_3r", {"jacobian": 3, "rows": [6]})
+COLUMN3 = Quantity("planar_3r", {"jacobian": 3, "rows": [4, 5, 6]})
+DIFFERENCE = Formula(r"l_1 \sin(\theta_1 - \theta_2)", (*_ANGLES, "l_1"), arm="planar_3r")
+OUTSIDE = Formula("x - (l_1 + l_2) y", ("x", "y", "l_1", "l_2"))
+ANGLES = Number((0.6, 0.8), labels=("sin θ", "cos θ"))
 BACK = Quantity("planar_3r", {"difference": [3, 2]})
 ARMS = Number((0.25, 0.85), "m", ("nearest", "farthest"), {"l_1": 0.6, "l_2": 0.3})
 PLACE = Number((0.0, 0.3, -0.4), labels=("x", "y", "z"))
@@ -75,7 +84,8 @@ def squared(answer: str) -> str:
         (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "right for l_1 = 0: look at how l_1 comes in"),
         (LEAN, r"\arcsin\frac{l_1}{l_2}", "the tangent of the angle is known"),
         (HEIGHT, "l_1 S_1 + l_2 S_2 + l_3 S_3", "each angle is taken as absolute"),
-        (COLUMN, r"\begin{bmatrix} r \\ \sin\theta \end{bmatrix}", r"entry (1, 1): your answer is r / cos \theta times"),
+        (COLUMN, r"\begin{bmatrix} r \\ \sin\theta \end{bmatrix}", r"entry (1, 1): \theta is missing"),
+        (COLUMN, r"\begin{bmatrix} \frac{1}{\cos\theta} \\ \sin\theta \end{bmatrix}", "entry (1, 1): numerator and denominator"),
         (PLACE, [0, -0.3, -0.4], "the sign is wrong"),
         (PLACE, [0.3, 0, -0.4], "their order is not"),
         (PLACE, [0.3, 0, 0.4], "their order and signs are not"),
@@ -96,6 +106,25 @@ def squared(answer: str) -> str:
         (Formula(r"l_1 \cos\theta + l_2 \sin\theta", ("theta", "l_1", "l_2")), r"l_1 \cos\theta - l_2 \sin\theta", "sign"),
         (RADIUS, "(x + y)", "the square of your answer differs from that of what is asked by 2 x y"),
         (TURRET, TURRET.latex.replace(r"\sqrt{x^2 + y^2}", "x"), "entry (2, 1): y is missing"),
+        (SPEED, SPEED.latex.replace("30", r"\frac{1}{30}"), "the number in front is upside down"),
+        (SPEED, SPEED.latex.replace("30", r"10 \sqrt{27}"), "your answer is √3 times too large"),
+        (LEAN, r"\frac{l_1}{l_2}", "your answer is the tangent of the angle"),
+        (FACING, r"\operatorname{atan2}(-y, x)", "wrong sign"),
+        (FACING, r"\frac{\pi}{2} - \operatorname{atan2}(x, -y)", "the sign of the angle is wrong"),
+        (FACING, r"\arctan\frac{x}{y}", "the quotient in the arctangent is upside down"),
+        (LINK, r"\begin{bmatrix} C_1 & -S_1 & 0 & -l_1 C_1 \\ S_1 & C_1 & 0 & -l_1 S_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+            "the rotation is that of the inverse: it is still to be transposed; the origin is that of the inverse, only negated"),
+        (AXIS, r"\begin{bmatrix} l_3 C_{123} \\ l_3 S_{123} \\ l_3 \end{bmatrix}", "entry (3, 1): zero belongs there"),
+        (TURNING, r"\begin{bmatrix} 1 & 1 & l_3 \end{bmatrix}", "entry (1, 3): what is asked does not depend on l_3"),
+        (COLUMN3, r"\begin{bmatrix} 1 & 1 & 1 \\ 2 & 1 & 1 \\ 1 & 1 & 1 \end{bmatrix}", "entries (1, 1), (1, 2), (1, 3), (2, 1): zero belongs there"),
+        (HEIGHT, "l_1 S_1 + l_2 S_{12} + l_3", "is missing"),
+        (DIFFERENCE, r"l_1 \sin(\theta_1 + \theta_2)", r"wrong sign of angle \theta_2"),
+        (DIFFERENCE, r"l_1 \sin(\theta_1 - \theta_2 + \theta_3)", r"angle \theta_3 does not belong"),
+        (OUTSIDE, "x - l_1 + l_2 y", "brackets are missing"),
+        (COSINE, r"x^2 + y^2 - l_1^2 - \frac{l_2^2}{2 l_1 l_2}", "brackets are missing"),
+        (ANGLES, [36.87, 0.8], "sin θ: this is the angle: its sine is asked"),
+        (Number((0.3, 0.0), "m"), [0.3, 1], "number 2: zero belongs there"),
+        (Number(2.0, "rad/s"), "2 m/s", "m/s is not the unit: rad/s is asked for"),
         (BACK, r"\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}", "from the origin of frame 0 to that of frame 2, not from 2 to 3"),
     ],
 )  # fmt: skip
@@ -113,6 +142,8 @@ def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answe
         (RADIUS, lambda x, y: [1, 2, 3]),
         (RADIUS, lambda x, y: 1 / 0),
         (PLACE, [0.1, 0.37, -0.42]),
+        (LINK, LINK.latex.replace("-l_1", "l_1 C_1 + 2 l_1 S_1")),
+        (ANGLES, [0.61, 0.8]),
         (ARMS, [0.13, 0.71]),
         (Number((0, 0, 1)), [0.6, 0, 0.8]),
     ],

@@ -131,3 +131,21 @@ def test_columns_in_the_order_of_the_other_convention_are_named() -> None:
     ]  # fmt: skip
     assert "your columns are in the order theta, d, a, alpha" in table.judge(letters).message
     assert "your columns" not in table.judge([(*row[:3], 0) for row in letters]).message
+
+
+def test_a_letter_in_a_column_of_another_kind_and_a_table_of_the_other_convention_are_named() -> None:
+    table = Table("scara_column", "classic")
+    modified = [(0, 0, "d_1", "theta_1"), (0, "a_1", 0, "theta_2"), ("pi", "a_2", "d_3", 0), (0, 0, "d_4", "theta_4")]
+    assert "a table of the modified convention" in table.judge(modified).message
+    other = [*modified[:3], (0, "a_1", "d_4", "theta_4")]
+    assert table.judge(other).message == "row 1: theta_1 is the variable of a joint, and stands in the column of alpha"
+    rows = [("theta_1", "d_1", "a_1", 0), ("theta_2", 0, "a_2", "pi"), (0, "d_3", 0, 0), ("theta_4", "d_4", 0, 0)]
+    assert table.judge(rows).is_right
+    for row, words in (
+        (("theta_2", 0, 0, "a_2"), "row 2: a_2 is a length, and stands in the column of alpha"),
+        (("theta_2", "theta_4", "a_2", "pi"), "row 2: theta_4 is an angle, and stands in the column of d"),
+        (("theta_2", 0, "a_2", "pi/2"), "row 2: alpha is wrong (half of what belongs there)"),
+        (("theta_2", 0, "a_2", "180"), "row 2: alpha = 180 is in degrees"),
+    ):
+        assert table.judge([rows[0], row, *rows[2:]]).message.startswith(words)
+    assert table.judge([rows[0], ("theta_2", 0, "a_2", "180°"), *rows[2:]]).is_right

@@ -1,0 +1,75 @@
+"""Numbers as students write them: a list, a text with decimal commas, with units, with names before them."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy as np
+
+from armproof.course.errors import AnswerError
+from armproof.course.feedback.answer import is_function, read_plain
+from armproof.models.language import ENGLISH, spoken
+
+_DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?:,\d+)?)*\s*[\])]?\s*")
+_ONE_DECIMAL_COMMA = re.compile(r"\s*[-+]?(?:0,\d+|\d+,(?!\d{3}\s*$)\d+)\s*")  # 1,500 may be a thousand and a half
+_BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
+_NAMED = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))[^\W\d]\w*\s*=\s*")
+_SCALES = {
+    "m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+    "m/s": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001},
+    "rad": {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180},
+    "rad/s": {"rad/s": 1.0, "deg/s": np.pi / 180, "°/s": np.pi / 180},
+}
+_KNOWN = sorted({unit for scales in _SCALES.values() for unit in scales} | {"kg", "N"}, key=len, reverse=True)
+_UNIT = re.compile(rf"(?<=[\d\])])\s*({'|'.join(map(re.escape, _KNOWN))})(?![\w/])")
+
+
+def numbers_in(answer: Any, unit: str = "–", count: int = 0) -> np.ndarray:
+    """Return the numbers of an answer in a unit: of a list, a text, SymPy, a function without arguments.
+
+    Args:
+        unit: of what is asked; another of its kind is converted.
+        count: how many are asked; of one alone, "2,5" has a decimal comma.
+
+    Raises:
+        AnswerError: a unit of another kind.
+        ValueError, TypeError: they are no numbers.
+    """
+    if is_function(answer):
+        answer = answer()
+    if hasattr(answer, "tolist"):
+        answer = answer.tolist()
+    if isinstance(answer, list | tuple):
+        return np.array([value for item in answer for value in numbers_in(item, unit, 1).tolist()], dtype=float)
+    if isinstance(answer, str):
+        return _of_text(answer, unit, count)
+    return np.array([float(answer)])
+
+
+def _of_text(text: str, unit: str, count: int) -> np.ndarray:
+    """Return the numbers of a text: "[0, 2]", "0 2", "pi/2", "x = 250 mm"; of "0,05 ; 0,55", which is French, two."""
+    text = _NAMED.sub("", text.replace("−", "-").replace("·", "*").translate(_BLANKS))
+    scales = [_scale(found, unit) for found in _UNIT.findall(text)]
+    values = _of_bare(_UNIT.sub("", text), count)
+    if scales and len(scales) not in (1, len(values)):
+        raise ValueError("some numbers have a unit and some have none")
+    return values * np.array(scales or [1.0])
+
+
+def _scale(found: str, unit: str) -> float:
+    if unit not in _SCALES:
+        raise ValueError("no unit is asked for")
+    if found not in _SCALES.get(unit, {}):
+        raise AnswerError("{found} is not the unit: {unit} is asked for", found=found, unit=unit)
+    return _SCALES[unit][found]
+
+
+def _of_bare(text: str, count: int) -> np.ndarray:
+    has_comma = _DECIMAL_COMMAS.fullmatch(text) and (";" in text or spoken() != ENGLISH)
+    if has_comma or (count == 1 and _ONE_DECIMAL_COMMA.fullmatch(text)):
+        text = text.replace(",", ".").replace(";", ",")
+    plain = read_plain(text)
+    if plain is None:
+        return np.array([float(part) for part in re.split(r"[,;\s]+|\band\b", text.strip(" []()")) if part])
+    return np.array([float(item) for item in np.ravel(np.array(plain, dtype=object)).tolist()])
