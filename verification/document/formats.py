@@ -10,6 +10,7 @@ from pathlib import Path
 from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
+from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import INLINE, Display, Document
@@ -59,7 +60,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 
         document = with_macros(document)
     document = _with_what_is_said(document)
-    if (images := len(_IMAGE.findall(text))) and suffix != ".py":
+    if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
     headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()

@@ -17,11 +17,14 @@ from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.dollarmath.index import math_block_dollar
 
+from armproof.verification.document.formula_links import formulas_in_html, formulas_in_line
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
 
+PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
+_SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?)\}")
 _BAR = re.compile(r"(?<!\\)\|")
@@ -56,7 +59,7 @@ def place_displays(displays: Sequence[Display], lines: Sequence[str], first: int
     placed: list[Display] = []
     row, column = 0, 0
     for display in displays:
-        if display.opening == INLINE:
+        if display.opening in (INLINE, PICTURE):
             placed.append(display)
             continue
         if display.line - first > row:
@@ -166,6 +169,7 @@ def _read_blocks(
     displays: list[Display] = []
     tables: list[Table] = []
     quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
+    in_table = False
     tokens = display_reader().parse(_UNSEEN.sub(lambda found: " " * len(found.group()), body))
     for index, token in enumerate(tokens):
         line, erratum, content = first + (token.map[0] if token.map else 0), any(quotes), token.content
@@ -187,10 +191,17 @@ def _read_blocks(
         elif token.type == "html_block" and "<table" in content:
             for at, rows in read_html_tables(content):
                 tables.append(Table(line + at - 1, rows[0], rows[1:], erratum, cell, section))
+        elif token.type == "html_block" and "<img" in content:
+            found = formulas_in_html(content)
+            displays.extend(_of_picture(latex, line + at, erratum, cell, section, alone) for at, latex, alone in found)
         elif token.type == "inline":
-            displays.extend(_inline_displays(token, first, erratum, cell, section))
-        elif token.type == "table_open":
-            tables.append(_read_table(tokens, index, first, erratum, cell, section))
+            in_text = _inline_displays(token, first, erratum, cell, section)
+            displays.extend(
+                each for each in in_text if not in_table or each.opening == INLINE or _SAYS.search(each.latex)
+            )
+        elif token.type in ("table_open", "table_close"):
+            if in_table := token.type == "table_open":
+                tables.append(_read_table(tokens, index, first, erratum, cell, section))
         elif token.type in ("fence", "colon_fence") and (inside := _DIRECTIVE.match(token.info)) is not None:
             if inside.group("name") == "math":
                 displays.extend(_math_directive(token, line, erratum, cell, section))
@@ -200,6 +211,12 @@ def _read_blocks(
                 displays += more
                 tables += more_tables
     return displays, tables
+
+
+def _of_picture(latex: str, line: int, erratum: bool, cell: int | None, section: str, alone: bool) -> Display:
+    """Return the formula of a picture: a display, where it says something and stands alone on its line."""
+    is_display = alone and _SAYS.search(latex) is not None
+    return Display(line, latex, erratum and is_display, cell, section, opening=PICTURE if is_display else INLINE)
 
 
 def without_labels(body: str) -> str:
@@ -355,6 +372,8 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False
             )
             return
+    for at, latex, alone in formulas_in_line(token.children or []):
+        yield _of_picture(latex, base + at, erratum, cell, section, alone)
 
 
 def _read_table(tokens: list[Token], start: int, first: int, erratum: bool, cell: int | None, section: str) -> Table:

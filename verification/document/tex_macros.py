@@ -155,7 +155,10 @@ def _filled(body: str, arguments: Sequence[list[_Character]], whole: tuple[int, 
     filled: list[_Character] = []
     for found in re.finditer(r"#(\d)|.", body, re.DOTALL):
         if found.group(1) and int(found.group(1)) <= len(arguments):
-            filled.extend(arguments[int(found.group(1)) - 1])
+            argument = arguments[int(found.group(1)) - 1]
+            if argument and argument[0].text.isalpha() and re.search(r"\\[A-Za-z]+$", body[: found.start()]):
+                filled.append(_Character(" ", *whole))  # \lVert#1 of x is no \lVertx
+            filled.extend(argument)
         else:
             filled.append(_Character(found.group(), *whole))
     return filled

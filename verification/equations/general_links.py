@@ -52,10 +52,10 @@ class GeneralStatements:
     def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
         """Return the outcomes of a chain with a link matrix of any link if they are about that, else None."""
         chain = _of_link_i(chain)
-        heads = [self._is_inverse(member) for member in chain.members]
         if any(m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)):
             return None
         self._general.confirm = self.checker.confirm
+        heads = self._heads(chain)
         named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
         # letters of both conventions: the one that is nearer is meant
         readings = [(convention, self._members(chain, heads, convention)) for convention in self._conventions(chain)]
@@ -68,6 +68,27 @@ class GeneralStatements:
             return None
         outcomes = self._general.check(replace(chain, members=members), equation, line, define)
         return [self._noted(outcome, convention) for outcome in outcomes] or None
+
+    def _heads(self, chain: n.Chain) -> list[bool | None]:
+        """Return of each member whether it is the inverse of a link matrix; None where it is neither.
+
+        Where nothing has told yet which index of T_i^{i-1} is the reference, what stands beside it does.
+        """
+        names, heads = self.checker.names, [self._is_inverse(member) for member in chain.members]
+        if names.stated_transforms or names.state.transforms:
+            return heads
+        names.state.transforms = "lower"
+        turned = [self._is_inverse(member) for member in chain.members]
+        names.state.transforms = ""
+        upper, lower = ((self._nearest(chain, each) if turned != heads else MIXED) for each in (heads, turned))
+        if min(upper, lower) < NEARLY:
+            names.state.transforms = "lower" if lower < upper else "upper"
+        return turned if names.state.transforms == "lower" else heads
+
+    def _nearest(self, chain: n.Chain, heads: list[bool | None]) -> int:
+        """Return how many entries are wrong in the convention in which fewest are."""
+        counts = (self._wrong_entries(*self._members(chain, heads, each)) for each in self._conventions(chain))
+        return min(counts, default=MIXED)
 
     def _members(self, chain: n.Chain, heads: list[bool | None], convention: str) -> tuple[n.Node, tuple[n.Node, ...]]:
         """Return the link matrix of a convention, and the chain with it (or its inverse) in the place of its name."""

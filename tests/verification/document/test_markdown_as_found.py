@@ -88,9 +88,10 @@ def test_nothing_takes_long(text: str):
 PICTURES = [
     (
         "![eq](https://latex.codecogs.com/svg.latex?x=1) and ![Equation 3](a.png)\n\n![x](eq_2.png)",
-        ["3 equations are images"],
+        ["2 equations are images"],
     ),
-    ('<img src="https://render.githubusercontent.com/render/math?math=x">', ["1 equation is an image"]),
+    ('<img src="https://render.githubusercontent.com/render/mathml?x">', ["1 equation is an image"]),
+    ('<img src="https://render.githubusercontent.com/render/math?math=x">', []),
     ("![robot](arm.png) and ![](frequency.png) $$ 1 = 1 $$", []),
 ]
 
@@ -98,6 +99,31 @@ PICTURES = [
 @pytest.mark.parametrize(("text", "told"), PICTURES)
 def test_pictures_of_equations_are_counted(text: str, told: list[str]):
     assert [str(remark).split(":")[0] for remark in parse_document(Path("page.md"), text).remarks] == told
+
+
+ADDRESSES = {
+    "codecogs": '<img src="https://latex.codecogs.com/gif.latex?\\inline&space;p_x&space;=&space;<>"/>',
+    "codecogs, in a paragraph": '<p align="center">\n<img src="https://latex.codecogs.com/svg.image?p_x=<>" title="it" />\n</p>',
+    "codecogs, in Markdown": "![formula](https://latex.codecogs.com/png.latex?\\dpi{150}p_x=<>)",
+    "GitHub": "Words:\n\n![](https://render.githubusercontent.com/render/math?mode=display&math=p_x=<>)\n\nwords",
+    "Zhihu": '<img src="https://www.zhihu.com/equation?tex=p_x%3D<>" alt="it" class="ee_img tr_noresize">',
+}
+
+
+@pytest.mark.parametrize("form", ADDRESSES)
+def test_a_picture_that_has_its_latex_in_its_address_is_a_display(form: str):
+    for sign, verdict in (("&plus;", "proved"), ("-", "refuted")):
+        text = ADDRESSES[form].replace("<>", f"l_1c_1{sign}l_2c_{{12}}")
+        (record,) = verify_text(f"{FRONT}{text}\n").equations
+        assert record.verdict.value == verdict
+
+
+def test_a_picture_within_text_or_of_one_letter_is_no_display():
+    link = "https://latex.codecogs.com/gif.latex?"
+    text = f'with <img src="{link}p_x=1"/> here\n\n<img src="{link}p_x"/>\n\n| x | ![]({link}a_1) |\n|--|--|\n| $$a = 1$$ | $$0$$ |\n'
+    displays, _ = read_markdown(text, 1)
+    assert [each.latex for each in displays if each.opening != "$"] == ["a = 1"]
+    assert [each.latex for each in displays if each.opening == "$"] == ["p_x=1", "p_x", "a_1"]
 
 
 ROWS = {

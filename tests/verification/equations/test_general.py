@@ -96,7 +96,17 @@ def test_the_front_matter_decides_where_indices_would_tell_another_convention(ju
 
 def test_under_transforms_lower_the_other_index_is_the_reference(judge: Judge) -> None:
     assert judge(rf"T_{{i-1}}^i = {CLASSIC}", arm=None, transforms="lower").verdict is Verdict.PROVED
-    assert judge(rf"T_{{i-1}}^i = {CLASSIC}", arm=None).verdict is Verdict.REFUTED
+    assert judge(rf"T_{{i-1}}^i = {CLASSIC}", arm=None, transforms="upper").verdict is Verdict.REFUTED
+
+
+def test_the_first_general_link_matrix_shows_which_index_is_the_reference(judge: Judge) -> None:
+    lower, upper = rf"T_{{i-1}}^i = {CLASSIC}", rf"T_i^{{i-1}} = {CLASSIC}"
+    assert judge(lower, arm=None).verdict is Verdict.PROVED
+    slip = judge(lower.replace("& d_i", "& -d_i"), arm=None)
+    assert slip.verdict is Verdict.REFUTED and [(each.row, each.column) for each in slip.entries] == [(3, 4)]
+    for one, other in ((lower, upper), (upper, lower)):
+        assert judge(one, one, arm=None).verdict is Verdict.PROVED
+        assert judge(one, other, arm=None).verdict is Verdict.REFUTED
 
 
 def test_a_link_of_the_arm_is_not_a_general_one(judge: Judge) -> None:
