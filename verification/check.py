@@ -26,6 +26,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
+from armproof.verification.naming.quantities import tells_frame
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.state import DocumentState, Stated, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
@@ -154,6 +155,7 @@ class DocumentChecker:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
+        self.names = replace(self.names, is_part=self.inferred.arm is not None and self.inferred.arm.is_part)
         if self._shown_transforms:  # by what the arm was taken from, and not stated by the author
             self.names = replace(self.names, stated_transforms="")
         self.names.reader.spelling = spelling_of(document, self.names.reader.words)
@@ -391,6 +393,8 @@ class DocumentChecker:
         if (other := next(filter(self._is_other_variable, _names_in(outcome)), None)) is not None:
             joint = self.names.known_symbol(other.key)
             return outcome.left_open(say(Kind.UNTOLD_VARIABLE, name=other.key, joint=str(joint)))
+        if taken.is_part and any(finding.kind is Kind.NO_SUCH_ANGLE for finding in outcome.findings):
+            return outcome.left_open(outcome.findings[0])
         if taken.several_tools and (untold := next(filter(self._is_of_any_tool, _names_in(outcome)), None)) is not None:
             return outcome.left_open(say(Kind.SEVERAL_TOOLS, line=taken.line, name=untold.text))
         return outcome
@@ -398,14 +402,7 @@ class DocumentChecker:
     def _is_of_any_tool(self, name: n.Name) -> bool:
         """Whether a name stands for a quantity of the last frame without saying so."""
         quantity = self.checker.quantity_of(name)
-        scripts = (
-            name.sub.partition("rows ")[0],
-            name.sup,
-            name.pre_sub,
-            name.pre_sup,
-        )  # without those of J that are read
-        is_told = quantity is None or quantity.frame in scripts or any(one.isdigit() for one in "".join(scripts))
-        return not is_told
+        return quantity is not None and not tells_frame(name, quantity)
 
     def _is_other_variable(self, node: n.Name) -> bool:
         """Whether a θ_2 stands where the arm's joint is q_2, and the document, which has both, does not say what it is by that."""

@@ -270,6 +270,7 @@ class TakenArm:
         lines: the places (cell, line) of all that it was taken from: data, not claims.
         products: those of them where a product shows its factors.
         several_tools: whether the table shows more end effectors than this arm's.
+        is_part: whether the document speaks of joints behind its last one.
     """
 
     name: str
@@ -282,6 +283,7 @@ class TakenArm:
     lines: frozenset[tuple[int | None, int]] = frozenset()
     products: frozenset[tuple[int | None, int]] = frozenset()
     several_tools: bool = False
+    is_part: bool = False
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""

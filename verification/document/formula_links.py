@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from urllib.parse import unquote
+from urllib.parse import unquote, unquote_plus
 
 from markdown_it.token import Token
 
@@ -30,7 +30,11 @@ def latex_of(address: str) -> str:
     found = _ADDRESS.fullmatch(address.strip())
     if found is None:
         return ""
-    latex = unquote(_ENTITY.sub(lambda each: _ENTITIES[each[1]], found["all"] or found["one"] or ""))
+    latex = (
+        unquote(_ENTITY.sub(lambda each: _ENTITIES[each[1]], found["all"]))
+        if found["all"]
+        else unquote_plus(found["one"] or "")
+    )
     while option := _OPTIONS.match(latex):
         latex = latex[option.end() :]
     return " ".join(latex.split())

@@ -144,6 +144,8 @@ class Conventions:
                 if self._agree(tried, other, pair):
                     self.names.state.usual[name.key, self.names.state.section] = quantity
                     return tried
+                if quantity != usual and self._is_named_in(other, quantity, name.key):
+                    continue  # z = P_z - d_1 is no P_z
                 if pair is not None and self.names.state.configuration:
                     there = self.equality.compare(tried, other, 1, False).verdict
                     if there is Verdict.CONFIRMED:
@@ -158,6 +160,11 @@ class Conventions:
         if near is None or (near != usual and self._is_of_another(known)):
             return member
         return self._tried(member.node, name, near)
+
+    def _is_named_in(self, member: Member, quantity: Quantity, key: str) -> bool:
+        """Whether a side holds another name of a quantity: then an author who has both means something else by this one."""
+        names = (below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key != key)
+        return any(self.names.quantity(each) == quantity for each in names)
 
     def _with_entries(self, member: Member, known: list[Member]) -> Member:
         """[x; y] = …: each entry that is a name by itself, by the entry that stands in its place."""
@@ -192,6 +199,7 @@ class Conventions:
         found = conventional(name, arm, self.names.transforms)
         if isinstance(bare(node), n.Call):
             found = tuple(dict.fromkeys((*found, *applied(name, arm))))
+        found = tuple(quantity for quantity in found if self.names.may_be(name, quantity))
         return tuple(each for quantity in found if (each := self._with_rows(quantity)) is not None)
 
     def _with_rows(self, quantity: Quantity) -> Quantity | None:

@@ -19,7 +19,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
-from armproof.verification.naming.quantities import implied_quantity, transform_pair
+from armproof.verification.naming.quantities import implied_quantity, tells_frame, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
@@ -31,7 +31,7 @@ class Names:
     """The bindings of one document: those of its front matter, and in `state` those that its displays add.
 
     `general` marks the names of its general statements, which are about no arm; they share the state but have free letters
-    of their own.
+    of their own. `is_part`: whether the arm is only the first part of the one that the document is about.
     """
 
     arm: Arm | None
@@ -41,6 +41,7 @@ class Names:
     reader: Reader = field(default_factory=Reader)
     state: DocumentState = field(default_factory=DocumentState)
     general: bool = False
+    is_part: bool = False
 
     @property
     def transforms(self) -> str:
@@ -200,9 +201,17 @@ class Names:
         if self.arm is None or name.key in self.state.definitions:
             return None
         found = self.state.inferred.get(name.key) or implied_quantity(name, self.arm, self.transforms)
+        if found is not None and not self.may_be(name, found):
+            return None
         rows = self.rows_of(name.key)
         fewer = rows is not None and len(rows) < 6 and found is not None and found.kind == "jacobian"
         return replace(found, rows=rows) if fewer and found is not None else found
+
+    def may_be(self, name: n.Name, quantity: Quantity) -> bool:
+        """Whether a name can be that quantity: the tool of an arm of which only a part is known is none of its frames."""
+        return (
+            not self.is_part or self.arm is None or quantity.frame != self.arm.frames[-1] or tells_frame(name, quantity)
+        )
 
     def rows_of(self, key: str) -> tuple[int, ...] | None:
         """Return the rows (from 1) in which the document shows the Jacobian of a name, or None where it has not."""

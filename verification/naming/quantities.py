@@ -151,6 +151,15 @@ def transform_pair(name: n.Name, arm: Arm, transforms: str) -> tuple[str, str] |
     return None
 
 
+def tells_frame(name: n.Name, quantity: Quantity) -> bool:
+    """Whether the indices of a name say of which frame its quantity is: the 3 of p_3, the E of x_E; those of r_{13} are its place."""
+    below = (
+        () if quantity.rows and quantity.columns else (name.sub.partition("rows ")[0], name.pre_sub)
+    )  # without those of J that are read
+    scripts = (*below, name.sup, name.pre_sup)
+    return quantity.frame in scripts or any(one.isdigit() for one in "".join(scripts))
+
+
 def leads_outwards(name: n.Name, arm: Arm, transforms: str) -> bool:
     """Whether an index above and one below lead from a frame to one that is farther from the base, as link matrices do."""
     pair = transform_pair(name, arm, transforms) if name.sub and name.sup else None

@@ -97,3 +97,15 @@ def test_a_usual_name_keeps_under_its_heading_what_an_equation_showed_it_to_be(
     check: Callable[..., DocumentResult], displays: list[str], verdicts: str
 ) -> None:
     assert " ".join(record.verdict.value for record in check(*displays, **FRONT).equations) == verdicts
+
+
+def test_a_usual_name_beside_another_of_the_same_quantity_means_something_else(
+    check: Callable[..., DocumentResult],
+) -> None:
+    """x = p_x - l_1 c_1: the author has both, so x is no p_x; then it is held to that."""
+    whole, wrist = f"= {X[4:]}", r"x = p_x - l_1 \cos\theta_1"
+    right, wrong = (rf"x = {sign}l_2 \cos(\theta_1 + \theta_2)" for sign in ("", "-"))
+    told = check(f"p_x {whole}", wrist, right, wrong, arm="planar_2r").equations
+    assert [each.verdict.value for each in told] == ["proved", "defined", "proved", "refuted"]
+    shown = check(f"p_x {whole}", f"x {whole}", wrist, arm="planar_2r").equations  # x is shown to be p_x here
+    assert shown[-1].verdict == "refuted"

@@ -62,11 +62,15 @@ class Candidate:
         begin = self.indices[0] if self.indices else 1
         return begin - 1 if begin > 1 and self.indices == tuple(range(begin, begin + len(self.joints))) else 0
 
+    @property
+    def last(self) -> int:
+        """The number of the last row's frame."""
+        return self.first + len(self.joints)
+
     def lacks(self, used: Iterable[int]) -> int:
         """Return the largest of some joints' numbers that no joint has, 0 where each has one: that of a fixed row is none's."""
         fixed = "" in self.joints and len(self.indices) == sum(map(bool, self.joints))
-        most = self.first + len(self.joints)
-        return max((k for k in used if k > most or (fixed and k > 0 and k not in self.indices)), default=0)
+        return max((k for k in used if k > self.last or (fixed and k > 0 and k not in self.indices)), default=0)
 
     @property
     def is_numeric(self) -> bool:

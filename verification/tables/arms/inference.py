@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -16,6 +16,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
+from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.matrices import candidate_of_matrices
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
@@ -100,24 +101,36 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     told = told_variables(document, plain_names(document))
     found = [in_variables(candidate, told) for candidate in found] if told else found
     line = found[0].line
-    if more := found[0].lacks(_joints_used(document)):
-        count = sum(map(bool, found[0].joints))
-        return Inference(document, None, say(Kind.JOINTS_MISSING, count=count, index=more), line)
+    more, count = found[0].lacks(_joints_used(document)), sum(map(bool, found[0].joints))
+    missing = say(Kind.JOINTS_MISSING, count=count, index=more)
+    if more and (found[0].source != "table" or more <= found[0].last):
+        return Inference(document, None, missing, line)
     try:
         best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)])
     except ArmproofError as error:
         return Inference(document, problem=say(Kind.NO_ARM_IN_TABLE, reason=finding_of(error)), line=line)
-    rivals = [one for one in others if one.counts == best.counts and one.front["arm"] != best.front["arm"]]
+    rivals = _rivals(best, others)
+    is_shown = (rivals or not best.held) and (shown := shown_convention(document, plain_names(document))) != ""
+    if is_shown:  # by the link matrix that it prints for any link
+        best, *others = [each for each in (best, *others) if each.convention == shown]
+        rivals = _rivals(best, others)
     alike = any(one.counts == best.counts and one.front["arm"] == best.front["arm"] for one in others)
     if alike and "transforms" not in document.front:  # nothing tells which index is the reference
         best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
+    if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
+        return Inference(document, None, missing, line)
     if _stated(document):
-        return _taken(document, found[0], best)
-    if rivals or not best.held:
+        return _taken(document, found[0], best, bool(more))
+    if rivals or not (best.held or is_shown):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)
     if best.failed > best.held:
         return Inference(document, problem=say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed), line=line)
-    return _taken(document, found[0], best)
+    return _taken(document, found[0], best, bool(more))
+
+
+def _rivals(best: Reading, others: Sequence[Reading]) -> list[Reading]:
+    """Return the readings under which as much holds, of another arm."""
+    return [one for one in others if one.counts == best.counts and one.front["arm"] != best.front["arm"]]
 
 
 def _joints_used(document: Document) -> set[int]:
@@ -149,7 +162,7 @@ def _fronts(document: Document, candidate: Candidate) -> Iterator[Mapping[str, A
             yield {**document.front, **found, **more, "transforms": transforms}
 
 
-def _taken(document: Document, candidate: Candidate, reading: Reading) -> Inference:
+def _taken(document: Document, candidate: Candidate, reading: Reading, is_part: bool) -> Inference:
     added = {key: value for key, value in reading.front.items() if document.front.get(key) != value}
     arm = TakenArm(
         reading.name,
@@ -162,5 +175,6 @@ def _taken(document: Document, candidate: Candidate, reading: Reading) -> Infere
         candidate.lines,
         frozenset(candidate.products),
         candidate.several_tools,
+        is_part,
     )
     return Inference(replace(document, front=dict(reading.front)), arm)
