@@ -493,6 +493,8 @@ class Statements:
         frames = self.names.arm.frames if self.names.arm is not None else ()
         if undecided and outcomes and is_composition(chain, frames):
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
+        if undecided and self.names.arm is not None and (found := self.general.product(chain, equation, line)):
+            return found
         if (
             self.names.arm is not None
             and outcomes

@@ -15,6 +15,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.verdict import Verdict
 
@@ -122,6 +123,11 @@ class GeneralStatements:
         claimed = elementary and any(found == letters for found, m in members if not isinstance(m, n.Name))
         return outcomes if claimed and all(o.verdict is not Verdict.UNCHECKED for o in outcomes) else None
 
+    def product(self, chain: n.Chain, equation: int, line: int) -> list[Outcome] | None:
+        """Return the outcomes of what is printed for a product of printed matrices in letters that are no arm's; else None."""
+        written = _product_in_letters(chain)
+        return self._general.check(written, equation, line, False) if written is not None else None
+
     def _noted(self, outcome: Outcome, convention: str) -> Outcome:
         if outcome.verdict is Verdict.PROVED:
             outcome.findings = (say(Kind.LINK_MATRIX, convention=convention),)
@@ -165,6 +171,23 @@ class GeneralStatements:
         modified = any(base in ("a", "alpha") and sub == "i-1" for base, sub in subs)
         classic = any(base in ("a", "alpha") and sub == "i" for base, sub in subs)
         return (("classic",) if classic else ()) + (("modified",) if modified else ())
+
+
+def _product_in_letters(chain: n.Chain) -> n.Chain | None:
+    """Return the members of a chain that are a product of printed matrices and what is printed for it, [Z][X] = […] […] = […]."""
+    printed = [member for member in chain.members if _is_printed(bare(member))]
+    letters = {_letters(member) for member in printed}
+    if not any(isinstance(bare(member), n.Product) for member in printed) or len(printed) < 2 or len(letters) != 1:
+        return None
+    known = all(base in ANGLES | LENGTHS and not sub.isdigit() for base, sub in next(iter(letters)))
+    return replace(chain, members=tuple(printed), relations=("=",) * (len(printed) - 1)) if known else None
+
+
+def _is_printed(node: n.Node) -> bool:
+    """Whether a tree is a matrix with its entries, or a product of such."""
+    return isinstance(node, n.Matrix) or (
+        isinstance(node, n.Product) and all(isinstance(bare(f), n.Matrix) for f in node.factors)
+    )
 
 
 def _of_link_i(chain: n.Chain) -> n.Chain:

@@ -79,6 +79,7 @@ _FACTOR = re.compile(
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
 _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
+_DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
 _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
@@ -262,7 +263,9 @@ class _Scanner:
         primes = argument.replace("\\prime", "'").replace(" ", "")
         if kind == "SUP" and set(primes) == {"'"}:
             return [self.token("PRIME", "'", start, end)] * len(primes), end
-        return [self.token(kind, argument, start, end)], end
+        of_next = _DOTS_BEFORE.search(self.text, max(start - 20, 0), start)  # \cdots _3^2T: those of the letter behind
+        before = [self.token("PRE", "{}", start, start)] if of_next else []
+        return [*before, self.token(kind, argument, start, end)], end
 
     def _script_argument(self, start: int, position: int) -> tuple[str, int]:
         text = self.text

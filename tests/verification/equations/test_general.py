@@ -145,3 +145,19 @@ def test_a_document_may_mean_something_else_by_its_link_matrix(judge: Judge) -> 
     assert judge(slip, arm=None).verdict is Verdict.REFUTED
     assert judge(own, slip, arm=None).verdict is Verdict.UNCHECKED
     assert judge(own, f"A_i = {CLASSIC}", arm=None).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize("arm", [None, "scara"])
+def test_what_is_printed_for_a_product_of_printed_matrices_is_a_claim_in_any_letters(
+    judge: Judge, arm: str | None
+) -> None:
+    """K = […] […] = […]: whatever it is called, the product is calculated."""
+    turn = r"\begin{bmatrix} \cos\theta & -\sin\theta & 0 \\ \sin\theta & \cos\theta & 0 \\ 0 & 0 & <> \end{bmatrix}"
+    twist = r"\begin{bmatrix} 1 & 0 & 0 \\ 0 & \cos\alpha & -\sin\alpha \\ 0 & \sin\alpha & \cos\alpha \end{bmatrix}"
+    both = CLASSIC.replace("_i", "").replace("& a\\cos\\theta", "").replace("& a\\sin\\theta", "")
+    rows = [row.split("&")[:3] for row in both.removeprefix(r"\begin{bmatrix}").split(r"\\")[:3]]
+    whole = r"\begin{bmatrix}" + r"\\".join("&".join(row) for row in rows) + r"\end{bmatrix}"
+    equation = rf"K = {turn} {twist} = {whole}"
+    assert judge(equation.replace("<>", "1"), arm=arm).verdict is Verdict.PROVED
+    assert judge(equation.replace("<>", "0"), arm=arm).verdict is Verdict.REFUTED
+    assert judge(equation.replace("<>", "-1"), arm=arm).verdict is Verdict.REFUTED

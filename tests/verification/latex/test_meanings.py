@@ -436,6 +436,8 @@ def test_a_pose_printed_as_its_rotation_is_that_where_it_is_right(judge: Judge) 
         (r"A_1 A_2 \cdots A_n", Verdict.PROVED),
         (r"A_1(q_1) \dots A_n(q_n)", Verdict.PROVED),
         (r"{}^0T_1 \, {}^1T_2 \cdots {}^{n-1}T_n", Verdict.PROVED),
+        (r"{}_1^0T \cdots\: _n^{n-1}T", Verdict.PROVED),  # the scripts behind dots are those of the letter behind
+        (r"{}_1^0T \cdots\: _{n-1}^nT", Verdict.UNCHECKED),
         (r"A_1 \cdots A_{n-1}", Verdict.UNCHECKED),  # what the dots stand for is not said
         (r"A_1 A_3 \cdots A_n", Verdict.UNCHECKED),
         (r"A_2 \cdots A_n", Verdict.UNCHECKED),
