@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from armproof.models.loading.reader import SUFFIXES
 _MODELS = Path(__file__).resolve().parent
 
 
+@cache
 def arm_names() -> tuple[str, ...]:
     """Return the names of the arms of the catalogue, in alphabetical order."""
     return tuple(sorted(card.parent.name for card in _MODELS.glob(f"*/{CARD_NAME}")))

@@ -82,7 +82,7 @@ def add(*entries: Entry) -> Entry:
     total: dict[Monomial, Fraction] = {}
     for entry in entries:
         for monomial, coefficient in entry.items():
-            total[monomial] = total.get(monomial, Fraction(0)) + coefficient
+            total[monomial] = total[monomial] + coefficient if monomial in total else coefficient
     return {monomial: coefficient for monomial, coefficient in total.items() if coefficient}
 
 
@@ -93,8 +93,12 @@ def scale(entry: Entry, factor: int | Fraction) -> Entry:
 
 def multiply(*entries: Entry) -> Entry:
     """Return the product of entries, in normal form."""
-    product: Entry = ONE
-    for entry in entries:
+    product, *others = entries or (ONE,)
+    if not all(entries):
+        return ZERO
+    if not others:
+        return normal_form(product)
+    for entry in others:
         terms: dict[Monomial, Fraction] = {}
         for left, left_coefficient in product.items():
             for right, right_coefficient in entry.items():
@@ -102,7 +106,8 @@ def multiply(*entries: Entry) -> Entry:
                 for gen, power in right:
                     powers[gen] = powers.get(gen, 0) + power
                 monomial = tuple(sorted(powers.items()))
-                terms[monomial] = terms.get(monomial, Fraction(0)) + left_coefficient * right_coefficient
+                coefficient = left_coefficient * right_coefficient
+                terms[monomial] = terms[monomial] + coefficient if monomial in terms else coefficient
         product = normal_form(terms)
     return product
 
@@ -115,7 +120,7 @@ def normal_form(entry: Entry) -> Entry:
         monomial, coefficient = pending.pop()
         high = next((item for item in monomial if item[1] > 1 and item[0][0] in ("sin", "sqrt")), None)
         if high is None:
-            done[monomial] = done.get(monomial, Fraction(0)) + coefficient
+            done[monomial] = done[monomial] + coefficient if monomial in done else coefficient
             continue
         (kind, name), power = high
         powers = dict(monomial)

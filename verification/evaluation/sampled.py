@@ -233,7 +233,7 @@ class SampledAlgebra(ArmAlgebra):
         return _from_stack(self.kinematics.jacobian(frame, expressed_in, self.arm.frames[0]))
 
 
-@lru_cache(maxsize=8)  # some megabytes each; the same come again in an arm's next display or document
+@lru_cache(maxsize=16)  # some megabytes each; the same come again in an arm's next display or document
 def _kinematics(arm: Arm, samples: int, q: bytes) -> NumericKinematics:
     return NumericKinematics(arm, np.frombuffer(q).reshape(samples, len(arm.joints)))
 

@@ -14,8 +14,15 @@ from itertools import chain
 from typing import Any
 
 
+class _Walked:
+    """Keeps the nodes below one that was walked: a tree is asked for them once a question, and never changes."""
+
+    __slots__ = ("_walked",)
+    _walked: tuple[Node, ...]
+
+
 @dataclass(frozen=True, slots=True)
-class Node:
+class Node(_Walked):
     """One node; `span` is its place in the display and does not count in comparisons."""
 
     span: tuple[int, int] = field(default=(0, 0), compare=False, kw_only=True)
@@ -255,6 +262,14 @@ def _collect(values: tuple[object, ...], found: list[Node]) -> None:
 
 def walk(node: Node) -> Iterator[Node]:
     """Yield the node and all below it, depth first."""
+    try:
+        return iter(node._walked)
+    except AttributeError:
+        object.__setattr__(node, "_walked", tuple(_below(node)))
+        return iter(node._walked)
+
+
+def _below(node: Node) -> Iterator[Node]:
     stack = [node]
     while stack:
         top = stack.pop()
