@@ -258,10 +258,12 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
             shorter = _with(terms, k)
             rest = shorter[0][1] if len(shorter) == 1 and shorter[0][0] == "+" else n.Sum(shorter, span=argument.span)
             yield replace(node, arguments=(rest,)), "index", say(Kind.EXTRA_ANGLE, angle=_show(term))
-    present = {term.key for _, term in terms if isinstance(term, n.Name)}
-    for angle in letters.angles:
-        if angle.key not in present:
-            longer = n.Sum((*terms, ("+", angle)), span=argument.span)
+    keys = [term.key for _, term in terms if isinstance(term, n.Name)]
+    for index, angle in enumerate(letters.angles):
+        if angle.key not in keys:
+            behind = {other.key for other in letters.angles[index + 1 :]}
+            at = next((k for k, key in enumerate(keys) if key in behind), len(keys))
+            longer = n.Sum((*terms[:at], ("+", angle), *terms[at:]), span=argument.span)
             style = {"letter": "letter()", "macro": "macro()"}.get(node.style, node.style)
             yield replace(node, arguments=(longer,), style=style), "index", say(Kind.MISSING_ANGLE, angle=_show(angle))
 
