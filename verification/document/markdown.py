@@ -7,6 +7,7 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from armproof.verification.document.front_matter import FrontMatter, split_front
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
+from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])")
@@ -353,7 +355,8 @@ def _block_displays(content: str, line: int, erratum: bool, cell: int | None, se
 def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
     base = first + (token.map[0] if token.map else 0)
     cursor = 0
-    for child in token.children or []:
+    children = token.children or []
+    for child, behind in zip_longest(children, children[1:]):
         if child.type == "math_inline_double":
             at = token.content.find("$$" + child.content, cursor)
             cursor = at + len(child.content) + 4
@@ -361,10 +364,11 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
         elif child.type == "math_inline":
             quoted = re.fullmatch(r"`(.*)`", child.content, re.DOTALL)  # GitHub's $`…`$
             latex = quoted[1] if quoted else child.content
-            if quoted and len([each for each in token.children or [] if each.content.strip()]) == 1:
+            if quoted and len([each for each in children if each.content.strip()]) == 1:
                 yield Display(base, latex, erratum, cell, section, opening="$`")
             else:
-                yield Display(base, latex, cell=cell, section=section, opening=INLINE)
+                text = with_unit(latex, behind.content if behind is not None and behind.type == "text" else "")
+                yield Display(base, text, cell=cell, section=section, opening=INLINE)
         elif child.type == "text" and "$$" not in child.content:
             yield from postures(child.content, base, section)
         elif child.type == "text" and (at := token.content.find("$$", cursor)) >= 0:

@@ -18,6 +18,7 @@ from pathlib import Path
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.model import INLINE, Display, Document, Piece
 from armproof.verification.document.postures import postures
+from armproof.verification.document.units import with_unit
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
 _ERRATUM = re.compile(
@@ -100,7 +101,8 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
             erratum = None
         yield from postures(line, row + 1, section)
-        for latex in _ROLE.findall(line):
+        for role in _ROLE.finditer(line):
+            latex = with_unit(role[1], line[role.end() :])
             yield Display(row + 1, latex, section=section, opening=INLINE)
         if (found := _MATH.match(line)) is not None:
             yield from _block(lines, row, found, erratum is not None, section)

@@ -25,6 +25,7 @@ from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
 from armproof.verification.document.tex_tables import read_tabular
+from armproof.verification.document.units import with_unit
 
 ENVIRONMENTS = (
     "equation align gather multline flalign alignat eqnarray displaymath dmath dgroup math xalignat IEEEeqnarray empheq"
@@ -169,6 +170,7 @@ class _Scanner:
                     self.spans.append((token.start(), after, display))
                 elif end >= 0:
                     latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
+                    latex = with_unit(latex, self.visible[after : after + 40])
                     yield Display(
                         self.line(token.start()), latex, section=self.section, opening=INLINE, **self.where(begin)
                     )
