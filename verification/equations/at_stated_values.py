@@ -130,10 +130,8 @@ class StatedValues:
         """Compare entry by entry, as the numbers are rounded."""
         found = _Numbers(pair)
         allowed, angles = roundings(numbers, pair.true.shape), angle_places(pair)
-        units = {
-            _has_unit(numbers),
-            *(_has_unit(s.node) for s in self._stated(symbols_in(_differences(pair))).values()),
-        }
+        stated = self._stated(symbols_in(_differences(pair)) & set(self.names.arm.lengths if self.names.arm else ()))
+        units = {_has_unit(numbers), *(_has_unit(value.node) for value in stated.values())}
         for place, rounding in allowed.items():
             difference = pair.true.rows[place[0]][place[1]] - pair.printed.rows[place[0]][place[1]]
             error = self._error(difference, place in angles)

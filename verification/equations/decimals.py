@@ -57,7 +57,8 @@ EXACT = Rounding(1e-9, 1e-9)
 def roundings(node: n.Node, shape: tuple[int, int]) -> dict[tuple[int, int], Rounding]:
     """Return how the numbers of a tree are rounded, at each place (from 0) of its value.
 
-    A whole number among decimals has theirs; an expression of decimals is exact, or not known to half a unit.
+    A whole number among decimals has theirs, one of millimetres is rounded to these; an expression of decimals is exact, or not
+    known to half a unit.
     """
     node = n.ungrouped(node)
     cells = node.cells if isinstance(node, n.Matrix) else ()
@@ -72,10 +73,10 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
     alone = not any(isinstance(b, n.Product | n.Quotient | n.Power | n.Call) for b in n.walk(cell))
     if not decimals and alone:
         decimals = [b.decimals for b in n.walk(whole) if isinstance(b, n.Number) and b.decimals]
-    if not decimals:
-        return EXACT
     marks = [b.operator for b in n.walk(cell) if isinstance(b, n.Postfix)]
-    unit = 10.0 ** -max(decimals) * min((UNITS[mark] for mark in marks if mark in UNITS), default=1.0)
+    if not decimals and not {"mm", "cm"}.intersection(marks):
+        return EXACT
+    unit = 10.0 ** -max(decimals, default=0) * min((UNITS[mark] for mark in marks if mark in UNITS), default=1.0)
     return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
 
 

@@ -207,14 +207,11 @@ class Totals:
         if self.largest_error is not None:
             error, path = self.largest_error
             within = written(", in {path}", path=path) if self.documents > 1 else ""
-            lines.append(
-                written(
-                    "evaluated on Drake's numerical plant at {count:,} configurations: largest error {error:.1e}{within}",
-                    count=self.samples,
-                    error=error,
-                    within=within,
-                )
+            one, many = noted_plural(
+                "evaluated on Drake's numerical plant at {number:,} configuration: largest error {error:.1e}{within}",
+                "evaluated on Drake's numerical plant at {number:,} configurations: largest error {error:.1e}{within}",
             )
+            lines.append(counted(one, many, self.samples, error=error, within=within))
         return lines
 
     @property

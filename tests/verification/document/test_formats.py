@@ -358,7 +358,8 @@ SAID_IN = {
     [
         (r"\theta_1 = \frac{\pi}{2}", Verdict.UNCHECKED),
         (r"q = (\frac{\pi}{2}, 0)", Verdict.UNCHECKED),
-        (r"l_1 = 0.6", Verdict.UNCHECKED),
+        (r"l_1 = 0.6", Verdict.CONFIRMED),  # 0.6 + 0.3
+        (r"l_1 = 0.7", Verdict.UNCHECKED),
         (r"\theta_1 \approx 1.57", Verdict.UNCHECKED),
         (r"\theta_1 = }", Verdict.UNCHECKED),
         (r"P_x = l_1 c_1", Verdict.REFUTED),
