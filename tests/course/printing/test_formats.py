@@ -255,7 +255,7 @@ def test_without_docutils_it_is_said_what_to_install(document, make, monkeypatch
 @pytest.mark.parametrize("name", ["sheet.tex", "sheet.rst"])
 def test_what_is_nested_too_deeply_is_an_error_with_a_message(name: str, document, make):
     pytest.importorskip("docutils", reason="the extra 'print' is not installed")
-    deep = "{" * 3000 if name.endswith("tex") else "\n\n".join(" " * k + "- x" for k in range(0, 1200, 2))
+    deep = "{" * 3000 if name.endswith("tex") else "\n\n".join(" " * k + "- x" for k in range(0, 600, 2))
     with pytest.raises(PrintError, match="nested too deeply"):
         make(document(deep, name=name, front=""))
     shallow = "{" * 30 + "x" + "}" * 30 if name.endswith("tex") else "- x\n\n  - y\n"
