@@ -699,6 +699,26 @@ LESSON = Lesson(
                 "$\\frac{d}{dt}(r\\cos\\theta) = \\dot r\\cos\\theta - r\\dot\\theta\\sin\\theta$.",
                 "Row 2 the same with sine for cosine, and a plus.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The place of the tool.", r"p_2 = \begin{bmatrix} r\cos\theta \\ r\sin\theta \\ 0 \end{bmatrix}"
+                    ),
+                    Line(
+                        "Differentiated by $r$ alone: the direction of the slide.",
+                        r"\frac{\partial}{\partial r} \begin{bmatrix} r\cos\theta \\ r\sin\theta \end{bmatrix} = \begin{bmatrix} \cos\theta \\ \sin\theta \end{bmatrix}",
+                    ),
+                    Line(
+                        "Differentiated by $\\theta$ alone: across the arm, with the lever $r$.",
+                        r"\frac{\partial}{\partial \theta} \begin{bmatrix} r\cos\theta \\ r\sin\theta \end{bmatrix} = \begin{bmatrix} -r\sin\theta \\ r\cos\theta \end{bmatrix}",
+                    ),
+                    Line(
+                        "Each times its rate, $\\dot r = u$ and $\\dot\\theta = w$, and added.",
+                        r"\frac{d}{dt} \begin{bmatrix} r\cos\theta \\ r\sin\theta \end{bmatrix} = \begin{bmatrix} \dot r\cos\theta - r\dot\theta\sin\theta \\ \dot r\sin\theta + r\dot\theta\cos\theta \end{bmatrix}",
+                    ),
+                ),
+                {"arm": "polar_rp"},
+            ),
             right=(polar_velocity, VELOCITY, WithSympy(_velocity_sympy)),
             wrong=(
                 Wrong(

@@ -244,6 +244,29 @@ LESSON = Lesson(
                 "$\\sqrt{p_x^2 + p_y^2}$, and the shoulder is $a_1$ nearer.",
                 "For the height take both $d_1$ and $d_2$ away.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The shoulder: axis 2 is $a_1$ in front of axis 1, in the direction in which the arm faces.",
+                        r"p_2 = \begin{bmatrix} a_1 C_1 \\ a_1 S_1 \\ d_1 + d_2 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The centre lies in the same upright plane: $x$ further out and $y$ higher.",
+                        r"\begin{bmatrix} a_1 C_1 \\ a_1 S_1 \\ d_1 + d_2 \end{bmatrix} + \begin{bmatrix} x C_1 \\ x S_1 \\ y \end{bmatrix} = \begin{bmatrix} (a_1 + x) C_1 \\ (a_1 + x) S_1 \\ d_1 + d_2 + y \end{bmatrix}",
+                    ),
+                    Line("Square and add the first two rows: $\\theta_1$ goes out.", "p_x^2 + p_y^2 = (a_1 + x)^2"),
+                    Line(
+                        "So far out from axis 1, and $a_1$ less from the shoulder; the third row gives the height.",
+                        r"\begin{bmatrix} \sqrt{p_x^2 + p_y^2} - a_1 \\ p_z - d_1 - d_2 \end{bmatrix} = \begin{bmatrix} x \\ y \end{bmatrix}",
+                    ),
+                ),
+                {"arm": ARM, "symbols": {"x": "free", "y": "free"}},
+                given=(
+                    "p_x = (a_1 + x) C_1",
+                    "p_y = (a_1 + x) S_1",
+                    "p_z = d_1 + d_2 + y",
+                ),
+            ),
             right=(plane, PLANE, WithSympy(_plane_sympy)),
             wrong=(
                 Wrong(

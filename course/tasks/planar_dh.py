@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from armproof.course.feedback import Lesson, Quantity, Scheme, Task, WithSympy, Wrong
+from armproof.course.feedback import Derivation, Lesson, Line, Quantity, Scheme, Task, WithSympy, Wrong
 from armproof.course.tasks.own_frames import ORIGINS, TABLE, X, Z, step
 
 ARM = Scheme("planar_2r", {"A": (0, 0, 0), "B": ("l_1", 0, 0), "C": ("l_1 + l_2", 0, 0)})
@@ -110,6 +110,15 @@ LESSON = Lesson(
             hints=(
                 "Each row of the table is one link matrix: ${}^0T_1\\,{}^1T_2\\,[l_2, 0, 0, 1]^T$.",
                 "The second bar points along $[C_{12}, S_{12}, 0]^T$: both joints turn it.",
+            ),
+            derivation=Derivation(
+                (
+                    Line("Row 2: a move by $l_1$ along $x_1$, then a turn.", r"\begin{bmatrix} 1 & 0 & 0 & l_1 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} \begin{bmatrix} C_2 & -S_2 & 0 & 0 \\ S_2 & C_2 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} = \begin{bmatrix} C_2 & -S_2 & 0 & l_1 \\ S_2 & C_2 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"),
+                    Line("It takes the tool into frame 1.", r"\begin{bmatrix} C_2 & -S_2 & 0 & l_1 \\ S_2 & C_2 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} \begin{bmatrix} l_2 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} l_1 + l_2 C_2 \\ l_2 S_2 \\ 0 \\ 1 \end{bmatrix}"),
+                    Line("Row 1 only turns: it takes this into frame 0.", r"\begin{bmatrix} C_1 & -S_1 & 0 & 0 \\ S_1 & C_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} \begin{bmatrix} l_1 + l_2 C_2 \\ l_2 S_2 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} l_1 C_1 + l_2 (C_1 C_2 - S_1 S_2) \\ l_1 S_1 + l_2 (S_1 C_2 + C_1 S_2) \\ 0 \\ 1 \end{bmatrix}"),
+                    Line("The parentheses are the cosine and the sine of the sum.", r"p_2 = \begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}"),
+                ),
+                {"arm": "planar_2r"},
             ),
             right=(tool, TOOL, WithSympy(_tool_sympy)),
             wrong=(

@@ -611,6 +611,23 @@ LESSON = Lesson(
                 "Solve $\\frac{15}{8} d / T_v = k_v$ and $\\frac{10}{\\sqrt{3}} d / T_a^2 = k_a$.",
                 "$T_v = 15 d / (8 k_v)$; the second is $10 d / (\\sqrt{3} k_a)$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "Put $q_f - q_0 = d$ into the peak speed: at this duration it is $k_v$.",
+                        r"\left. \frac{15 d}{8 T} \right|_{T = \frac{15 d}{8 k_v}} = k_v",
+                    ),
+                    Line(
+                        "In the peak acceleration stands the square of the duration, $s = T^2$: at this square it is $k_a$.",
+                        r"\left. \frac{10 d}{\sqrt{3} s} \right|_{s = \frac{10 d}{\sqrt{3} k_a}} = k_a",
+                    ),
+                    Line(
+                        "Both in a column; without a root below the line it is the same.",
+                        r"\begin{bmatrix} \frac{15 d}{8 k_v} \\ \frac{10 d}{\sqrt{3} k_a} \end{bmatrix} = \begin{bmatrix} \frac{15}{8} \cdot \frac{d}{k_v} \\ \frac{10\sqrt{3}}{3} \cdot \frac{d}{k_a} \end{bmatrix}",
+                    ),
+                ),
+                {"symbols": {"d": "free", "k_v": "free", "k_a": "free", "T": "free", "s": "free"}},
+            ),
             right=(
                 durations,
                 DURATIONS,

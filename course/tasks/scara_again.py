@@ -247,6 +247,31 @@ LESSON = Lesson(
                 "Then a move by $d_3$ along the new $z$, which points down.",
                 "The rotation is $[c_{12}, s_{12}, 0;\\ s_{12}, -c_{12}, 0;\\ 0, 0, -1]$.",
             ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The first arm: a turn, then a move by $a_1$ along the new $x$.",
+                        r"T^0_1 = \begin{bmatrix} c_1 & -s_1 & 0 & a_1 c_1 \\ s_1 & c_1 & 0 & a_1 s_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The second arm too, and a half turn about $x$: its second and third column change their signs.",
+                        r"T^1_2 = \begin{bmatrix} c_2 & s_2 & 0 & a_2 c_2 \\ s_2 & -c_2 & 0 & a_2 s_2 \\ 0 & 0 & -1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply: the angles add up.",
+                        r"T^0_2 = \begin{bmatrix} c_{12} & s_{12} & 0 & a_1 c_1 + a_2 c_{12} \\ s_{12} & -c_{12} & 0 & a_1 s_1 + a_2 s_{12} \\ 0 & 0 & -1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "The slide only moves, along $z_2$.",
+                        r"T^2_3 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & d_3 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "$z_2$ points down: the height falls by $d_3$.",
+                        r"T^0_3 = \begin{bmatrix} c_{12} & s_{12} & 0 & a_1 c_1 + a_2 c_{12} \\ s_{12} & -c_{12} & 0 & a_1 s_1 + a_2 s_{12} \\ 0 & 0 & -1 & -d_3 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": DOWN},
+            ),
             right=(third_pose, THIRD_POSE, WithSympy(lambda sp: sp.simplify(_chain_sympy(sp, 3)))),
             wrong=(
                 Wrong(
@@ -281,6 +306,31 @@ LESSON = Lesson(
                 "$A^3_4$ turns by $\\theta_4$ about $z_3$ and moves by $d_4$ along it.",
                 "Entry (1, 1) is $c_{12}c_4 + s_{12}s_4$: the cosine of a difference.",
                 "$\\theta_4$ counts against the others, since $z_3$ points down.",
+            ),
+            derivation=Derivation(
+                (
+                    Line(
+                        "The last link: a turn about $z_3$ and a move along it.",
+                        r"T^3_4 = \begin{bmatrix} c_4 & -s_4 & 0 & 0 \\ s_4 & c_4 & 0 & 0 \\ 0 & 0 & 1 & d_4 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Multiply the rotations: $c_{12}$ and $s_{12}$ meet $c_4$ and $s_4$.",
+                        r"\begin{bmatrix} c_{12} & s_{12} \\ s_{12} & -c_{12} \end{bmatrix} \begin{bmatrix} c_4 & -s_4 \\ s_4 & c_4 \end{bmatrix} = \begin{bmatrix} c_{12}c_4 + s_{12}s_4 & -c_{12}s_4 + s_{12}c_4 \\ s_{12}c_4 - c_{12}s_4 & -s_{12}s_4 - c_{12}c_4 \end{bmatrix}",
+                    ),
+                    Line(
+                        "They are the cosine and the sine of a difference: $\\theta_4$ counts against the others.",
+                        r"\begin{bmatrix} c_{12}c_4 + s_{12}s_4 \\ s_{12}c_4 - c_{12}s_4 \end{bmatrix} = \begin{bmatrix} \cos(\theta_1 + \theta_2 - \theta_4) \\ \sin(\theta_1 + \theta_2 - \theta_4) \end{bmatrix}",
+                    ),
+                    Line(
+                        "The move by $d_4$ goes along $z_3$, down.",
+                        r"p_4 - p_3 = \begin{bmatrix} 0 \\ 0 \\ -d_4 \end{bmatrix}",
+                    ),
+                    Line(
+                        "Together.",
+                        r"T^0_4 = \begin{bmatrix} c_{12}c_4 + s_{12}s_4 & -c_{12}s_4 + s_{12}c_4 & 0 & a_1 c_1 + a_2 c_{12} \\ s_{12}c_4 - c_{12}s_4 & -s_{12}s_4 - c_{12}c_4 & 0 & a_1 s_1 + a_2 s_{12} \\ 0 & 0 & -1 & -(d_3 + d_4) \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+                    ),
+                ),
+                {"arm": DOWN},
             ),
             right=(tool_down, TOOL_DOWN, WithSympy(lambda sp: sp.simplify(_chain_sympy(sp, 4)))),
             wrong=(
