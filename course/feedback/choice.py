@@ -11,7 +11,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function
-from armproof.course.feedback.number_slips import near, number_slip, values_in
+from armproof.course.feedback.number_slips import near, number_slip, numbers_in_text, values_in
 from armproof.course.feedback.numbers import numbers_in
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.models.errors import ArmproofError, counted, written
@@ -87,6 +87,7 @@ class Number:
         value: the right number or numbers.
         unit: theirs.
         labels: what each of them is.
+        stated: numbers that the text gives.
         known: lengths that are given, by their letters (m): one may be missing in an answer, or stand for it.
     """
 
@@ -94,10 +95,12 @@ class Number:
     unit: str = "–"
     labels: tuple[str, ...] = ()
     known: Mapping[str, float] = field(default_factory=dict)
+    stated: tuple[float, ...] = ()
 
     def told_in(self, text: str) -> Number:
         """Return the question with the lengths that its text gives to letters."""
-        return replace(self, known={**values_in(text), **self.known}) if self.unit in ("m", "m/s") else self
+        known = {**values_in(text), **self.known} if self.unit in ("m", "m/s") else self.known
+        return replace(self, known=known, stated=numbers_in_text(text) if self.unit != "–" else ())
 
     def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
         """Whether an answer is a known wrong one, which may have been rounded."""
@@ -128,10 +131,10 @@ class Number:
             return Feedback(Outcome.PROVED, "")
         told = [
             written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
-            for k in np.flatnonzero(wrong).tolist()
+            for k in np.flatnonzero(_listed(given, right, wrong)).tolist()
         ]
         is_count = self.unit == "–"
-        slip = number_slip(given, right, [self._label(k) for k in range(right.size)], self.known, is_count)
+        slip = number_slip(given, right, [self._label(k) for k in range(right.size)], self.known, is_count, self.stated)
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
 
     def signature(self, answer: Any) -> np.ndarray:
@@ -142,3 +145,9 @@ class Number:
         if index < len(self.labels):
             return self.labels[index]
         return look_up("the number") if np.ndim(self.value) == 0 else written("number {number}", number=index + 1)
+
+
+def _listed(given: np.ndarray, right: np.ndarray, wrong: np.ndarray) -> np.ndarray:
+    """Return which wrong numbers to name: where some are wrong indeed, not those that are only rounded."""
+    far = wrong & ~np.array([near(one, other) for one, other in zip(given, right, strict=True)])
+    return far if far.any() else wrong

@@ -98,7 +98,7 @@ class Formula:
             if is_function(answer)
             else self._judge_latex(as_latex(answer), judge_formula(self.claim, answer))
         )
-        if feedback.outcome is Outcome.WRONG and (words := self._of_inverse(answer)):
+        if feedback.outcome is Outcome.WRONG and (words := self._of_inverse(answer, feedback.is_general)):
             feedback = replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
@@ -153,10 +153,11 @@ class Formula:
 
     # -- relations -----------------------------------------------------------------------------------------------------
 
-    def _of_inverse(self, answer: Any) -> str:
+    def _of_inverse(self, answer: Any, origin_alone: bool) -> str:
         """Return which parts of a homogeneous transform are those of its inverse: what entry by entry is many slips."""
         try:
-            return transform_astray(self._true[:FEW], self._values_of(answer)) if self._true[0].size == 16 else ""
+            true, obtained = self._true[:FEW], self._values_of(answer) if self._true[0].size == 16 else np.zeros(0)
+            return transform_astray(true, obtained, origin_alone)
         except ArmproofError:
             return ""
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 
@@ -20,6 +21,10 @@ _FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangen
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
 
+_NUMBER = re.compile(r"(?<![\w.\\^{}_])\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
+_MOST_STATED = 6
+_TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
+
 near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
 
 
@@ -28,14 +33,26 @@ def values_in(text: str) -> dict[str, float]:
     return {name: float(value) for name, value in _GIVEN.findall(text)}
 
 
+def numbers_in_text(text: str) -> tuple[float, ...]:
+    """Return the numbers that a task's text gives, each once: not zero, no indices, exponents or degrees; none where there are many."""
+    found = dict.fromkeys(float(number) for number in _NUMBER.findall(text))
+    return tuple(number for number in found if number) if len(found) <= _MOST_STATED else ()
+
+
 def number_slip(
-    given: np.ndarray, right: np.ndarray, labels: Sequence[str], known: Mapping[str, float], is_count: bool = True
+    given: np.ndarray,
+    right: np.ndarray,
+    labels: Sequence[str],
+    known: Mapping[str, float],
+    is_count: bool = True,
+    stated: Sequence[float] = (),
 ) -> str:
     """Return the usual mistake behind wrong numbers, of all of them or of each; empty where none is recognised.
 
     Args:
         labels: what each number is.
         known: given values, which may be missing in a number, or stand for it.
+        stated: numbers that the task's text gives.
         is_count: whether whole numbers are numbers of things, of which none is "not zero".
     """
     if whole := next(_whole(given, right), ""):
@@ -50,7 +67,7 @@ def number_slip(
         for k in wrong
     ]
     told = [
-        (label, words or _of_another(float(given[k]), right, labels))
+        (label, words or _of_another(float(given[k]), right, labels) or _of_stated(float(given[k]), stated))
         for k, (label, words) in zip(wrong, told, strict=True)
     ]
     return look_up("; ").join(written("{label}: {words}", label=label, words=words) for label, words in told if words)
@@ -126,6 +143,21 @@ def _of_another(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
     """Return of which other label a number would be right, where it is no count."""
     others = [label for label, value in zip(labels, right.tolist(), strict=True) if near(given, value)]
     return written("this is {other}", other=others[0]) if len(others) == 1 and not float(given).is_integer() else ""
+
+
+def _of_stated(given: float, stated: Sequence[float]) -> str:
+    """Return which number of the text was copied, or which two were put together."""
+    close = partial(np.isclose, given, rtol=_DIGITS, atol=_TOLERANCE)
+    if float(given).is_integer():
+        return ""
+    for value in stated:
+        if close(value):
+            return written("{value:g} is given for something else", value=value)
+    for sign, put_together in _TWO.items():
+        for one, other in permutations(stated, 2):
+            if close(put_together(one, other)):
+                return written("this is {one:g} {sign} {other:g}", one=one, sign=sign, other=other)
+    return ""
 
 
 def _of_parts(given: float, right: float, parts: Mapping[str, float]) -> str:

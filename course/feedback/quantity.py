@@ -18,6 +18,7 @@ from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, 
 from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.course.feedback.relation import (
     Letters,
+    letter_at_fault,
     letters_astray,
     letters_astray_in_each,
     random_values,
@@ -106,6 +107,7 @@ class Quantity:
             yield letters_astray(asked, given, at)
             yield relation(true, obtained, self._factors(at))
             yield letters_astray_in_each(asked, given, at)
+            yield letter_at_fault(asked, given, at)
 
     def _factors(self, at: Letters) -> Letters:
         """Return what may be a factor too many: lengths, the way of a slide, sines and cosines of the joints' angles."""

@@ -109,8 +109,12 @@ def angle_astray(asked: Values, given: Values, at: Letters) -> str:
     return ""
 
 
-def transform_astray(true: np.ndarray, obtained: np.ndarray) -> str:
-    """Say which parts of a homogeneous transform are those of its inverse, or only half inverted; empty where none is."""
+def transform_astray(true: np.ndarray, obtained: np.ndarray, origin_alone: bool) -> str:
+    """Say which parts of a homogeneous transform are those of its inverse, or only half inverted; empty where none is.
+
+    Args:
+        origin_alone: whether to say so of the origin where the rotation is right.
+    """
     if true.shape[1:] != (4, 4) or obtained.shape != true.shape or not _same(true[:, 3], np.eye(4)[[3] * len(true)]):
         return ""
     other = np.linalg.inv(true)
@@ -118,6 +122,8 @@ def transform_astray(true: np.ndarray, obtained: np.ndarray) -> str:
     rotation = look_up("the rotation is that of the inverse: it is still to be transposed")
     if _same(R, R_right):
         rotation = ""
+        if not origin_alone:
+            return ""
     elif not _same(R, R_other):
         return ""
     origins = {
@@ -227,6 +233,8 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
     if _same(np.sin(obtained), np.tan(true)) or _same(np.cos(obtained), np.tan(true)):
         yield look_up("the tangent of the angle is known: `atan2` belongs there, not `arcsin` or `arccos`")
     if _same(np.sin(obtained), np.sin(true)):
+        if _same(np.cos(obtained), -np.cos(true)):
+            yield look_up("the sine of the angle is right, its cosine has the wrong sign")
         yield look_up("the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn")
     for of, name in (
         (np.tan(true), look_up("tangent")),
@@ -239,6 +247,10 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
         yield look_up("the sign of the angle is wrong")
     if _same(np.exp(1j * (obtained + true)), np.full(len(true), 1j)):
         yield look_up("the arguments of `atan2` are exchanged: first the side across, then the side along")
+    if _same(np.exp(4j * (obtained - true)), np.ones(len(true))) and not _same(
+        np.exp(2j * (obtained - true)), np.ones(len(true))
+    ):
+        yield look_up("right up to a quarter turn: the angle is counted from another direction")
     turns = (obtained - true) / np.pi
     if _same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
         yield look_up("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")
@@ -273,8 +285,12 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
 
 def _product(values: np.ndarray, factors: Letters) -> str:
     """Return values as a product of powers of factors; empty where they are none, or one of many factors."""
-    powers, number = _powers(values, factors) or ({}, None)
-    if number is None or not 0 < len(powers) <= _MOST_FACTORS:
+    powers, exactly = _powers(values, factors) or ({}, 0.0)
+    number = Fraction(exactly).limit_denominator(_LARGEST)
+    if (
+        not _same(np.array([exactly] * ENOUGH), np.array([float(number)] * ENOUGH))
+        or not 0 < len(powers) <= _MOST_FACTORS
+    ):
         return ""
     over, under = ([_power(name, abs(power)) for name, power in powers.items() if power * sign > 0] for sign in (1, -1))
     sign = "-" if number < 0 else ""
@@ -284,7 +300,7 @@ def _product(values: np.ndarray, factors: Letters) -> str:
     return f"{sign}{' '.join(over)}{below if under else ''}"
 
 
-def _powers(values: np.ndarray, factors: Letters) -> tuple[dict[str, int], Fraction] | None:
+def _powers(values: np.ndarray, factors: Letters) -> tuple[dict[str, int], float] | None:
     """Return which powers of factors, and which number, make values as a product; None where none do."""
     factors = {name: each for name, each in factors.items() if (np.abs(each) > _TOLERANCE).all()}
     if len(values) < len(factors) + ENOUGH or not (np.abs(values) > _TOLERANCE).all():
@@ -294,8 +310,8 @@ def _powers(values: np.ndarray, factors: Letters) -> tuple[dict[str, int], Fract
     rest = values / np.prod(
         [each**power for each, power in zip(factors.values(), powers.tolist(), strict=True)], axis=0
     )
-    number = Fraction(float(np.median(rest))).limit_denominator(_LARGEST)
-    if not number or not _same(rest, np.full_like(rest, float(number))):
+    number = float(np.median(rest))
+    if not _same(rest, np.full_like(rest, number)):
         return None
     return {name: power for name, power in zip(factors, powers.tolist(), strict=True) if power}, number
 
@@ -315,18 +331,16 @@ def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
         return look_up("in degrees? Radians are asked for") if abs(factor) > 1 else look_up("radians are asked for: no π / 180")  # fmt: skip
     number = _number_in(true, factors)
     if number and abs(factor * number**2 - 1) < _TOLERANCE:
-        return written(
-            "the number in front is upside down: {number} where its reciprocal belongs", number=str(1 / number)
-        )
+        return look_up("the number in front is upside down: its reciprocal belongs there")
     shown = _as_root(size) or number_text(size, ".4g")
     if abs(factor) > 1:
         return written("your answer is {factor} times too large", factor=shown)
     return written("your answer is {factor} times too small", factor=shown)
 
 
-def _number_in(values: np.ndarray, factors: Letters) -> Fraction | None:
-    """Return the number in a product of letters; None where values are none."""
-    (_, number) = _powers(values, factors) or ({}, None)
+def _number_in(values: np.ndarray, factors: Letters) -> float:
+    """Return the number in a product of letters; 0 where values are none."""
+    (_, number) = _powers(values, factors) or ({}, 0.0)
     return number
 
 

@@ -11,7 +11,8 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
-from armproof.verification.diagnosis.slips import Letters, bracketings, function_pairs, sign_pairs, single_edits
+from armproof.verification.diagnosis.misconceptions import misconceptions
+from armproof.verification.diagnosis.slips import Letters, function_pairs, sign_pairs, single_edits
 from armproof.verification.equations.alignment import exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -104,7 +105,10 @@ class Mender:
             return "", None
         for count, edit in enumerate(
             chain(
-                single_edits(cell, self.learnt.letters(cell)), sign_pairs(cell), function_pairs(cell), bracketings(cell)
+                single_edits(cell, self.learnt.letters(cell)),
+                sign_pairs(cell),
+                function_pairs(cell),
+                misconceptions(cell),
             )
         ):
             if count > MAX_EDITS or self.exact.budget.is_spent:

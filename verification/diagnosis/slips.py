@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from itertools import combinations, pairwise
+from itertools import combinations
 from typing import TypeGuard, TypeVar
 
 from armproof.verification.findings import Finding, Kind, say
@@ -47,18 +47,19 @@ _MOST_CALLS = 6  # sines and cosines of which two may be exchanged
 def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Yield every tree that one small change makes of `root`, the most likely slips first."""
     yield Edit(_negated(root), "sign", say(Kind.WRONG_SIGN))
-    yield from _on_all(root, _signs_of_angles)
-    yield from _on_all(root, _signs)
-    yield from _on_all(root, _functions)
+    yield from on_all(root, _signs_of_angles)
+    yield from on_all(root, _factors_of_angles)
+    yield from on_all(root, _signs)
+    yield from on_all(root, _functions)
     yield from _functions_throughout(root)
-    yield from _on_all(root, lambda node: _indices(node, letters))
-    yield from _on_all(root, lambda node: _names(node, letters))
+    yield from on_all(root, lambda node: _indices(node, letters))
+    yield from on_all(root, lambda node: _names(node, letters))
     yield from swapped_lengths(root, letters)
-    yield from _on_all(root, _dropped_factors)
-    yield from _on_all(root, _products_of_functions)
+    yield from on_all(root, _dropped_factors)
+    yield from on_all(root, _products_of_functions)
     yield from _numbers(root)
     yield from _squares(root, letters)
-    yield from _on_all(root, _dropped_terms)
+    yield from on_all(root, _dropped_terms)
     yield from _added_factors(root, letters)
 
 
@@ -73,65 +74,30 @@ def sign_pairs(root: n.Node) -> Iterator[Edit]:
             yield Edit(n.substitute(root, node, replace(node, terms=terms)), "sign", finding)
 
 
-def bracketings(root: n.Node) -> Iterator[Edit]:
-    """Yield the trees in which a factor or a divisor that stands at one term of a sum is that of two, or of all before it."""
-    return _on_all(root, _brackets)
-
-
-def _brackets(node: n.Node) -> Iterator[Change]:
-    if not isinstance(node, n.Sum):
-        return
-    finding = say(Kind.MISSING_BRACKETS)
-    for k, ((sign, term), (next_sign, next_term)) in enumerate(pairwise(node.terms)):
-        for grouped in _grouped(sign, term, next_sign, next_term):
-            terms = (*node.terms[:k], (sign, grouped), *node.terms[k + 2 :])
-            yield grouped if terms == (("+", grouped),) else replace(node, terms=terms), "term", finding
-    sign, last = node.terms[-1]
-    if isinstance(last, n.Quotient) and len(node.terms) > 2:
-        above = replace(node, terms=(*node.terms[:-1], (sign, last.numerator)))
-        yield replace(last, numerator=above), "term", finding
-
-
-def _grouped(sign: str, term: n.Node, next_sign: str, next_term: n.Node) -> Iterator[n.Node]:
-    """Yield two terms as one, with the factor of either in common: of -a + b c, say, (a - b) c and (a + b) c."""
-    for inside in dict.fromkeys([next_sign, "+" if next_sign == sign else "-"]):
-        if (parts := _parted(next_term, last=False)) is not None:
-            yield parts[1](n.Group(n.Sum((("+", term), (inside, parts[0])), span=term.span)))
-        if (parts := _parted(term, last=True)) is not None:
-            yield parts[1](n.Group(n.Sum((("+", parts[0]), (inside, next_term)), span=term.span)))
-
-
-def _parted(node: n.Node, last: bool) -> tuple[n.Node, Callable[[n.Node], n.Node]] | None:
-    """Return the first or last factor of a product, or the numerator of a quotient, and what puts another in its place."""
-    if isinstance(node, n.Quotient) and not last:
-        return node.numerator, lambda new: replace(node, numerator=new)
-    if _is_scalar_product(node):
-        place = len(node.factors) - 1 if last else 0
-        return node.factors[place], lambda new: replace(node, factors=_with(node.factors, place, new))
-    return None
-
-
 def _negated(node: n.Node) -> n.Node:
     if isinstance(node, n.Sum):
         return replace(node, terms=tuple((_FLIPPED[sign], term) for sign, term in node.terms), span=node.span)
     return n.Sum((("-", node),), span=node.span)
 
 
-def _on_all(root: n.Node, rule: Callable[[n.Node], Iterator[Change]]) -> Iterator[Edit]:
+def on_all(root: n.Node, rule: Callable[[n.Node], Iterator[Change]]) -> Iterator[Edit]:
+    """Yield the trees that a rule makes of `root` at each of its nodes."""
     for node in n.walk(root):
         for changed, kind, finding in rule(node):
             yield Edit(n.substitute(root, node, changed), kind, finding)
 
 
-def _is_trigonometric(node: n.Node) -> TypeGuard[n.Call]:
+def is_trigonometric(node: n.Node) -> TypeGuard[n.Call]:
+    """Whether a node is a sine or a cosine."""
     return isinstance(node, n.Call) and node.function in ("cos", "sin")
 
 
-def _is_scalar_product(node: n.Node) -> TypeGuard[n.Product]:
+def is_scalar_product(node: n.Node) -> TypeGuard[n.Product]:
+    """Whether a node is a product and no cross product."""
     return isinstance(node, n.Product) and "×" not in node.operators
 
 
-def _with(items: tuple[Item, ...], place: int, *new: Item) -> tuple[Item, ...]:
+def with_items(items: tuple[Item, ...], place: int, *new: Item) -> tuple[Item, ...]:
     """Return items with others, or none, in place of one."""
     return (*items[:place], *new, *items[place + 1 :])
 
@@ -140,23 +106,40 @@ def _signs(node: n.Node) -> Iterator[Change]:
     if not isinstance(node, n.Sum) or len(node.terms) == 1:
         return
     for k, (sign, term) in enumerate(node.terms):
-        terms = _with(node.terms, k, (_FLIPPED[sign], term))
+        terms = with_items(node.terms, k, (_FLIPPED[sign], term))
         yield replace(node, terms=terms), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
 
 
 def _signs_of_angles(node: n.Node) -> Iterator[Change]:
     """The sign of one angle of several in a sine or cosine."""
-    if not _is_trigonometric(node) or not isinstance(argument := node.arguments[0], n.Sum):
+    if not is_trigonometric(node) or not isinstance(argument := node.arguments[0], n.Sum):
         return
     for k, (sign, term) in enumerate(argument.terms):
         if k and isinstance(term, n.Name):
-            terms = _with(argument.terms, k, (_FLIPPED[sign], term))
+            terms = with_items(argument.terms, k, (_FLIPPED[sign], term))
             changed = replace(node, arguments=(replace(argument, terms=terms),))
             yield changed, "sign", say(Kind.SIGN_OF_ANGLE, angle=_show(term))
 
 
+def _factors_of_angles(node: n.Node) -> Iterator[Change]:
+    """A number before an angle in a sine or cosine, and a term of a sum of angles that has one."""
+    if not is_trigonometric(node):
+        return
+    argument = node.arguments[0]
+    terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
+    for k, (sign, term) in enumerate(terms):
+        if not (is_scalar_product(term) and len(term.factors) == 2 and isinstance(term.factors[0], n.Number)):
+            continue
+        alone = with_items(terms, k, (sign, term.factors[1]))
+        changed = alone[0][1] if len(alone) == 1 else n.Sum(alone, span=argument.span)
+        yield replace(node, arguments=(changed,)), "number", say(Kind.FACTOR_OF_ANGLE, number=term.factors[0].text)
+        if len(terms) > 1:
+            rest = n.Sum(with_items(terms, k), span=argument.span)
+            yield replace(node, arguments=(rest,)), "index", say(Kind.EXTRA_IN_ANGLE)
+
+
 def _functions(node: n.Node) -> Iterator[Change]:
-    if _is_trigonometric(node):
+    if is_trigonometric(node):
         other = "sin" if node.function == "cos" else "cos"
         finding = say(Kind.SINE_FOR_COSINE if node.function == "sin" else Kind.COSINE_FOR_SINE)
         yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", finding
@@ -164,7 +147,7 @@ def _functions(node: n.Node) -> Iterator[Change]:
 
 def _functions_throughout(root: n.Node) -> Iterator[Edit]:
     """Every sine for a cosine and the other way round, where there are several."""
-    calls = [node for node in n.walk(root) if _is_trigonometric(node)]
+    calls = [node for node in n.walk(root) if is_trigonometric(node)]
     if len(calls) < 2:
         return
     exchanged = root
@@ -176,7 +159,7 @@ def _functions_throughout(root: n.Node) -> Iterator[Edit]:
 
 def function_pairs(root: n.Node) -> Iterator[Edit]:
     """Yield the trees with two of several sines and cosines exchanged, each for the other function."""
-    calls = [node for node in n.walk(root) if _is_trigonometric(node)]
+    calls = [node for node in n.walk(root) if is_trigonometric(node)]
     if not 2 < len(calls) <= _MOST_CALLS:  # of two it is all
         return
     changed = {id(call): next(_functions(call))[0] for call in calls}
@@ -187,16 +170,16 @@ def function_pairs(root: n.Node) -> Iterator[Edit]:
 
 def _products_of_functions(node: n.Node) -> Iterator[Change]:
     """C_1 C_2 for C_{12}, S_1 S_2 for S_{12}."""
-    if not _is_scalar_product(node):
+    if not is_scalar_product(node):
         return
-    calls = [(k, f) for k, f in enumerate(node.factors) if _is_trigonometric(f)]
+    calls = [(k, f) for k, f in enumerate(node.factors) if is_trigonometric(f)]
     for i, (k, one) in enumerate(calls):
         for m, other in calls[i + 1 :]:
             angle = _sum_of_angles(one.arguments[0], other.arguments[0])
             if one.function != other.function or angle is None:
                 continue
             joined = replace(one, arguments=(angle,))
-            factors = _with(_with(node.factors, m), k, joined)
+            factors = with_items(with_items(node.factors, m), k, joined)
             operators = (*node.operators[: m - 1], *node.operators[m:])
             grown = joined if len(factors) == 1 else replace(node, factors=factors, operators=operators)
             kind = Kind.PRODUCT_OF_COSINES if one.function == "cos" else Kind.PRODUCT_OF_SINES
@@ -216,15 +199,15 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
         return
     present = {index for _, index in node.terms}
     for k, (sign, index) in enumerate(node.terms):
-        rest = _with(node.terms, k)
+        rest = with_items(node.terms, k)
         for joint in letters.joints:
             if joint not in present:
-                terms = _with(node.terms, k, (sign, joint))
+                terms = with_items(node.terms, k, (sign, joint))
                 yield replace(node, terms=terms), "index", say(Kind.WRONG_INDEX, printed=index, correct=joint)
         if rest:
             yield replace(node, terms=rest), "index", say(Kind.EXTRA_INDEX, index=index)
             if k:
-                terms = _with(node.terms, k, (-sign, index))
+                terms = with_items(node.terms, k, (-sign, index))
                 yield replace(node, terms=terms), "index", say(Kind.WRONG_SIGN_OF_ANGLE, index=index)
     for joint in letters.joints:
         if joint not in present:
@@ -233,7 +216,7 @@ def _indices(node: n.Node, letters: Letters) -> Iterator[Change]:
 
 
 def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
-    if _is_trigonometric(node):
+    if is_trigonometric(node):
         yield from _angle_sums(node, letters)
     if not isinstance(node, n.Name):
         return
@@ -255,7 +238,7 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
         return
     for k, (_, term) in enumerate(terms):
         if len(terms) > 1 and isinstance(term, n.Name):
-            shorter = _with(terms, k)
+            shorter = with_items(terms, k)
             rest = shorter[0][1] if len(shorter) == 1 and shorter[0][0] == "+" else n.Sum(shorter, span=argument.span)
             yield replace(node, arguments=(rest,)), "index", say(Kind.EXTRA_ANGLE, angle=_show(term))
     keys = [term.key for _, term in terms if isinstance(term, n.Name)]
@@ -282,10 +265,10 @@ def _rename(node: n.Node, names: dict[str, n.Name]) -> n.Node:
 
 
 def _dropped_factors(node: n.Node) -> Iterator[Change]:
-    if not _is_scalar_product(node):
+    if not is_scalar_product(node):
         return
     for k in range(len(node.factors)):
-        factors = _with(node.factors, k)
+        factors = with_items(node.factors, k)
         operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
         smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
         yield smaller, "factor", say(Kind.EXTRA_FACTOR, factor=k + 1)
@@ -295,7 +278,7 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
     if not isinstance(node, n.Sum) or len(node.terms) < 2:
         return
     for k in range(len(node.terms)):
-        terms = _with(node.terms, k)
+        terms = with_items(node.terms, k)
         yield replace(node, terms=terms), "term", say(Kind.EXTRA_TERM, term=k + 1)
 
 
@@ -303,8 +286,11 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
     """Another number, and in the place of a power a lower or a higher one."""
     powers = [node for node in n.walk(root) if isinstance(node, n.Power) and isinstance(node.exponent, n.Number)]
     exponents = {id(power.exponent) for power in powers}
-    for node in n.walk(root):
-        if isinstance(node, n.Number) and node.value and id(node) not in exponents:
+    quotients = [node for node in n.walk(root) if isinstance(node, n.Quotient)]
+    below = {id(part) for quotient in quotients for part in n.walk(quotient.denominator)}
+    ones = {id(quotient.numerator) for quotient in quotients if quotient.numerator == n.Number(Fraction(1), "1")}
+    for node in sorted(n.walk(root), key=lambda node: id(node) not in below):
+        if isinstance(node, n.Number) and node.value and id(node) not in exponents | ones:
             for value in (node.value * 2, node.value / 2, node.value + 1):
                 changed = n.substitute(root, node, n.Number(value, span=node.span))
                 yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=node.text))
@@ -324,7 +310,7 @@ def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """The square of a length, a sine or a cosine, where the first power stands."""
     lengths = {length.key for length in letters.lengths}
     for node in _formulas(root):
-        if (isinstance(node, n.Name) and node.key in lengths) or _is_trigonometric(node):
+        if (isinstance(node, n.Name) and node.key in lengths) or is_trigonometric(node):
             square = n.Power(node, n.Number(Fraction(2), "2"), span=node.span)
             yield Edit(n.substitute(root, node, square), "number", say(Kind.MISSING_SQUARE))
 
@@ -352,7 +338,7 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
     factors: list[tuple[n.Node, Finding]] = [
         (length, say(Kind.MISSING_FACTOR, factor=_show(length))) for length in letters.lengths
     ]
-    style = next((b for b in n.walk(root) if _is_trigonometric(b)), None)
+    style = next((b for b in n.walk(root) if is_trigonometric(b)), None)
     factors += _functions_of(style, letters) if style is not None else []
     factors.append((n.Number(Fraction(2), "2"), say(Kind.MISSING_FACTOR, factor="2")))
     targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
@@ -360,8 +346,8 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
         targets.append(root)
     for target in targets:
         for factor, missing in factors:
-            before = target.factors if _is_scalar_product(target) else (target,)
-            operators = target.operators if _is_scalar_product(target) else ()
+            before = target.factors if is_scalar_product(target) else (target,)
+            operators = target.operators if is_scalar_product(target) else ()
             grown = n.Product((factor, *before), ("", *operators), span=target.span)
             yield Edit(n.substitute(root, target, grown), "factor", missing)
 

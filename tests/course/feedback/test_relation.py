@@ -46,6 +46,7 @@ TURNING = Quantity("planar_3r", {"jacobian": 3, "rows": [6]})
 COLUMN3 = Quantity("planar_3r", {"jacobian": 3, "rows": [4, 5, 6]})
 DIFFERENCE = Formula(r"l_1 \sin(\theta_1 - \theta_2)", (*_ANGLES, "l_1"), arm="planar_3r")
 OUTSIDE = Formula("x - (l_1 + l_2) y", ("x", "y", "l_1", "l_2"))
+LEANING = Formula(r"\arctan\frac{l_1}{l_2} + x", ("l_1", "l_2", "x"), unit="rad")
 ANGLES = Number((0.6, 0.8), labels=("sin θ", "cos θ"))
 BACK = Quantity("planar_3r", {"difference": [3, 2]})
 ARMS = Number((0.25, 0.85), "m", ("nearest", "farthest"), {"l_1": 0.6, "l_2": 0.3})
@@ -71,21 +72,22 @@ def squared(answer: str) -> str:
         (SQUARE, r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos^2\theta_2", "the power is wrong"),
         (SQUARE, r"\sqrt{l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta_2}", "your answer is the root"),
         (RADIUS, "(x^2 + y^2)", "your answer is the square of what is asked"),
-        (RADIUS, r"\frac{1}{\sqrt{x^2 + y^2}}", "numerator and denominator are exchanged"),
+        (RADIUS, r"\frac{1}{\sqrt{x^2 + y^2}}", "a quotient is upside down"),
         (SPEED, SPEED.latex.replace("30", "47"), "your answer is 1.567 times too large"),
         (RADIUS, "x", "y is missing: what is asked depends on it"),
         (VELOCITY, r"w \cos\theta - r u \sin\theta", "u and w are exchanged"),
         (FACING, r"\arccos\frac{x}{\sqrt{x^2 + y^2}}", "for some values only"),
         (INVERSE, INVERSE.latex.replace("l_1 S_2", "l_1 C_2"), r"your answer is sin \theta_2 / cos \theta_2 times"),
         (TOOL, r"\begin{bmatrix} 0 \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}", "what is asked is not zero"),
-        (AWAY, r"\operatorname{atan2}(-x, y)", "the arguments of `atan2` are exchanged"),
+        (AWAY, r"\operatorname{atan2}(-x, y)", "the arguments of atan2 are exchanged"),
         (BENT, lambda D: np.arcsin(np.sqrt(1 - D**2)), "the sine is right, the angle is not"),
         (BENT, lambda D: -np.arccos(D), "sign"),
         (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "right for l_1 = 0: look at how l_1 comes in"),
-        (LEAN, r"\arcsin\frac{l_1}{l_2}", "the tangent of the angle is known"),
+        (LEAN, r"\arcsin\frac{l_1}{l_2}", "arcsin where arctan belongs"),
+        (LEAN, lambda l_1, l_2: 2 * np.arcsin(l_1 / l_2) - np.arcsin(l_1 / l_2), "the tangent of the angle is known"),
         (HEIGHT, "l_1 S_1 + l_2 S_2 + l_3 S_3", "each angle is taken as absolute"),
         (COLUMN, r"\begin{bmatrix} r \\ \sin\theta \end{bmatrix}", r"entry (1, 1): \theta is missing"),
-        (COLUMN, r"\begin{bmatrix} \frac{1}{\cos\theta} \\ \sin\theta \end{bmatrix}", "entry (1, 1): numerator and denominator"),
+        (COLUMN, r"\begin{bmatrix} \frac{1}{\cos\theta} \\ \sin\theta \end{bmatrix}", "entry (1, 1): a quotient is upside down"),
         (PLACE, [0, -0.3, -0.4], "the sign is wrong"),
         (PLACE, [0.3, 0, -0.4], "their order is not"),
         (PLACE, [0.3, 0, 0.4], "their order and signs are not"),
@@ -104,9 +106,9 @@ def squared(answer: str) -> str:
         (BENDING, r"l_1 l_2 C_3 (l_1 S_2 - l_2 C_{23})", "a quarter turn away"),
         (BENDING, r"l_1 l_2 C_3 (l_1 S_2 + l_2 C_{23})", "sine and cosine are exchanged in two places"),
         (Formula(r"l_1 \cos\theta + l_2 \sin\theta", ("theta", "l_1", "l_2")), r"l_1 \cos\theta - l_2 \sin\theta", "sign"),
-        (RADIUS, "(x + y)", "the square of your answer differs from that of what is asked by 2 x y"),
+        (RADIUS, "(x + y)", "a root of a sum of squares is taken term by term"),
         (TURRET, TURRET.latex.replace(r"\sqrt{x^2 + y^2}", "x"), "entry (2, 1): y is missing"),
-        (SPEED, SPEED.latex.replace("30", r"\frac{1}{30}"), "the number in front is upside down"),
+        (SPEED, SPEED.latex.replace("30", r"\frac{1}{30}"), "a quotient is upside down"),
         (SPEED, SPEED.latex.replace("30", r"10 \sqrt{27}"), "your answer is √3 times too large"),
         (LEAN, r"\frac{l_1}{l_2}", "your answer is the tangent of the angle"),
         (FACING, r"\operatorname{atan2}(-y, x)", "wrong sign"),
@@ -122,6 +124,18 @@ def squared(answer: str) -> str:
         (DIFFERENCE, r"l_1 \sin(\theta_1 - \theta_2 + \theta_3)", r"angle \theta_3 does not belong"),
         (OUTSIDE, "x - l_1 + l_2 y", "brackets are missing"),
         (COSINE, r"x^2 + y^2 - l_1^2 - \frac{l_2^2}{2 l_1 l_2}", "brackets are missing"),
+        (DIFFERENCE, r"l_1 (\sin\theta_1 - \sin\theta_2)", "a sine or cosine of a sum is taken term by term"),
+        (DIFFERENCE, r"l_1 \sin(2\theta_1 - \theta_2)", "the factor 2 does not belong in the angle"),
+        (OUT, "x + y - l_1", "a root of a sum of squares is taken term by term"),
+        (COSINE, r"\frac{(x + y)^2 - l_1^2 - l_2^2}{2 l_1 l_2}", "the square of a sum stands where the sum of the squares belongs"),
+        (SPEED, SPEED.latex.replace("(t_f - t)^2", "(t_f^2 + t^2)"), "a square of a sum is taken term by term"),
+        (COSINE, r"\frac{2 l_1 l_2}{x^2 + y^2 - l_1^2 - l_2^2}", "a quotient is upside down"),
+        (FACING, r"2 \operatorname{atan2}(y, -x) - \operatorname{atan2}(y, -x)", "its cosine has the wrong sign"),
+        (LEANING, r"\operatorname{atan2}(l_1, -l_2) + x", "the sign of the second argument of atan2 is wrong"),
+        (LEANING, r"\arccos\frac{l_1}{l_2} + x", "arccos where arctan belongs"),
+        (Number(0.7, "m").told_in("at $0.3$ m and 0.4 m; 90°"), 0.12, "this is 0.3 · 0.4"),
+        (Number(0.7, "m").told_in("at $0.3$ m and 0.4 m; 90°"), 0.4, "0.4 is given for something else"),
+        (Number((0.6435, -1.5707963), "rad", ("φ", "ψ")), [0.6, -1.5708], "φ is not 0.6"),
         (ANGLES, [36.87, 0.8], "sin θ: this is the angle: its sine is asked"),
         (Number((0.3, 0.0), "m"), [0.3, 1], "number 2: zero belongs there"),
         (Number(2.0, "rad/s"), "2 m/s", "m/s is not the unit: rad/s is asked for"),
@@ -144,6 +158,7 @@ def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answe
         (PLACE, [0.1, 0.37, -0.42]),
         (LINK, LINK.latex.replace("-l_1", "l_1 C_1 + 2 l_1 S_1")),
         (ANGLES, [0.61, 0.8]),
+        (Number(0.7, "m").told_in("at 0.3 m and 0.4 m"), 0.13),
         (ARMS, [0.13, 0.71]),
         (Number((0, 0, 1)), [0.6, 0, 0.8]),
     ],
@@ -181,3 +196,9 @@ def test_a_wrong_entry_is_not_told_in_letters_that_the_task_keeps_to_itself() ->
 def test_values_of_a_text_are_lengths_that_it_gives_to_letters() -> None:
     text = r"$a_1 = 0.4$ m, $d_1 + d_2 = 0.75$ m, $\theta_1 = 90°$, $\dot q_2 = 2$ rad/s, $x^2 = 3$"
     assert values_in(text) == {"a_1": 0.4, "d_1 + d_2": 0.75}
+
+
+def test_a_number_that_is_only_rounded_is_not_called_wrong_beside_one_that_is() -> None:
+    asked = Number((0.6435011, -1.5707963), "rad", ("φ", "ψ"))
+    assert "ψ" not in asked.judge([0.6, -1.5708]).message
+    assert "ψ" in asked.judge([0.6435, -1.5708]).message  # where all are rounded, that is what is said
