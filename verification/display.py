@@ -19,6 +19,7 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
+from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
@@ -493,6 +494,11 @@ class Statements:
         frames = self.names.arm.frames if self.names.arm is not None else ()
         if undecided and outcomes and is_composition(chain, frames):
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
+        if undecided and outcomes and holds_for_each_joint(self.checker, chain, equation, line):
+            by_joint = (say(Kind.EACH_JOINT),)
+            return [
+                replace(each, verdict=Verdict.PROVED, findings=by_joint, role=Role.LAW, defines=()) for each in outcomes
+            ]
         if undecided and self.names.arm is not None and (found := self.general.product(chain, equation, line)):
             return found
         if (

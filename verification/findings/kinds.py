@@ -63,6 +63,7 @@ class Kind(MessageKind):
     SIDE_BY_SIDE = "side_by_side", "`{name}` may begin an equation of its own, or be a factor in the one before"
     NUMBERED_TWICE = "numbered_twice", "`{one}` and `{other}` may be names of one link, its frames counted from another number"
     SEVERAL_TOOLS = "several_tools", "the table at line {line} shows several end effectors, and `{name}` does not say of which it is"
+    EACH_JOINT = "each_joint", "joint by joint, on this arm"
     SEVERAL_QUANTITIES = "several_quantities", "the arm has several quantities with this value, {readings}: bind `{name}` in the front matter (quantities)"
     NEAR_COORDINATE = "near_coordinate", "but for a term `{name}` would be {reading}: to have it checked, write in the front matter {line}"
     NUMBERS_FOR_LENGTHS = "numbers_for_lengths", "numbers stand where the arm has lengths, and the document gives the lengths no values: state them"

@@ -23,6 +23,7 @@ _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
 _SLIDE = re.compile(r"[dqr]_?\d+")
+_LETTER = re.compile(r"(?:r|R|rho|w|k|u|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
 _INDEX = re.compile(r"\d+")
 SECONDS = 0.3
 
@@ -35,9 +36,10 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
     letters: dict[str, n.Name] = {}
     with algebra.budget.of(SECONDS):
         found: Found = {}
+        meant = _meanings(document, names, algebra)
         for display in document.displays:
             for axis, value in _coordinates(display, names, algebra, letters) if "=" in display.latex else ():
-                found.setdefault(axis, (value, display))
+                found.setdefault(axis, (_with_meanings(value, meant), display))
         if not {"x", "y"} <= found.keys():
             return None
         form = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, _rates(document))
@@ -54,6 +56,30 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
     return Candidate(
         "closed form", line, cell, rows, joints, renamed(letters.values()), ("classic",), tuple(places), moves.frames
     )
+
+
+def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Scalar]:
+    """Return what a document says of letters that are no coordinates and no joints, by angles: r = l_2 c_2 + l_3 c_23, φ = θ_2 + θ_3."""
+    found: dict[str, set[Scalar]] = {}
+    for display in document.displays:
+        for chain in equations_of(display, names) if "=" in display.latex else ():
+            key = bare_key(chain.members[0]) or ""
+            if len(chain.members) != 2 or not _LETTER.fullmatch(key):
+                continue
+            evaluated = value_in_letters(chain.members[1], names, algebra)
+            value = evaluated[0].normal() if evaluated is not None and isinstance(evaluated[0], Scalar) else None
+            if value is not None and any(map(_ANGLE.fullmatch, symbols_in([value]))):
+                found.setdefault(key, set()).add(value)
+    return {key: values.pop() for key, values in found.items() if len(values) == 1}
+
+
+def _with_meanings(value: Scalar, meant: Mapping[str, Scalar]) -> Scalar:
+    """Return a coordinate with letters for what the document says they are."""
+    used = {key: meant[key] for key in symbols_in([value]) if key in meant}
+    try:
+        return substitute(value, used).normal() if used else value
+    except EvaluationError:
+        return value
 
 
 def _coordinates(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.document import Document, Table
+from armproof.verification.document import Display, Document, Table
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex.unicode import normalise_unicode
@@ -101,7 +101,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     told = told_variables(document, plain_names(document))
     found = [in_variables(candidate, told) for candidate in found] if told else found
     line = found[0].line
-    more, count = found[0].lacks(_joints_used(document)), sum(map(bool, found[0].joints))
+    more, count = found[0].lacks(joints_used(document.displays)), sum(map(bool, found[0].joints))
     missing = say(Kind.JOINTS_MISSING, count=count, index=more)
     if more and (found[0].source != "table" or more <= found[0].last):
         return Inference(document, None, missing, line)
@@ -133,11 +133,11 @@ def _rivals(best: Reading, others: Sequence[Reading]) -> list[Reading]:
     return [one for one in others if one.counts == best.counts and one.front["arm"] != best.front["arm"]]
 
 
-def _joints_used(document: Document) -> set[int]:
-    """Return the indices of joint variables in a document's displays, as in θ_3 or c_{23}."""
+def joints_used(displays: Iterable[Display]) -> set[int]:
+    """Return the indices of joint variables in displays, as in θ_3 or c_{23}."""
     found = (
         digit
-        for d in document.displays
+        for d in displays
         if not d.erratum
         for part in _INDEXED.findall(normalise_unicode(d.latex))
         for digit in part

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from armproof.verification.document import Display, Document, Table
+from armproof.verification.errors import EvaluationError
 from armproof.verification.tables.arms.candidate import Candidate
-from armproof.verification.tables.arms.inference import arms_of, dh_tables, plain_names
-from armproof.verification.tables.arms.matrices import first_links
+from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
+from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
+from armproof.verification.tables.arms.matrices import candidate_of_matrices, first_links
 from armproof.verification.tables.arms.sections import named_sections, without_arms
 
+_FRAMES = re.compile(
+    r"(?<![A-Za-z])[TRAH]\s*_\s*\{?\s*(\d)\s*\}?\s*\^\s*\{?\s*(\d)|(?<![A-Za-z])[TRAH]\s*\^\s*\{?\s*(\d)\s*\}?\s*_\s*\{?\s*(\d)"
+)
 Place = tuple[int, int]  # cell (0 where there is none) and line
 
 
@@ -36,9 +42,43 @@ def scopes(document: Document) -> tuple[Document, ...]:
     if "arm" in document.front:
         return (document,)
     starts = list(_starts(document))
-    if not starts:
-        return (document,)
-    return tuple(_between(document, *edges) for edges in pairwise([(-1, 0), *starts, (10**9, 0)]))
+    parts = (
+        (_between(document, *edges) for edges in pairwise([(-1, 0), *starts, (10**9, 0)])) if starts else (document,)
+    )
+    return tuple(each for part in parts for each in _up_to_other_joints(part))
+
+
+def _up_to_other_joints(document: Document) -> Iterator[Document]:
+    """Yield a part as it stands, or parted where a later section speaks of joints that its link matrices or closed form lack."""
+    names = plain_names(document)
+    try:
+        tables = any(dh_tables(document))
+        found = None if tables else candidate_of_matrices(document, names) or candidate_of_closed_form(document, names)
+    except EvaluationError:
+        found = None
+    start = _of_other_joints(document, found) if found is not None else None
+    if start is None:
+        yield document
+        return
+    yield _between(document, (-1, 0), start)
+    yield from _up_to_other_joints(_between(document, start, (10**9, 0)))
+
+
+def _of_other_joints(document: Document, found: Candidate) -> Place | None:
+    """Return where a later section begins that speaks of a joint, or of a frame, that an arm lacks."""
+    place = (found.cell or 0, found.line)
+    at = next((each.section for each in document.displays if _place(each) == place), "")
+    for display in document.displays:
+        if _place(display) > place and display.section != at and found.lacks(_spoken_of(display)):
+            return min(
+                _place(each) for each in document.displays if each.section == display.section and _place(each) > place
+            )
+    return None
+
+
+def _spoken_of(display: Display) -> set[int]:
+    frames = (digit for pair in _FRAMES.findall(display.latex) for digit in pair)
+    return joints_used([display]) | {int(digit) for digit in frames if digit}
 
 
 def _named(document: Document) -> Iterator[Document]:
@@ -57,7 +97,7 @@ def _starts(document: Document) -> Iterator[Place]:
     table = link = before = None
     for source in sorted(_sources(document), key=lambda one: one.place):
         if source.arm is not None:
-            is_new = table is not None and table.arm is not None and source.arm.is_other_than(table.arm)
+            is_new = table is not None and table.arm is not None and _is_other(source.arm, table.arm)
             table, link = source, None if is_new else link
         else:
             is_new = link is not None and (source.entries != link.entries and source.section != link.section)
@@ -67,7 +107,21 @@ def _starts(document: Document) -> Iterator[Place]:
         before = source
 
 
+def _is_other(arm: Candidate, before: Candidate) -> bool:
+    """Whether an arm is another than one before it; a closed form is that of the table behind it, if it has as many joints."""
+    if before.source == "closed form":
+        return sum(map(bool, arm.joints)) != sum(map(bool, before.joints))
+    return arm.is_other_than(before)
+
+
 def _sources(document: Document) -> Iterator[_Source]:
+    first = next(dh_tables(document), None)
+    if first is not None:
+        above = _between(document, (-1, 0), _place(first))
+        above = replace(above, displays=tuple(each for each in above.displays if each.section != first.section))
+        if (found := candidate_of_closed_form(above, plain_names(document))) is not None:
+            at = next(each for each in above.displays if _place(each) == (found.cell or 0, found.line))
+            yield _Source(_place(at), at.section, found)
     for table in dh_tables(document):
         if isinstance(found := arms_of(document, table), list):
             yield _Source(_place(table), table.section, found[0])

@@ -142,3 +142,62 @@ def test_a_row_of_another_pair_of_letters_shows_no_tool() -> None:
 def test_a_pose_with_a_row_too_short_shows_no_coordinates() -> None:
     pose = r"$$ T_2^0 = \begin{bmatrix} n_x & o_x & a_x & p_x \\ n_y & o_y & a_y \\ n_z & o_z & a_z & p_z \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
     assert verdicts(pose + "\n\n" + PLANAR + JACOBIAN.replace("LAST", "l_2 c_{12}"))[1:] == ["proved"] * 3
+
+
+REACH = "$$ r = l_2 c_2 + l_3 c_{23} $$\n\n"
+BY_REACH = "$$ p_x = r c_1 $$\n\n$$ p_y = r s_1 $$\n\n$$ p_z = l_1 + l_2 s_2 + l_3 s_{23} $$\n\n"
+SQUARE = "$$ p_x^2 + p_y^2 + (p_z - l_1)^2 = l_2^2 + l_3^2 %s 2 l_2 l_3 c_3 $$\n\n"
+
+
+def test_a_letter_in_the_coordinates_is_what_the_document_says_it_is() -> None:
+    text = REACH + BY_REACH
+    (arm,) = verify_text(text).arms
+    assert arm.source == "closed form" and arm.front_matter.count("theta: ") == 3
+    assert verdicts(text + SQUARE % "+")[-1] == "proved"
+    column = r"$$ \frac{\partial p_x}{\partial \theta_1} = -p_y $$" + "\n\n"
+    assert verdicts(text + column + SQUARE % "+" + SQUARE % "-")[-1] == "refuted"
+
+
+def test_a_letter_that_is_said_in_two_ways_or_not_at_all_gives_no_arm() -> None:
+    assert not verify_text(BY_REACH).arms
+    assert not verify_text(REACH + REACH.replace("+", "-") + BY_REACH).arms
+
+
+LAST = r"$$ %s = \operatorname{atan2}(s_5, c_5) $$" + "\n\n"
+TABLE = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | 0 | $\\pi/2$ | $d_1$ | $\\theta_1$ |\n| 2 | $a_2$ | 0 | 0 | $\\theta_2$ |\n| 3 | $a_3$ | 0 | 0 | $\\theta_3$ |\n\n"
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        "## A wrist\n\n" + LAST % r"\theta_5",
+        "## Six joints\n\n$$ T_0^6 = T_0^5 T_5^6 $$\n\n",
+        "## Another\n\n" + TABLE + "$$ p_z = d_1 + a_2 s_2 + a_3 s_{23} $$\n\n",
+    ],
+)
+def test_the_closed_form_of_an_example_is_not_that_of_a_later_section_with_other_joints(other: str) -> None:
+    first = "## An example\n\n" + PLANAR + JACOBIAN.replace("LAST", "l_2 c_{12}")
+    result = verify_text(first + other)
+    assert result.arms[0].source == "closed form"
+    assert [record.verdict.value for record in result.equations][:3] == ["proved"] * 3
+    assert "refuted" not in verdicts(first + other)
+    wrong = verdicts(
+        first.replace("LAST", "l_2 s_{12}").replace("l_2 c_{12} \\end", "l_1 c_{12} \\end")
+        + "$$ x^2 + y^2 = l_1^2 + l_2^2 + 2 l_1 l_2 c_2 $$\n\n"
+        + other
+    )
+    assert wrong[2] == "refuted"
+
+
+def test_a_table_with_as_many_joints_is_that_of_the_closed_form_above_it() -> None:
+    two = (
+        TABLE.replace("| 3 | $a_3$ | 0 | 0 | $\\theta_3$ |\n", "")
+        .replace("$\\pi/2$ | $d_1$", "0 | 0")
+        .replace("| 1 | 0", "| 1 | $l_1$")
+        .replace("$a_2", "$l_2")
+    )
+    result = verify_text(
+        "## An example\n\n" + PLANAR + "## Its table\n\n" + two + JACOBIAN.replace("LAST", "l_2 c_{12}")
+    )
+    assert [arm.source for arm in result.arms] == ["table"]
+    assert [record.verdict.value for record in result.equations] == ["proved"] * 3

@@ -1,0 +1,79 @@
+r"""Statements with an index that stands for any joint, J_i = [z_{i-1} × (p_n - p_{i-1}); z_{i-1}]: they hold where they do for each one."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.errors import EvaluationError
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Verdict
+
+_INDEX = re.compile(r"(?<![A-Za-z])([ijk])(?:([+-])1)?(?![A-Za-z])")
+MOST_JOINTS = 8
+
+
+def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, line: int) -> bool:
+    """Whether a chain is proved with its index for each joint of the arm; a column of a Jacobian for each that turns, or each that slides.
+
+    A wrong one is not refuted here: the text beside it may say of which joints it is.
+    """
+    arm, letter = checker.names.arm, _index_of(chain)
+    if arm is None or not letter or len(arm.joints) > MOST_JOINTS or len(chain.members) < 2:
+        return False
+    numbers = {joint.symbol: number for number, joint in enumerate(arm.joints, 1)}
+    holding = {
+        number for number in numbers.values() if _holds(checker, _instance(chain, letter, number), equation, line)
+    }
+    if _is_column(chain.members[0]):
+        of_kind = [{numbers[j.symbol] for j in arm.joints if j.kind == kind} for kind in ("revolute", "prismatic")]
+        return bool(holding) and holding in (*of_kind, set(numbers.values()))
+    return len(holding) > 1 and holding == set(numbers.values())
+
+
+def _is_column(node: n.Node) -> bool:
+    """Whether a side is J_i, J_{v_i} or J_{ω_i}: its law is another where the joint slides."""
+    return isinstance(name := n.bare(node), n.Name) and name.base == "J" and not (name.primes or name.dots)
+
+
+def _index_of(chain: n.Chain) -> str:
+    """Return the one letter i, j or k that is an index of names in a chain, "" where there is none or several."""
+    found = {each[1] for name in _names(chain) for script in _scripts(name) for each in _INDEX.finditer(script)}
+    return found.pop() if len(found) == 1 else ""
+
+
+def _names(chain: n.Chain) -> Iterator[n.Name]:
+    yield from (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name))
+
+
+def _scripts(name: n.Name) -> tuple[str, str, str, str]:
+    return name.sub, name.sup, name.pre_sub, name.pre_sup
+
+
+def _instance(chain: n.Chain, letter: str, number: int) -> n.Chain:
+    """Return a chain with a number for its index."""
+
+    def at(script: str) -> str:
+        return _INDEX.sub(
+            lambda found: str(number + int(f"{found[2]}1" if found[2] else 0)) if found[1] == letter else found[0],
+            script,
+        )
+
+    for name in list(_names(chain)):
+        sub, sup, pre_sub, pre_sup = map(at, _scripts(name))
+        changed = replace(name, sub=sub, sup=sup, pre_sub=pre_sub, pre_sup=pre_sup)
+        chain = n.substitute(chain, name, changed) if changed != name else chain  # type: ignore[assignment]
+    return chain
+
+
+def _holds(checker: ChainChecker, chain: n.Chain, equation: int, line: int) -> bool:
+    before = checker.names.state.copy()
+    try:
+        outcomes = checker.check(chain, equation, line, define=False)
+    except (EvaluationError, RecursionError):
+        return False
+    finally:
+        checker.names.state.become(before)
+    return bool(outcomes) and all(outcome.verdict is Verdict.PROVED for outcome in outcomes)
