@@ -35,7 +35,7 @@ from armproof.verification.evaluation.blocks import partition, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
-from armproof.verification.naming.conventions import LETTERS, applied, conventional, is_usual
+from armproof.verification.naming.conventions import AXES, LETTERS, applied, conventional, is_usual
 from armproof.verification.verdict import Verdict
 
 ENTRIES = frozenset("rnoa")  # letters of a rotation's entries: in a matrix they mean what stands in their place
@@ -144,8 +144,8 @@ class Conventions:
                 if self._agree(tried, other, pair):
                     self.names.state.usual[name.key, self.names.state.section] = quantity
                     return tried
-                if quantity != usual and self._is_named_in(other, quantity, name.key):
-                    continue  # z = P_z - d_1 is no P_z
+                if quantity != usual and (self._is_named_in(other, quantity, name.key) or self._is_of_own_letter(name)):
+                    continue  # z = P_z - d_1 is no P_z, and then z_w is no height of the wrist
                 if pair is not None and self.names.state.configuration:
                     there = self.equality.compare(tried, other, 1, False).verdict
                     if there is Verdict.CONFIRMED:
@@ -165,6 +165,10 @@ class Conventions:
         """Whether a side holds another name of a quantity: then an author who has both means something else by this one."""
         names = (below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key != key)
         return any(self.names.quantity(each) == quantity for each in names)
+
+    def _is_of_own_letter(self, name: n.Name) -> bool:
+        """Whether the letter of a name with an index means something of the document's own without it."""
+        return bool(name.sub) and name.base in AXES and name.base in self.names.state.definitions
 
     def _with_entries(self, member: Member, known: list[Member]) -> Member:
         """[x; y] = …: each entry that is a name by itself, by the entry that stands in its place."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
@@ -68,7 +69,20 @@ class GeneralStatements:
         if not named and wrong > (0 if self._is_defined(chain) else bound):
             return None
         outcomes = self._general.check(replace(chain, members=members), equation, line, define)
+        if define and outcomes and all(outcome.verdict is Verdict.PROVED for outcome in outcomes):
+            self._bind_links(chain)
         return [self._noted(outcome, convention) for outcome in outcomes] or None
+
+    def _bind_links(self, chain: n.Chain) -> None:
+        """Let T_1, T_2, … be the links of the arm where T_i is the link matrix of any: else they are usually poses in the base."""
+        arm, names = (
+            self.checker.names.arm,
+            [member for member in map(bare, chain.members) if isinstance(member, n.Name)],
+        )
+        for name in names if arm is not None else ():
+            if name.base == "T" and name.sub == "i" and not (name.sup or name.pre_sub or name.pre_sup or name.primes):
+                for before, frame in pairwise(arm.frames):  # type: ignore[union-attr]
+                    self.checker.names.state.infer_usual(f"T_{frame}", Quantity("pose", frame, before))
 
     def _heads(self, chain: n.Chain) -> list[bool | None]:
         """Return of each member whether it is the inverse of a link matrix; None where it is neither.

@@ -49,6 +49,7 @@ _WORDS = (
     (r"variables?", "q"),
 )
 _OFFSET = re.compile(r"^[\s_,(]*(?:offset|off|0|décalage|desfase)\b")
+_ADDED = re.compile(r"(?:joint |angle )?(?:offset|décalage|desfase)\s*(?:[(\[].*[)\]])?")
 _LABEL = re.compile(
     r"(?:[ijkn](?:-1)?|n[°ºo]|no\.?|#|(?:the )?(?:links?|joints?|segments?|corps|liaisons?|articulations?|frames?|rep[eè]res?|row|ax[ie]s|axe|bod(?:y|ies)"
     r"|solide|eslab[oó]n|elo|articulaci[oó]n|juntas?|gelenk|glied|achse|step|transforms?|matri(?:x|ces))(?: (?:no\.?|number|n[°º]|#))?(?: ?[ijkn])?"
@@ -98,6 +99,7 @@ class Columns:
     theta: int
     contradictory: bool = False
     is_khalil: bool = False  # d for the length along x and r for the offset along z
+    offset: int | None = None  # the column of what is added to the joint's variable
 
     def readings(self, conventions: Sequence[str]) -> Iterator[Reading]:
         """Yield the ways to read the table, by convention in the order given."""
@@ -157,6 +159,12 @@ def read_columns(header: Sequence[str]) -> Columns | None:
         place.setdefault(one.role, k)
     alpha, theta = place.get("alpha"), place.get("theta", place.get("q"))
     along_x = next((place[role] for role in "ad" if role in place), None)
+    offset = next(
+        (k for k, one in enumerate(headers) if one.role == "d" and _ADDED.fullmatch(plain(one.text).lower())), None
+    )
+    others = [k for k, one in enumerate(headers) if one.role == "d" and k != offset]
+    if offset is not None and others:  # beside a column of d it is no length
+        place["d"] = others[0]
     along_z = next((place[role] for role in "drb" if role in place and place[role] != along_x), None)
     if alpha is None or theta is None or along_x is None or along_z is None:
         return None
@@ -172,6 +180,7 @@ def read_columns(header: Sequence[str]) -> Columns | None:
         theta,
         contradictory=len(stated) > 1,
         is_khalil=is_khalil,
+        offset=offset if others else None,
     )
 
 

@@ -83,7 +83,8 @@ def _read_row(names: Names, table: Table, columns: Columns, number: int, in_metr
     texts = table.rows[number - 1]
     if len(texts) != len(table.header):
         raise ReadError(say(Kind.ROW_LENGTH, number=number, count=len(texts), width=len(table.header)))
-    used = sorted({columns.alpha, columns.theta, *(k for pair in columns.lengths for k in pair)})
+    added = () if columns.offset is None else (columns.offset,)
+    used = sorted({columns.alpha, columns.theta, *added, *(k for pair in columns.lengths for k in pair)})
     kind, variable = columns.first("sigma"), columns.first("q")
     named = read_cell(names, texts[variable], number, variable).name if variable is not None else None
     label = columns.first("label")
@@ -119,6 +120,8 @@ def _entries(names: Names, columns: Columns, reading: Reading, row: _Row) -> tup
         place, joint = "theta", joint if place == "theta" and joint else f"q_{row.number}"
     if joint and joint not in symbols_of(values[place]):
         values[place] = values[place] + algebra.symbol(joint)
+    if joint and columns.offset is not None and (values[place] - algebra.symbol(joint)).normal().is_zero():
+        values[place] = values[place] + _value(names, algebra, columns, columns.offset, place, row)
     return {parameter: entry_text(value) for parameter, value in values.items()}, joint
 
 

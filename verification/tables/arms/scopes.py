@@ -119,9 +119,9 @@ def _sources(document: Document) -> Iterator[_Source]:
     if first is not None:
         above = _between(document, (-1, 0), _place(first))
         above = replace(above, displays=tuple(each for each in above.displays if each.section != first.section))
-        if (found := candidate_of_closed_form(above, plain_names(document))) is not None:
-            at = next(each for each in above.displays if _place(each) == (found.cell or 0, found.line))
-            yield _Source(_place(at), at.section, found)
+        if (form := candidate_of_closed_form(above, plain_names(document))) is not None:
+            at = next(each for each in above.displays if _place(each) == (form.cell or 0, form.line))
+            yield _Source(_place(at), at.section, form)
     for table in dh_tables(document):
         if isinstance(found := arms_of(document, table), list):
             yield _Source(_place(table), table.section, found[0])

@@ -75,3 +75,48 @@ def test_no_part_of_an_arm_is_taken_where_its_pose_fails() -> None:
     text = shown(r"\theta_3 = q_3 + \pi")
     assert not verify_text(TWO + pose("l_1 s_1 - l_2 s_{12}") + text).arms
     assert verify_text(TWO + pose() + text).arms
+
+
+LINK_2 = r"\begin{bmatrix} c_2 & -s_2 & 0 & a_2 c_2 \\ s_2 & c_2 & 0 & a_2 s_2 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+
+
+def test_where_the_link_matrix_of_any_joint_is_called_so_its_names_with_numbers_are_links() -> None:
+    """T_1 T_2 T_3 is then a product of links, and no product of poses in the base."""
+    general = shown(
+        "T_i = "
+        + CLASSIC.replace(r"\theta", r"\theta_i")
+        .replace(r"\alpha", r"\alpha_i")
+        .replace("& a", "& a_i")
+        .replace("& d", "& d_i")
+    )
+    product, wrong = shown(r"{}^0T_3 = T_1 T_2 T_3"), shown(r"{}^0T_3 = T_1 T_3 T_2")
+    told = verify_text(TABLE + general + product + wrong).equations
+    assert [record.verdict.value for record in told] == ["proved", "proved", "refuted"]
+    assert verify_text(TABLE + general + shown(f"{{}}^1T_2 = {LINK_2}") + wrong).equations[-1].verdict == "refuted"
+    assert verify_text(TABLE + HEIGHT + shown(f"{{}}^1T_2 = {LINK_2}") + product).equations[-1].verdict != "refuted"
+
+
+OFFSET = r"""| i | $\theta_i$ | $d_i$ | $a_i$ | $\alpha_i$ | %s |
+|---|---|---|---|---|---|
+| 1 | $q_1$ | $d_1$ | 0 | $\pi/2$ | 0 |
+| 2 | $q_2$ | 0 | $a_2$ | 0 | %s |
+
+"""
+
+
+@pytest.mark.parametrize(("header", "quarter"), [("offset", r"$\pi/2$"), ("Offset (deg)", "90")])
+def test_a_column_of_offsets_beside_the_column_of_d_adds_to_the_variable(header: str, quarter: str) -> None:
+    for sign, verdict in (("+", "proved"), ("-", "refuted")):
+        text = OFFSET % (header, quarter) + shown(rf"p_z = d_1 {sign} a_2 \cos q_2") + shown(r"p_x = -a_2 c_1 \sin q_2")
+        assert verify_text(text + shown(r"p_y = -a_2 s_1 \sin q_2")).equations[0].verdict.value == verdict
+    plain = OFFSET % ("offset", "0") + shown("p_z = d_1 + a_2 s_2") + shown("p_x = a_2 c_1 c_2")
+    assert [record.verdict.value for record in verify_text(plain).equations] == ["proved"] * 2
+
+
+def test_a_column_of_offsets_alone_is_that_of_d() -> None:
+    text = OFFSET.replace("| $d_i$ ", "").replace("---|---|---|---|---|---|", "---|---|---|---|---|").replace(
+        "| $d_1$ ", ""
+    ).replace("| $q_2$ | 0 ", "| $q_2$ ") % ("offset", "0")
+    text = text.replace("| $\\pi/2$ | 0 |", "| $\\pi/2$ | $d_1$ |")
+    told = verify_text(text + shown("p_z = d_1 + a_2 s_2") + shown("p_x = a_2 c_1 c_2")).equations
+    assert [record.verdict.value for record in told] == ["proved"] * 2
