@@ -18,6 +18,7 @@ from xdist.workermanage import WorkerController
 
 if TYPE_CHECKING:
     from tests.clusters import Running
+    from tests.verification.report.browser import Browser
 
 TESTS = Path(__file__).parent
 gc.set_threshold(
@@ -33,6 +34,7 @@ TOGETHER = {
         "tests/course/grading/test_class.py",
         "tests/course/printing/test_in_browser.py",
         "tests/course/site/test_in_browser.py",
+        "tests/course/site/test_moving.py",
     ),
     "a Dask cluster": (
         "tests/course/grading/test_on_workers.py",
@@ -112,6 +114,20 @@ def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator["Running"]:
         pytest.skip("needs openssl, which writes the cluster's certificate")
     with run_cluster(tmp_path_factory.mktemp("cluster")) as cluster:
         yield cluster
+
+
+@pytest.fixture(scope="session")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator["Browser"]:
+    """A headless Chromium, one for all pages that a process looks at."""
+    from tests.verification.report.browser import CHROMIUM, DRIVER, Browser
+
+    if not (CHROMIUM and DRIVER):
+        missing = "needs Chromium and its driver: apt install chromium chromium-driver"
+        if os.environ.get("CI"):  # .ci/run installs them
+            pytest.fail(missing)
+        pytest.skip(missing)
+    with Browser(tmp_path_factory.mktemp("profile")) as started:
+        yield started
 
 
 def pytest_configure(config: pytest.Config) -> None:

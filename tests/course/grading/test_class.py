@@ -19,9 +19,8 @@ from armproof.models.language import use
 from tests.course.grading.invented import write_class
 from tests.laws import SWEEP
 from tests.verification.report.browser import Browser
-from tests.verification.report.conftest import browser  # noqa: F401 - a fixture
 from tests.verification.report.survey import PHONE, survey
-from tests.verification.report.test_in_browser import violations
+from tests.verification.report.test_in_browser import OF_COLOURS, violations
 
 SHOWN = slice(0, 30) if SWEEP else slice(14, 24)
 STUDENTS = SHOWN.stop - SHOWN.start
@@ -63,7 +62,7 @@ def test_an_answer_stands_beside_its_picture_and_the_attempts(grades: Grades):
     assert any(result.is_right and result.mistakes and result.attempts == 2 for result in results)
 
 
-def test_the_pages_read_on_a_phone_and_ask_for_nothing(browser: Browser, pages: Path):  # noqa: F811
+def test_the_pages_read_on_a_phone_and_ask_for_nothing(browser: Browser, pages: Path):
     for page in _shown(pages):
         found = survey(browser, page)
         asked = [
@@ -73,7 +72,7 @@ def test_the_pages_read_on_a_phone_and_ask_for_nothing(browser: Browser, pages: 
         assert found.scrolls <= PHONE, page
 
 
-def test_no_name_stands_beside_a_mistake_unless_it_is_opened(browser: Browser, pages: Path, grades: Grades):  # noqa: F811
+def test_no_name_stands_beside_a_mistake_unless_it_is_opened(browser: Browser, pages: Path, grades: Grades):
     browser.open(pages / "index.html")
     shown = "return [...document.querySelectorAll('section[aria-labelledby^=lesson]')].map(each => each.innerText).join(' ')"
     names = list(grades.best)
@@ -82,10 +81,11 @@ def test_no_name_stands_beside_a_mistake_unless_it_is_opened(browser: Browser, p
     assert all(name in browser.run(shown) for name in names)
 
 
-def test_axe_finds_nothing(browser: Browser, pages: Path):  # noqa: F811
-    browser.emulate(scheme="dark" if "fr" in pages.name else "light")
+def test_axe_finds_nothing(browser: Browser, pages: Path):
+    is_dark = "fr" in pages.name
+    browser.emulate(scheme="dark" if is_dark else "light")
     for page in _shown(pages):
-        assert violations(browser, page, OPENED) == [], page
+        assert violations(browser, page, OPENED, OF_COLOURS if is_dark else ()) == [], page
     browser.emulate()
 
 

@@ -12,7 +12,6 @@ from armproof.course.printing.printing import render
 from armproof.course.sheet.model import Sheet
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
-from tests.verification.report.conftest import browser  # noqa: F401 - a fixture
 
 FRONT = "---\ntitle: The planar arm\nsource: A test\narm: planar_2r\nfigures: []\n---\n\n"
 

@@ -16,7 +16,6 @@ from armproof.course.sources.lesson_source import LessonSource, read_lesson_sour
 from armproof.course.sources.places import Place
 from armproof.verification.check import check_document
 from armproof.verification.document import read_document
-from tests.verification.report.conftest import browser  # noqa: F401 - a fixture
 
 SECRET = "a_1 a_2 sin(theta_2) is the secret"
 TASKS = '''"""Tasks."""

@@ -16,7 +16,7 @@ from tests.course.site.conftest import NOT_ATTEMPTED, RIGHT, STREAM
 from tests.course.site.test_page import ATTACK
 from tests.verification.report.browser import Browser
 from tests.verification.report.survey import PHONE, SCREEN, survey
-from tests.verification.report.test_in_browser import violations
+from tests.verification.report.test_in_browser import OF_COLOURS, violations
 
 WIDE = "x" * 200
 LONG = r"[\theta_1, \theta_2, \theta_1 + \theta_2, l_1 + l_2, \theta_1 - \theta_2, l_1 - l_2, \theta_1 + l_1 + l_2]^T"
@@ -79,7 +79,7 @@ def test_axe_finds_nothing_serious(browser: Browser, site: Path, scheme: str) ->
     browser.emulate(scheme=scheme)
     unfold = "document.querySelectorAll('details:not(.view)').forEach(each => { each.open = true; })"
     for name in ("student", "solutions", "index"):
-        found = violations(browser, site / f"{name}.html", unfold)
+        found = violations(browser, site / f"{name}.html", unfold, OF_COLOURS if scheme == "dark" else ())
         assert [rule for rule in found if rule[0] in ("serious", "critical")] == [], name
     browser.emulate()
 

@@ -1,13 +1,11 @@
-"""The course's report and a browser, for the tests of the pages."""
+"""The course's report and others, for the tests of the pages."""
 
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from armproof.verification.cli.documents import check_and_report
-from tests.verification.report.browser import CHROMIUM, DRIVER, Browser
 
 ROOT = Path(__file__).resolve().parents[3]
 WRONG = r"""---
@@ -91,15 +89,3 @@ def hostile_report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / f"broken {ATTACK.split('/')[0]}.md").write_text("---\narm: <script>\n---\n", encoding="utf-8")
     check_and_report([folder], folder / "report")
     return folder / "report"
-
-
-@pytest.fixture(scope="session")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
-    """A headless Chromium."""
-    if not (CHROMIUM and DRIVER):
-        missing = "needs Chromium and its driver: apt install chromium chromium-driver"
-        if os.environ.get("CI"):  # .ci/run installs them
-            pytest.fail(missing)
-        pytest.skip(missing)
-    with Browser(tmp_path_factory.mktemp("profile")) as started:
-        yield started
