@@ -220,7 +220,12 @@ class Formula:
         angles = {_as_latex(name): at[name] for name in at if ANGLE.match(name) and not name.startswith("q_")}
         sums = {f"({one} + {other})": angles[one] + angles[other] for one, other in combinations(angles, 2)}
         return {
-            **{_as_latex(name): values for name, values in at.items() if _as_latex(name) not in angles},
+            **{_as_latex(name): values for name, values in at.items()},
+            **{
+                f"1 + {_as_latex(name)}^2": 1 + values**2
+                for name, values in at.items()
+                if _as_latex(name) not in angles
+            },
             **{f"sin {name}": np.sin(values) for name, values in {**angles, **sums}.items()},
             **{f"cos {name}": np.cos(values) for name, values in {**angles, **sums}.items()},
             **{f"{_as_latex(one)} + {_as_latex(other)}": at[one] + at[other] for one, other in pairs},
@@ -243,8 +248,8 @@ class Formula:
                 feedback = self._judge_latex(traced.value, self.claim.judge(traced.value))
             else:
                 feedback = self._compare(function, guard, traced.error.message)
-            if feedback.outcome is Outcome.WRONG and (degrees := self._in_degrees(function, guard)):
-                return replace(feedback, message=degrees, findings=())
+            if not feedback.is_right and (degrees := self._in_degrees(function, guard)):
+                return replace(feedback, outcome=Outcome.WRONG, message=degrees, findings=())
             return feedback
 
     def _in_order(self, function: Callable[..., Any]) -> Callable[..., Any]:
@@ -279,6 +284,11 @@ class Formula:
         degrees = [180 / np.pi if ANGLE.match(name) else 1.0 for name in self.arguments]
         if max(degrees, default=1.0) > 1:
             yield degrees, 1.0, look_up("the angles are taken as degrees: they are in radians already")
+            yield (
+                [1 / each for each in degrees],
+                1.0,
+                look_up("the angles are turned into degrees: sine and cosine take radians"),
+            )
         if self._has_angles:
             yield [1.0] * len(degrees), np.pi / 180, look_up("the result is in degrees; give radians")
 

@@ -15,6 +15,7 @@ from armproof.models.language import look_up, noted
 
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
+_POWERS_OF_TEN = (100, 1000)
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _DIGITS = 1e-4  # of a sum or a quotient of given values, which many could meet by chance
 _FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
@@ -67,7 +68,13 @@ def number_slip(
         for k in wrong
     ]
     told = [
-        (label, words or _of_another(float(given[k]), right, labels) or _of_stated(float(given[k]), stated))
+        (
+            label,
+            words
+            or _of_another(float(given[k]), right, labels)
+            or _of_stated(float(given[k]), stated)
+            or _of_two_others(float(given[k]), right, labels),
+        )
         for k, (label, words) in zip(wrong, told, strict=True)
     ]
     return look_up("; ").join(written("{label}: {words}", label=label, words=words) for label, words in told if words)
@@ -76,7 +83,7 @@ def number_slip(
 def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
     """Yield what explains all wrong numbers at once."""
     wrong = ~np.isclose(given, right, rtol=_TOLERANCE)
-    if near(given, right):
+    if near(given, right) or all(map(_is_rounded, given.tolist(), right.tolist())):
         yield look_up("right, but rounded: hand over the expression itself, such as `np.pi / 2`, or seven digits")
         return
     if near(np.abs(given), np.abs(right)):
@@ -87,6 +94,8 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
         yield look_up("the numbers are right, their order and signs are not")
     if near(given, 1000 * right):
         yield look_up("in millimetres? Metres are asked for")
+    if near(given, 100 * right) and not near(right, np.round(right)):
+        yield look_up("in centimetres? Metres are asked for")
     if near(given, np.degrees(right)):
         yield look_up("in degrees? Radians are asked for")
     if factor := _common_factor(given[wrong], right[wrong]):
@@ -104,13 +113,24 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
             yield look_up("one too many")
 
 
+def _is_rounded(given: float, right: float) -> bool:
+    """Whether a number is the right one to the decimals that it has, two digits at least."""
+    decimals = repr(given).partition(".")[2]
+    is_plain = decimals.isdigit() and abs(given) >= 10 ** (1 - len(decimals)) and decimals != "0"
+    return given == right or (is_plain and round(right, len(decimals)) == given)
+
+
 def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     """Return the whole number by which all numbers are too large, or too small; 0 where there is none."""
     if (right == 0).any() or np.abs(given / right).min() <= _TOLERANCE or not near(given / right, given[0] / right[0]):
         return 0
     ratio = abs(float(given[0] / right[0]))
     factor = max(ratio, 1 / ratio)
-    return round(factor) if near(factor, round(factor)) and round(factor) <= _LARGEST_FACTOR else 0
+    return (
+        round(factor)
+        if near(factor, round(factor)) and (round(factor) <= _LARGEST_FACTOR or round(factor) in _POWERS_OF_TEN)
+        else 0
+    )
 
 
 def _of_function(label: str, given: float, right: float) -> str:
@@ -145,6 +165,17 @@ def _of_another(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
     return written("this is {other}", other=others[0]) if len(others) == 1 and not float(given).is_integer() else ""
 
 
+def _of_two_others(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
+    """Return of which two labels a number would be the sum or the difference."""
+    known = {label: value for label, value in zip(labels, right.tolist(), strict=True) if value}
+    if len(known) > 2:
+        for (one, a), (other, b) in combinations(known.items(), 2):
+            for sign, joint, value in (("", "+", a + b), ("", "−", a - b), ("−", "+", b - a), ("−", "−", -a - b)):
+                if given and near(given, value):
+                    return written("this is {other}", other=f"{sign}{one} {joint} {other}")
+    return ""
+
+
 def _of_stated(given: float, stated: Sequence[float]) -> str:
     """Return which number of the text was copied, or which two were put together."""
     close = partial(np.isclose, given, rtol=_DIGITS, atol=_TOLERANCE)
@@ -153,10 +184,13 @@ def _of_stated(given: float, stated: Sequence[float]) -> str:
     for value in stated:
         if close(value):
             return written("{value:g} is given for something else", value=value)
-    for sign, put_together in _TWO.items():
-        for one, other in permutations(stated, 2):
-            if close(put_together(one, other)):
-                return written("this is {one:g} {sign} {other:g}", one=one, sign=sign, other=other)
+    pairs = [(sign, *pair) for sign in _TWO for pair in permutations(stated, 2)]
+    for sign, one, other in [*pairs, *(("·", each, each) for each in stated)]:
+        if close(_TWO[sign](one, other)):
+            return written("this is {one:g} {sign} {other:g}", one=one, sign=sign, other=other)
+    for one, other in combinations(stated, 2):
+        if close(np.hypot(one, other)):
+            return written("this is the root of {one:g}² + {other:g}²", one=one, other=other)
     return ""
 
 

@@ -16,7 +16,7 @@ _ONE_DECIMAL_COMMA = re.compile(r"\s*[-+]?(?:0,\d+|\d+,(?!\d{3}\s*$)\d+)\s*")  #
 _BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
 _NAMED = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))[^\W\d]\w*\s*=\s*")
 _SCALES = {
-    "m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+    "m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0},
     "m/s": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001},
     "rad": {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180},
     "rad/s": {"rad/s": 1.0, "deg/s": np.pi / 180, "°/s": np.pi / 180},

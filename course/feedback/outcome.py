@@ -27,6 +27,7 @@ GENERAL = (
     Kind.ONLY_WRONG_ENTRY,
     Kind.FEW_WRONG_ENTRIES,
     Kind.WRONG_ENTRIES,
+    Kind.WRONG_ENTRIES_AT,
 )  # where no mistake is recognised
 MOST_ROWS = 8
 _NOTHING = 1e-12

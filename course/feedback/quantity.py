@@ -14,7 +14,7 @@ from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import Claim, judge_formula
 from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
-from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Row, place, told
+from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Outcome, Row, place, told
 from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.course.feedback.relation import (
     Letters,
@@ -32,12 +32,17 @@ from armproof.models.language import noted
 from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.findings.finding import Audience, write_all
 from armproof.verification.functions import check_function
+from armproof.verification.functions.arguments import read_layout
 from armproof.verification.functions.asked import read_asked
 from armproof.verification.functions.function_check import FunctionVerdict
+from armproof.verification.functions.guarded_call import Guard
+from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.returned import NotAttempted
+from armproof.verification.functions.traced_function import trace_function
 from armproof.verification.latex.writer import symbol_as_latex
 
 FEW = 8  # samples by which two answers are told apart
+SECONDS = 2.0  # that a function may run
 MANY = 32  # by which the relation of a wrong answer to the right one is found
 NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
 NOTHING_YET = noted("`{task}`: no answer yet, nothing to draw.")
@@ -83,9 +88,30 @@ class Quantity:
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the joint values, or a formula."""
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        if feedback.is_general and is_function(answer) and (words := self._as_formula(answer)):
+            return replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             return replace(feedback, message=words)
         return feedback
+
+    def _as_formula(self, function: Callable[..., Any]) -> str:
+        """Return what is said of a function's result as a formula, in which slips are looked for entry by entry."""
+        try:
+            layout = read_layout(self.loaded, function)
+            passed = [symbol for symbol in layout.lengths if symbol not in layout.defaults]
+
+            def call(function: Callable[..., Any], make: Callable[[str], Any]) -> Any:
+                positional, named = layout.arguments(make, passed)
+                return function(*positional, **named)
+
+            with Guard(SECONDS) as guard:
+                traced = guard.call(lambda: write_matrix(np.array(trace_function(function, call), dtype=object)))
+            if traced.error is not None:
+                return ""
+            feedback = self.claim.judge(traced.value)
+        except ArmproofError:
+            return ""
+        return "" if feedback.is_general or feedback.outcome is not Outcome.WRONG else feedback.message
 
     def _relation(self, answer: Any) -> str:
         """Return how an answer with no known slip relates to what is asked, in its letters and in values."""

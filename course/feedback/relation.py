@@ -301,6 +301,15 @@ def _product(values: np.ndarray, factors: Letters) -> str:
 
 
 def _powers(values: np.ndarray, factors: Letters) -> tuple[dict[str, int], float] | None:
+    """Return which powers of factors, and which number, make values as a product; None where none do.
+
+    Letters alone come first: of many factors there may be more than samples.
+    """
+    letters = {name: each for name, each in factors.items() if not re.search("[ +-]", name)}
+    return _powers_of(values, letters) or _powers_of(values, factors)
+
+
+def _powers_of(values: np.ndarray, factors: Letters) -> tuple[dict[str, int], float] | None:
     """Return which powers of factors, and which number, make values as a product; None where none do."""
     factors = {name: each for name, each in factors.items() if (np.abs(each) > _TOLERANCE).all()}
     if len(values) < len(factors) + ENOUGH or not (np.abs(values) > _TOLERANCE).all():

@@ -2,25 +2,71 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from armproof.verification.diagnosis.slips import Change, Edit, is_scalar_product, is_trigonometric, on_all, with_items
+from armproof.verification.diagnosis.brackets import missing_brackets, wide_brackets
+from armproof.verification.diagnosis.slips import Change, Edit, is_trigonometric, on_all, products_of_functions
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 
-Parted = tuple[n.Node, Callable[[n.Node], n.Node]]  # a part of a node, and what puts another in its place
-
 _ARCS = {"asin": "\\arcsin", "acos": "\\arccos", "atan": "\\arctan"}
+_MOST_PLACES = 6  # at which one mistake is mended at once
 _TWO = n.Number(Fraction(2), "2")
 
 
 def misconceptions(root: n.Node) -> Iterator[Edit]:
     """Yield every tree that becomes of `root` if one rule of computing, at one place, was used wrongly."""
-    for rule in (_arguments, _arcs, _upside_down, _squares_of_sums, _term_by_term, _brackets):
+    for rule in (
+        _arguments,
+        _arcs,
+        _upside_down,
+        _squares_of_sums,
+        _term_by_term,
+        missing_brackets,
+        wide_brackets,
+        _divisors,
+    ):
         yield from on_all(root, rule)
+    yield from _throughout(root)
+
+
+def _throughout(root: n.Node) -> Iterator[Edit]:
+    """Yield the trees with one mistake mended wherever it was made, where one place alone is not enough."""
+    joined = root
+    for _ in range(_MOST_PLACES):
+        change = next(on_all(joined, products_of_functions), None)
+        if change is None:
+            break
+        joined = change.node
+    if joined is not root:
+        yield Edit(joined, "function", say(Kind.PRODUCTS_OF_FUNCTIONS))
+    terms = [term for node in n.walk(root) if isinstance(node, n.Sum) for _, term in node.terms]
+    quotients = [each for each in (root, *terms) if _quotient_of(each) is not None][:_MOST_PLACES]
+    for some in ([quotients] if len(quotients) > 1 else []) + [[each] for each in quotients]:
+        angles = {id(each): _angle(each) for each in some}
+        yield Edit(n.substitute_each(root, angles), "function", say(Kind.ANGLE_OF_QUOTIENT))
+
+
+def _quotient_of(node: n.Node) -> n.Quotient | None:
+    """Return a quotient, or that of which an arc function is taken."""
+    inner = node.arguments[0] if isinstance(node, n.Call) and node.function in _ARCS else node
+    return inner if isinstance(inner, n.Quotient) else None
+
+
+def _angle(node: n.Node) -> n.Node:
+    """Return the angle of which a quotient is the tangent."""
+    quotient = _quotient_of(node)
+    assert quotient is not None
+    return n.Call("atan2", (quotient.numerator, quotient.denominator), "\\text{atan2}", "macro()", span=node.span)
+
+
+def _divisors(node: n.Node) -> Iterator[Change]:
+    """A divisor too many."""
+    if isinstance(node, n.Quotient):
+        yield n.Group(node.numerator), "factor", say(Kind.EXTRA_DIVISOR)
 
 
 def _arguments(node: n.Node) -> Iterator[Change]:
@@ -60,6 +106,9 @@ def _term_by_term(node: n.Node) -> Iterator[Change]:
     """sin a + sin b for sin(a + b), and x + y for √(x² + y²): a function of a sum is taken of each term."""
     if not isinstance(node, n.Sum):
         return
+    if len(node.terms) > 2 and node.terms[0][0] == "+":
+        rest = n.Group(n.Sum(node.terms[1:]))
+        yield _root(node.terms[0][1], "+", rest), "function", say(Kind.ROOT_TERM_BY_TERM)
     for k, ((sign, term), (next_sign, next_term)) in enumerate(pairwise(node.terms)):
         for kind in (Kind.FUNCTION_TERM_BY_TERM, Kind.ROOT_TERM_BY_TERM):
             joined = _joined(kind, term, "+" if sign == next_sign else "-", next_term)
@@ -71,8 +120,7 @@ def _term_by_term(node: n.Node) -> Iterator[Change]:
 def _joined(kind: Kind, one: n.Node, sign: str, other: n.Node) -> n.Node | None:
     """Return the function of the sum of two terms; None where they are no such terms."""
     if kind is Kind.ROOT_TERM_BY_TERM:
-        squares = [_squared(each) for each in (one, other)]
-        return n.Call("sqrt", (n.Sum((("+", squares[0]), (sign, squares[1]))),), "\\sqrt", "braces")
+        return _root(one, sign, other)
     if not (is_trigonometric(one) and is_trigonometric(other) and one.function == other.function):
         return None
     first, second = one.arguments[0], other.arguments[0]
@@ -85,6 +133,11 @@ def _joined(kind: Kind, one: n.Node, sign: str, other: n.Node) -> n.Node | None:
         )
     style = {"letter": "letter()", "macro": "macro()"}.get(one.style, one.style)
     return replace(one, arguments=(n.Sum((("+", first), (sign, second))),), style=style)
+
+
+def _root(one: n.Node, sign: str, other: n.Node) -> n.Node:
+    """Return the root of the sum of two squares."""
+    return n.Call("sqrt", (n.Sum((("+", _squared(one)), (sign, _squared(other)))),), "\\sqrt", "braces")
 
 
 def _squared(node: n.Node) -> n.Node:
@@ -113,67 +166,3 @@ def _squares_of_sums(node: n.Node) -> Iterator[Change]:
                         "number",
                         say(Kind.SUM_OF_SQUARES),
                     )
-
-
-def _brackets(node: n.Node) -> Iterator[Change]:
-    """a + b c for (a + b) c: a factor or a divisor that stands at one term of a sum is that of two, or of all."""
-    if not isinstance(node, n.Sum):
-        return
-    finding = say(Kind.MISSING_BRACKETS)
-    for k, ((sign, term), (next_sign, next_term)) in enumerate(pairwise(node.terms)):
-        for grouped in _grouped(sign, term, next_sign, next_term):
-            terms = (*node.terms[:k], (sign, grouped), *node.terms[k + 2 :])
-            yield grouped if terms == (("+", grouped),) else replace(node, terms=terms), "term", finding
-    if len(node.terms) > 2:
-        yield from ((whole, "term", finding) for whole in _of_all(node))
-
-
-def _grouped(sign: str, term: n.Node, next_sign: str, next_term: n.Node) -> Iterator[n.Node]:
-    """Yield two terms as one, with the factor of either in common: of -a + b c, say, (a - b) c and (a + b) c."""
-    for inside in dict.fromkeys([next_sign, "+" if next_sign == sign else "-"]):
-        if (parts := _first_factor(next_term)) is not None:
-            yield parts[1](n.Group(n.Sum((("+", term), (inside, parts[0])), span=term.span)))
-        if (parts := _last_factor(term)) is not None:
-            yield parts[1](n.Group(n.Sum((("+", parts[0]), (inside, next_term)), span=term.span)))
-
-
-def _of_all(node: n.Sum) -> Iterator[n.Node]:
-    """Yield a sum with the last factor or divisor of its last term, or the first factor of its first term, as that of all."""
-    sign, last = node.terms[-1]
-    if (parts := _first_factor(last)) is not None:
-        if isinstance(last, n.Quotient):
-            yield replace(last, numerator=replace(node, terms=(*node.terms[:-1], (sign, parts[0]))))
-        else:
-            less = _without_last(last)
-            if less is not None:
-                yield n.Product(
-                    (n.Group(replace(node, terms=(*node.terms[:-1], (sign, less[0])))), less[1]), ("",), span=node.span
-                )
-    first_sign, first = node.terms[0]
-    if (parts := _last_factor(first)) is not None and first_sign == "+":
-        yield parts[1](n.Group(n.Sum((("+", parts[0]), *node.terms[1:]), span=node.span)))
-
-
-def _without_last(node: n.Node) -> tuple[n.Node, n.Node] | None:
-    """Return a product without its last factor, and that factor."""
-    if not is_scalar_product(node):
-        return None
-    factors = node.factors[:-1]
-    rest = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=node.operators[:-1])
-    return rest, node.factors[-1]
-
-
-def _first_factor(node: n.Node) -> Parted | None:
-    """Return the first factor of a product, or the numerator of a quotient."""
-    if isinstance(node, n.Quotient):
-        return node.numerator, lambda new: replace(node, numerator=new)
-    if is_scalar_product(node):
-        return node.factors[0], lambda new: replace(node, factors=with_items(node.factors, 0, new))
-    return None
-
-
-def _last_factor(node: n.Node) -> Parted | None:
-    """Return the last factor of a product."""
-    if not is_scalar_product(node):
-        return None
-    return node.factors[-1], lambda new: replace(node, factors=(*node.factors[:-1], new))

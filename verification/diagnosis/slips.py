@@ -56,7 +56,7 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from on_all(root, lambda node: _names(node, letters))
     yield from swapped_lengths(root, letters)
     yield from on_all(root, _dropped_factors)
-    yield from on_all(root, _products_of_functions)
+    yield from on_all(root, products_of_functions)
     yield from _numbers(root)
     yield from _squares(root, letters)
     yield from on_all(root, _dropped_terms)
@@ -168,8 +168,8 @@ def function_pairs(root: n.Node) -> Iterator[Edit]:
         yield Edit(edited, "function", say(Kind.EXCHANGED_TWICE))
 
 
-def _products_of_functions(node: n.Node) -> Iterator[Change]:
-    """C_1 C_2 for C_{12}, S_1 S_2 for S_{12}."""
+def products_of_functions(node: n.Node) -> Iterator[Change]:
+    """Yield a product with two of its cosines, or sines, as one of the sum of their angles: C_1 C_2 for C_{12}, S_1 S_2 for S_{12}."""
     if not is_scalar_product(node):
         return
     calls = [(k, f) for k, f in enumerate(node.factors) if is_trigonometric(f)]

@@ -93,6 +93,7 @@ def task(asks: Any, *wrong: Wrong) -> Task:
         (Table("planar_2r", "classic"), r"\begin{array}{cccc} \theta_1 & 0 & l_1 & 0 \\ \theta_2 & 0 & l_2 & 0 \end{array}"),
         (Number(2), 2),
         (Number(2.5, "m"), "2,5"),
+        (Number(500.0, "m"), "0.5 km"),
         (Number(0.375, "m/s"), "0,375 m/s"),
         (Number((0.25, -0.1), "m"), "250 mm, -10 cm"),
         (Number((0.0, 2.0), "m"), "x = 0, y = 2"),

@@ -47,6 +47,7 @@ COLUMN3 = Quantity("planar_3r", {"jacobian": 3, "rows": [4, 5, 6]})
 DIFFERENCE = Formula(r"l_1 \sin(\theta_1 - \theta_2)", (*_ANGLES, "l_1"), arm="planar_3r")
 OUTSIDE = Formula("x - (l_1 + l_2) y", ("x", "y", "l_1", "l_2"))
 LEANING = Formula(r"\arctan\frac{l_1}{l_2} + x", ("l_1", "l_2", "x"), unit="rad")
+SPREAD = Formula("(x l_1 + y + l_2) z", ("x", "y", "z", "l_1", "l_2"))
 ANGLES = Number((0.6, 0.8), labels=("sin θ", "cos θ"))
 BACK = Quantity("planar_3r", {"difference": [3, 2]})
 ARMS = Number((0.25, 0.85), "m", ("nearest", "farthest"), {"l_1": 0.6, "l_2": 0.3})
@@ -110,7 +111,7 @@ def squared(answer: str) -> str:
         (TURRET, TURRET.latex.replace(r"\sqrt{x^2 + y^2}", "x"), "entry (2, 1): y is missing"),
         (SPEED, SPEED.latex.replace("30", r"\frac{1}{30}"), "a quotient is upside down"),
         (SPEED, SPEED.latex.replace("30", r"10 \sqrt{27}"), "your answer is √3 times too large"),
-        (LEAN, r"\frac{l_1}{l_2}", "your answer is the tangent of the angle"),
+        (LEAN, r"\frac{l_1}{l_2}", "a quotient is the tangent of an angle"),
         (FACING, r"\operatorname{atan2}(-y, x)", "wrong sign"),
         (FACING, r"\frac{\pi}{2} - \operatorname{atan2}(x, -y)", "the sign of the angle is wrong"),
         (FACING, r"\arctan\frac{x}{y}", "the quotient in the arctangent is upside down"),
@@ -136,6 +137,20 @@ def squared(answer: str) -> str:
         (Number(0.7, "m").told_in("at $0.3$ m and 0.4 m; 90°"), 0.12, "this is 0.3 · 0.4"),
         (Number(0.7, "m").told_in("at $0.3$ m and 0.4 m; 90°"), 0.4, "0.4 is given for something else"),
         (Number((0.6435, -1.5707963), "rad", ("φ", "ψ")), [0.6, -1.5708], "φ is not 0.6"),
+        (SPREAD, "x l_1 + y + l_2 z", "brackets are missing"),
+        (OUTSIDE, "y (x - l_1 - l_2)", "brackets that are too wide"),
+        (HEIGHT, "l_1 S_1 + l_2 S_1 S_2 + l_3 S_1 S_2 S_3", "products of sines or cosines stand"),
+        (LEANING, r"\frac{l_1}{l_2} + x", "a quotient is the tangent of an angle"),
+        (COSINE, r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2 l_1}", "does not belong"),
+        (HEIGHT, lambda t1, t2, t3, a, b, c: a * np.sin(np.degrees(t1)) + b * np.sin(np.degrees(t1 + t2)) + c * np.sin(np.degrees(t1 + t2 + t3)), "turned into degrees"),
+        (TOOL, lambda q, l_1, l_2: [l_1 * np.cos(q[0]) + l_2 * (np.cos(q[0]) + np.cos(q[1])), l_1 * np.sin(q[0]) + l_2 * np.sin(q[0] + q[1])],
+            "entry (1, 1): a sine or cosine of a sum is taken term by term"),
+        (PLACE, [0, 30, -40], "in centimetres?"),
+        (Number(500.0, "m"), 5, "wrong by a factor of 100"),
+        (Number(0.375, "m/s"), 0.38, "right, but rounded"),
+        (Number(0.7, "m").told_in("at 0.3 m and 0.4 m"), 0.5, "this is the root of 0.3² + 0.4²"),
+        (Number(0.7, "m").told_in("at 0.3 m and 0.4 m"), 0.09, "this is 0.3 · 0.3"),
+        (Number((0.6435, -1.5708, -0.9273), "rad", ("α", "β", "γ")), [0.6435, -1.5708, -2.2143], "γ: this is −α + β"),
         (ANGLES, [36.87, 0.8], "sin θ: this is the angle: its sine is asked"),
         (Number((0.3, 0.0), "m"), [0.3, 1], "number 2: zero belongs there"),
         (Number(2.0, "rad/s"), "2 m/s", "m/s is not the unit: rad/s is asked for"),
@@ -158,6 +173,8 @@ def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answe
         (PLACE, [0.1, 0.37, -0.42]),
         (LINK, LINK.latex.replace("-l_1", "l_1 C_1 + 2 l_1 S_1")),
         (ANGLES, [0.61, 0.8]),
+        (Number(0.375, "m/s"), 0.4),
+        (Number(500.0, "m"), 11),
         (Number(0.7, "m").told_in("at 0.3 m and 0.4 m"), 0.13),
         (ARMS, [0.13, 0.71]),
         (Number((0, 0, 1)), [0.6, 0, 0.8]),
