@@ -148,7 +148,9 @@ class Quantity:
         if not is_function(answer):
             return self.claim.values_over(as_latex(answer), at)
         rows = zip(*(values.tolist() for values in at.values()), strict=True)
-        return np.array([call_at(self.loaded, answer, dict(zip(at, row, strict=True))) for row in rows])
+        found = np.array([call_at(self.loaded, answer, dict(zip(at, row, strict=True))) for row in rows])
+        shape = self.claim.values(ASKED).shape[1:]
+        return found.reshape(len(found), *shape) if found[0].size == np.prod(shape) else found
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""

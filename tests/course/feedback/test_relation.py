@@ -118,6 +118,7 @@ def squared(answer: str) -> str:
         (LINK, r"\begin{bmatrix} C_1 & -S_1 & 0 & -l_1 C_1 \\ S_1 & C_1 & 0 & -l_1 S_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
             "the rotation is that of the inverse: it is still to be transposed; the origin is that of the inverse, only negated"),
         (AXIS, r"\begin{bmatrix} l_3 C_{123} \\ l_3 S_{123} \\ l_3 \end{bmatrix}", "entry (3, 1): zero belongs there"),
+        (AXIS, lambda q, l_3: [l_3 * np.cos(q[0] + q[1] + q[2]), l_3 * np.sin(q[0] + q[1] + q[2]), l_3], "entry (3, 1): zero belongs there"),
         (TURNING, r"\begin{bmatrix} 1 & 1 & l_3 \end{bmatrix}", "entry (1, 3): what is asked does not depend on l_3"),
         (COLUMN3, r"\begin{bmatrix} 1 & 1 & 1 \\ 2 & 1 & 1 \\ 1 & 1 & 1 \end{bmatrix}", "entries (1, 1), (1, 2), (1, 3), (2, 1): zero belongs there"),
         (HEIGHT, "l_1 S_1 + l_2 S_{12} + l_3", "is missing"),
