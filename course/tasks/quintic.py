@@ -694,6 +694,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(0.2, "this is the mean speed: the peak of a quintic is 15/8 of it", own=True),
                 Wrong(0.3, "this is the peak of the cubic, 3/2 of the mean speed", own=True),
+                Wrong(np.sqrt(1 / 3), "this is the peak acceleration, in m/s²", own=True),
                 Wrong(0.75, "the time is 2 s: the mean speed is half of the distance", own=True),
                 Wrong(1.5, "the distance is divided by the time, not multiplied", own=True),
                 Wrong(0.1875, "15/8 of the mean speed, which is 0.2 m/s", own=True),
