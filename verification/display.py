@@ -19,12 +19,13 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
+from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import sizes_of_convention, without_misreading
-from armproof.verification.equations.outcome import Outcome, hold, with_role
+from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
@@ -54,6 +55,7 @@ class _Display:
         equation, index: the number of the next equation, the place of the next statement.
         links: of a chain of arrows: what stands before the arrow at hand has been concluded.
         above: the implications of the lines before.
+        under: the implication whose conclusion stands before: what follows it on its line may be one more.
         stated: configurations and conditions, each with the count of the outcomes before it.
     """
 
@@ -67,6 +69,7 @@ class _Display:
     index: int = 0
     links: list[Implication] = field(default_factory=list)
     above: list[Implication] = field(default_factory=list)
+    under: Implication | None = None
     stated: list[tuple[int, n.Chain]] = field(default_factory=list)
 
     @cached_property
@@ -146,14 +149,30 @@ class Statements:
         alternative = _is_alternative(statements, index)
         found = self._claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
-        if index and isinstance(arrow := statements[index - 1], n.Connective) and arrow.kind in ARROWS:
+        if _is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
+        found = self._concluded_too(display, chain, found)
         if any(map(_is_condition, found)):
             display.stated.append((len(display.outcomes), chain))
         display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
         self._tell_what_is_left_out(chain, statements, found, display.latex)
         display.equation += len(chain.relations)
         display.index += 1
+
+    def _concluded_too(self, display: _Display, chain: n.Chain, found: list[Outcome]) -> list[Outcome]:
+        """θ_2 = 0 ⇒ P_x = (l_1 + l_2) c_1, P_y = (l_1 + l_2) s_1: what does not hold everywhere may be a second conclusion."""
+        statements, index, under = display.statements, display.index, display.under
+        follows = index and isinstance(before := statements[index - 1], n.Chain) and chain.relations
+        if under is None or not follows or "\\\\" in display.latex[before.span[1] : chain.span[0]]:
+            display.under = None
+            return found
+        if all(outcome.verdict in HOLDS for outcome in found):
+            return found
+        wider = replace(under, before=[[chain]]) if under.kind == "if" else replace(under, behind=[[chain]])
+        judged = self._of_the_tool(display, wider, found)
+        self.names.forget(key for outcome in found for key in outcome.defines)  # what a name means there alone
+        judged = judged or self._implication(wider, [Outcome(Verdict.UNCHECKED)], display.equation, [])
+        return [replace(judged[0], role=Role.CONDITION)] if judged is not None and judged[0].verdict in HOLDS else found
 
     def _take_implication(self, display: _Display, implication: Implication) -> None:
         given = dict(self.names.state.configuration)
@@ -165,6 +184,12 @@ class Statements:
         self._begin()
         judged = self._implication(implication, [o for found in steps for o in found], display.equation, display.links)
         judged = self._beside(display, implication, judged)
+        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
+            judged = self._of_the_tool(display, implication, [o for found in steps for o in found]) or judged
+        if judged is not None:
+            judged = self._unless_doubted(judged[0]), judged[1]
+        if judged is not None and any(_holds_there(o) for found in steps for o in found):
+            judged = self._unless_meant_there(display, implication, judged)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
             for chain, found in zip(premises, steps, strict=True):
@@ -173,7 +198,9 @@ class Statements:
             display.links = []
             display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
             return
-        self.names.state.configuration = given  # a premise holds in its implication alone
+        display.under = implication if implication.kind in ("⇒", "if") else None
+        self.names.state.configuration = given  # a premise holds in its implication alone, and so does what it defines
+        self.names.forget(key for found in steps for o in found for key in o.defines if not _is_condition(o))
         outcome, counterexample = judged
         read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
         sides = tuple(member for chain in implication.chains for member in chain.members)
@@ -184,6 +211,29 @@ class Statements:
         display.links = [*display.links, implication] if goes_on else []
         display.equation += sum(len(chain.relations) for chain in (premises if goes_on else implication.chains))
         display.index = implication.behind_at if goes_on else implication.after
+
+    def _of_the_tool(self, display: _Display, implication: Implication, steps: list[Outcome]) -> Judgement:
+        """Return the verdict where an implication holds of the tool's coordinates, as x, y mostly are; else None."""
+        if self.names.arm is None:
+            return None
+        before, judged = self.names.state.copy(), None
+        self.names.forget(key for outcome in steps for key in outcome.defines if not _is_condition(outcome))
+        if self.checker.conventions.infer_tool(implication.chains):
+            judged = self._implication(implication, [Outcome(Verdict.UNCHECKED)], display.equation, display.links)
+        self.names.state.become(before)
+        return judged if judged is not None and judged[0].verdict in HOLDS else None
+
+    def _unless_meant_there(
+        self, display: _Display, implication: Implication, judged: tuple[Outcome, dict[str, float]]
+    ) -> Judgement:
+        """Leave open what does not follow, where both sides may be claims at the values stated before: x = 0.5 ⇒ y = 1."""
+        if judged[0].verdict is not Verdict.REFUTED:
+            return judged
+        claims = [
+            o for chain in implication.conclusions for o in self._chain(chain, display.equation, display.line, False)
+        ]
+        refuted = any(outcome.verdict is Verdict.REFUTED for outcome in claims)
+        return judged if refuted else (judged[0].left_open(say(Kind.HOLDS_THERE_ALONE)), {})
 
     def _beside(self, display: _Display, implication: Implication, judged: Judgement) -> Judgement:
         """Leave open what does not follow from its own line, where it may from those above: the lines of one system."""
@@ -281,7 +331,9 @@ class Statements:
     ) -> Judgement:
         """Return the verdict of an implication and its counterexample, or None where its premises are claims themselves."""
         premises, conclusions = implication.premises, implication.conclusions
-        holds = all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) and not _is_condition(o) for o in steps)
+        holds = not any(
+            o.verdict in (Verdict.REFUTED, Verdict.UNCHECKED) or _is_condition(o) or _holds_there(o) for o in steps
+        )
         if implication.kind != "if" and holds and not any(is_rank_condition(chain) for chain in premises):
             return None  # what holds everywhere is no premise: what follows is a claim itself
         with self.ring.budget.paused():  # few documents hold one: the import is none of its time
@@ -291,6 +343,7 @@ class Statements:
             has_value = check_value(self.checker, implication, equation)
             if has_value is not None and len(steps) == 1:
                 return (steps[0] if has_value.verdict is Verdict.PROVED else has_value), {}
+            self.names.forget(key for outcome in steps for key in outcome.defines)  # what it means there alone
             return check_implication(self.checker, implication, equation, links)
         if links or any(states_condition(self.checker, chain) for chain in premises):
             return check_implication(self.checker, implication, equation, links)
@@ -343,6 +396,7 @@ class Statements:
             if outcome.verdict is Verdict.REFUTED:
                 other = say(Kind.OTHER_EXERCISE, name=foreign[0][0], line=foreign[0][1])
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
+        outcomes = [self._unless_doubted(outcome) for outcome in outcomes]
         if by_table := self.names.state.from_table():
             doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
             outcomes = [each.unless_refuted(doubt) for each in outcomes]
@@ -374,6 +428,15 @@ class Statements:
             return outcomes
         state.become(before)
         return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]
+
+    def _unless_doubted(self, outcome: Outcome) -> Outcome:
+        """Leave open what is refuted by a definition that may be the mistake itself."""
+        doubted = self.names.state.doubted()
+        return (
+            outcome.unless_refuted(say(Kind.RESTS_ON_DOUBT, name=doubted[0][0], line=doubted[0][1]))
+            if doubted
+            else outcome
+        )
 
     def _of_own_sums(self, outcome: Outcome, chain: n.Chain) -> Outcome:
         """A θ_{34} that the document says to be θ_3 - θ_4 is what it says: that is no claim, and what then fails is left open."""
@@ -436,7 +499,7 @@ class Statements:
 
     def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         if (said := self._stated(chain, equation, line, define)) is not None:
-            return [said]
+            return [said, *self._numbers_behind(chain, said, equation, line)]
         if any(relation != "=" for relation in chain.relations):
             parts = [(equation + at, part) for at, part in parts_of(chain)]
             return [outcome for number, part in parts for outcome in self._related(part, number, line, define)]
@@ -464,6 +527,13 @@ class Statements:
         if define:
             self.circumstances.of_display(chain)
         return Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
+
+    def _numbers_behind(self, chain: n.Chain, said: Outcome, equation: int, line: int) -> list[Outcome]:
+        """θ_1 = atan2(1, 0) = 90°: the numbers of a value that is given are to be equal."""
+        if len(chain.members) < 3 or said.role is not Role.CLAIM or not all(map(is_number, chain.members[1:])):
+            return []
+        rest = replace(chain, members=chain.members[1:], relations=chain.relations[1:])
+        return [each for each in self._claimed(rest, equation + 1, line, False) if each.verdict is Verdict.REFUTED]
 
     def _related(self, part: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         if part.relations[0] == "=":
@@ -566,6 +636,17 @@ def _is_alternative(statements: list[n.Statement], index: int) -> bool:
     return any(isinstance(each, n.Connective) and each.kind == "or" for each in beside)
 
 
+def _is_concluded(statements: list[n.Statement], index: int) -> bool:
+    """Whether a statement stands behind an arrow, perhaps joined to others by "and" or "or"."""
+    while index and isinstance(before := statements[index - 1], n.Connective):
+        if before.kind in ARROWS:
+            return True
+        if before.kind not in ("and", "or"):
+            return False
+        index -= 2
+    return False
+
+
 def _asked(statement: n.Statement) -> n.Statement:
     """What is asked for, by an = with a mark above it, is a condition beside an arrow."""
     if not isinstance(statement, n.Chain):
@@ -583,6 +664,12 @@ def _is_label(chain: n.Chain) -> bool:
     """Whether a number in brackets stands alone, as equations are numbered: (3)."""
     (member,) = chain.members
     return isinstance(member, n.Group) and isinstance(member.inner, n.Number)
+
+
+def _holds_there(outcome: Outcome) -> bool:
+    """Whether an equation holds at the values stated before it, and not everywhere."""
+    there = (Kind.HOLDS_THERE, Kind.TO_DECIMALS_THERE)
+    return outcome.verdict is Verdict.CONFIRMED and any(finding.kind in there for finding in outcome.findings)
 
 
 def _is_condition(outcome: Outcome) -> bool:

@@ -318,7 +318,17 @@ def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
 def _formulas(node: n.Node) -> Iterator[n.Node]:
     """Yield the nodes that stand for values: not angles in a cosine, exponents, or what a derivative is taken by."""
     yield node
-    if isinstance(node, n.Call) and node.function not in ("sqrt", "abs", "det", "adj", "com", "tr", "rank"):
+    if isinstance(node, n.Call) and node.function not in (
+        "sqrt",
+        "abs",
+        "norm",
+        "frobenius",
+        "det",
+        "adj",
+        "com",
+        "tr",
+        "rank",
+    ):
         return
     if isinstance(node, n.Power | n.Postfix):
         return  # a power of a power is no slip

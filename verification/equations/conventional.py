@@ -6,7 +6,7 @@ tell whether the author is wrong or means something else: the equation is not de
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -110,8 +110,18 @@ class Conventions:
             return member
         if any(isinstance(bare(cell), n.Name) for row in written_rows(member.node) for cell in row):
             return member
+        added = self.infer_tool([member.node])
+        bound = self.members.evaluate(member.node) if added else member
+        if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
+            self.names.state.forget_usual(added)
+            return member
+        self.doubts.weak |= added
+        return bound
+
+    def infer_tool(self, nodes: Iterable[n.Node]) -> set[str]:
+        """Take the coordinates and points in formulas that nothing gives a meaning for those of the tool, and return their names."""
         added: set[str] = set()
-        for below in n.walk(member.node):
+        for below in (each for node in nodes for each in n.walk(node)):
             name = _plain(below)
             if name is None or not is_usual(name) or not self.names.is_open(name):
                 continue
@@ -119,12 +129,7 @@ class Conventions:
             if quantities and quantities[0].frame != self._base:
                 self.names.state.infer_usual(name.key, quantities[0])
                 added.add(name.key)
-        bound = self.members.evaluate(member.node) if added else member
-        if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
-            self.names.state.forget_usual(added)
-            return member
-        self.doubts.weak |= added
-        return bound
+        return added
 
     def _bound(self, member: Member, known: list[Member]) -> Member:
         name = _plain(member.node)

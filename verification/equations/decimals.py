@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from math import remainder, tau
 
 from armproof.verification.algebra.calculus import leaves_open
 from armproof.verification.algebra.matrix import as_matrix
@@ -86,6 +87,9 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
     Those of fewer than three decimals count as exact: a length of 0.5 is no rounded one.
     """
     pair = outcome.pair
+    if pair is not None and (unit := _whole_unit(outcome)) is not None:
+        apart = pair.true.rows[0][0] - pair.printed.rows[0][0]
+        return abs(remainder(float(members.sampled().from_exact(apart)[0]), tau)) <= unit
     if pair is None or not (is_constant(pair.true) and is_constant(pair.printed)):
         return False
     slack = dict.fromkeys(outcome.wrong, Fraction(0))
@@ -100,6 +104,23 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
                 slack[row, column] += abs((moved.rows[row][column] - value.rows[row][column]).as_fraction() or 0)
     apart = {(r, c): (pair.true.rows[r][c] - pair.printed.rows[r][c]).as_fraction() for r, c in slack}
     return all(size is not None and abs(size) <= slack[place] for place, size in apart.items())
+
+
+def _whole_unit(outcome: Outcome) -> float | None:
+    """Return the unit of a whole number of degrees (mm, cm) that stands for decimals, arccos(−0.35) = 110°, or None."""
+    sides = [n.ungrouped(side.node) for side in (outcome.true, outcome.printed) if side is not None]
+    if outcome.pair is None or not outcome.pair.is_scalar or not all(map(is_number, sides)):
+        return None
+    for whole, other in (sides, sides[::-1]):
+        units = [
+            b
+            for b in n.walk(whole)
+            if isinstance(b, n.Postfix) and b.operator in UNITS and isinstance(b.base, n.Number)
+        ]
+        alone = all(isinstance(b, n.Postfix | n.Number | n.Sum | n.Group) for b in n.walk(whole)) and len(units) == 1
+        if alone and not finest_decimals([whole]) and finest_decimals([other]) and not isinstance(other, n.Number):
+            return UNITS[units[0].operator]
+    return None
 
 
 def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) -> bool:

@@ -35,6 +35,8 @@ class Doubts:
             doubt = _unusual(key, self.open[key])
             if self.open[key].kind == "difference":  # no equation gives two points another vector
                 self.names.leave_open(key, doubt)
+            for defined in outcome.defines:
+                self.names.doubt(defined)
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(doubt,))
         key = min(self.weak)
         quantity = self.names.state.inferred.get(key)

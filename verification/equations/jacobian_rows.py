@@ -18,6 +18,7 @@ from armproof.verification.naming.state import JacobianRows
 from armproof.verification.verdict import DECIDED, Verdict
 
 WHOLE = (1, 2, 3, 4, 5, 6)
+PLANE = (1, 2)
 
 
 class RowsOfJacobians:
@@ -51,8 +52,13 @@ class RowsOfJacobians:
     def kept(self, outcome: Outcome) -> Outcome:
         """Remember the rows in which J is printed; what prints others than before in its section is left open."""
         pair, true, printed = outcome.pair, outcome.true, outcome.printed
-        name = self.members.jacobian_name(true.node) if true is not None else None
+        name = self.members.jacobian_name(true.node, True) if true is not None else None
         if outcome.verdict not in DECIDED or pair is None or name is None or printed is None:
+            return outcome
+        if self.members.jacobian_name(name) is None:
+            if self._is_of_the_plane(name):  # with its row of zeros, or without
+                rows = tuple(range(1, len(pair.true.rows) + 1))
+                self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section))
             return outcome
         if pair.true_rows is None and len(pair.true.rows) != len(WHOLE):
             return outcome
@@ -69,11 +75,14 @@ class RowsOfJacobians:
     ) -> list[Outcome]:
         """A product with J, whose rows nothing has told, that only fits with fewer of them is read so; J Jᵀ with square ones."""
         whole = [below for below in n.walk(chain) if isinstance(below, n.Name) and self._is_open(below)]
+        whole = whole or self._planar_factors(chain)
         if not whole or any(member is below for member in chain.members for below in whole):
             return outcomes
         fitting: list[Outcome] | None = None
         possible: Iterable[tuple[int, ...]] = ()
-        if any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes):
+        if self._is_of_the_plane(whole[0]):
+            possible = [PLANE]
+        elif any(outcome.is_mismatch or outcome.is_overloaded for outcome in outcomes):
             possible = _likely_rows(self.members.evaluate(whole[0]).value)
         elif any(map(_is_gram, n.walk(chain))):
             possible = [self._square(whole[0]) or ()]
@@ -102,10 +111,15 @@ class RowsOfJacobians:
             rows = self.names.rows_of(name.key)
             if rows is None and any(_prints_whole(chain, name) for chain in chains):
                 continue  # six rows beside it tell them
-            with self._read_in(name.key, self._square(name) if rows is None else None) as other:
+            is_planar = self._is_of_the_plane(name)
+            with self._read_in(
+                name.key, None if rows is not None else PLANE if is_planar else self._square(name)
+            ) as other:
                 if other == rows:
                     continue
-                holding = [hold(outcomes), hold(again())]
+                tried = again()
+                decided = not is_planar or any(each.verdict in DECIDED for each in tried)
+                holding = [hold(outcomes), hold(tried) and decided]
             if holding[0] != holding[1] and rows is None:
                 return say(Kind.ROWS_NOT_TOLD, name=name.text, rows=list(WHOLE if holding[0] else other or ()))
             if holding == [False, True]:
@@ -120,6 +134,30 @@ class RowsOfJacobians:
                 name = self.members.jacobian_name(below, True)
                 if name is below and name is not None and (self._is_open(name) or name.key in again):
                     yield name
+            yield from self._planar_factors(chain)
+
+    def _planar_factors(self, chain: n.Chain) -> list[n.Name]:
+        """Return the J_v of each J_v J_v^T and J_v^+ in a chain that may lack its row of zeros: with it the product is singular."""
+        walked = [*n.walk(chain)]
+        factors = [n.ungrouped(below.factors[0]) for below in walked if _is_gram(below)]  # type: ignore[attr-defined]
+        factors += [
+            n.ungrouped(below.base) for below in walked if isinstance(below, n.Postfix) and below.operator == "+"
+        ]
+        planar = {each for each in factors if isinstance(each, n.Name) and self._is_of_the_plane(each)}
+        return [below for below in walked if below in planar]  # type: ignore[misc]
+
+    def _is_of_the_plane(self, node: n.Node) -> bool:
+        """Whether a node is a J_v that notation implies and that nothing has shown, of an arm that moves in the plane x, y."""
+        name = self.members.jacobian_name(node, True)
+        quantity = (
+            self.names.quantity(replace(name, dots=0))
+            if name is not None and name.key not in self.names.state.shown
+            else None
+        )
+        if name is None or quantity is None or quantity.rows != (1, 2, 3):
+            return False
+        value = self.members.evaluate(replace(name, dots=0)).value
+        return isinstance(value, Matrix) and len(value.rows[0]) > 1 and all(cell.is_zero() for cell in value.rows[2])
 
     def _is_open(self, node: n.Node) -> bool:
         name = self.members.jacobian_name(node)

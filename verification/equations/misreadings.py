@@ -37,7 +37,7 @@ def without_misreading(
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:
-        reason = reason or _nothing_to_compare(outcome, chain, names, erratum)
+        reason = reason or _gives_rates(outcome) or _nothing_to_compare(outcome, chain, names, erratum)
     return outcome if reason is None else outcome.left_open(reason)
 
 
@@ -67,6 +67,34 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
     quantity = names.quantity(name) if isinstance(name, n.Name) and is_matrix else None
     is_jacobian = quantity is not None and quantity.kind == "jacobian" and name.key not in names.quantities  # type: ignore[attr-defined]
     return say(Kind.DETERMINANT_MEANT, name=name.text) if is_jacobian else None  # type: ignore[attr-defined]
+
+
+def _gives_rates(outcome: Outcome) -> Finding | None:
+    """q̇ = J^{-1} (0.1, 0.2)^T says how fast the joints are to move: rates alone on one side, on the other numbers and no rate."""
+    if outcome.pair is None or not any(
+        isinstance(b, n.Number) and b.value for node in outcome.nodes for b in n.walk(node)
+    ):
+        return None
+    sides = [outcome.pair.true.cells, outcome.pair.printed.cells]
+    for rates, others in (sides, sides[::-1]):
+        moving = [symbols_in([cell]) for cell in rates]
+        alone = all(
+            len(names) == 1 and _is_rate(min(names)) and _is_symbol(cell)
+            for names, cell in zip(moving, rates, strict=True)
+        )
+        if alone and not any(map(_is_rate, symbols_in(others))):
+            return say(Kind.GIVES_RATES)
+    return None
+
+
+def _is_rate(symbol: str) -> bool:
+    return symbol.startswith("dot")
+
+
+def _is_symbol(cell: Scalar) -> bool:
+    """Whether a scalar is a symbol by itself."""
+    terms = list(cell.ring.terms(cell.numerator))
+    return cell.denominator.is_one() and len(terms) == 1 and terms[0][1] == 1 and sum(terms[0][0].values()) == 1
 
 
 def _numbered_twice(chain: n.Chain) -> Finding | None:

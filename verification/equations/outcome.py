@@ -145,7 +145,7 @@ def _is_of_kinematics(node: n.Node, names: Names) -> bool:
     if isinstance(node, n.JointAngles | n.Matrix):
         return True
     if isinstance(node, n.Call):
-        return node.function not in ("name", "exp", "ln", "log", "min", "max", "sqrt", "abs")
+        return node.function not in ("name", "exp", "ln", "log", "min", "max", "sqrt", "abs", "norm")
     if not isinstance(node, n.Name) or node.base == "words":
         return False
     key = node.key

@@ -168,7 +168,7 @@ class SecondRoute:
         """
         node = bare(node)
         calls = [below for below in n.walk(by) if isinstance(below, n.Call)]
-        if any(below == node for below in n.walk(by)) or any(call.function == "abs" for call in calls):
+        if any(below == node for below in n.walk(by)) or any(call.function in ("abs", "norm") for call in calls):
             return False
         if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan"):
             value = self.members.evaluate(node).value
@@ -189,7 +189,7 @@ class SecondRoute:
     def _has_roots(self, node: n.Node) -> bool:
         """Whether a square root stands in a tree, or may stand behind one of its names."""
         return any(
-            (isinstance(b, n.Call) and b.function in ("sqrt", "abs")) or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
+            (isinstance(b, n.Call) and b.function in ("sqrt", "abs", "norm", "frobenius")) or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
             or (isinstance(b, n.Name) and b.key in self.names.state.definitions)
             for b in n.walk(node)
         )  # fmt: skip

@@ -38,6 +38,8 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     """Return what a name stands for; raises UnboundName where it stands for nothing."""
     algebra, names = evaluator.algebra, evaluator.names
     if node.base == "words":
+        if node.sub:
+            raise UnboundName(node.text, say(Kind.SUBSCRIPT_ON_EXPRESSION, script=node.sub))
         comma = node.text.replace(",", "").isdigit()
         raise UnboundName(node.text, say(Kind.DECIMAL_COMMA if comma else Kind.WORDS_FOR_VALUE))
     if (quantity := names.quantities.get(node.key)) is not None:
@@ -134,6 +136,8 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         if matrix.shape[1] == 1:
             return evaluator.algebra.sqrt((matrix.transpose @ matrix).rows[0][0])
         return matrix.determinant()
+    if function in ("norm", "frobenius"):
+        return _norm(evaluator, node)
     if function in _MATRIX_CALLS:
         value = evaluator.evaluate(node.arguments[0])
         if not isinstance(value, Matrix):
@@ -145,6 +149,22 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         return _MATRIX_CALLS[function](value)
     arguments = [evaluator.scalar(argument) for argument in node.arguments]
     return _scalar_function(evaluator, function, arguments)
+
+
+def _may_be_entry(arguments: Sequence[n.Node]) -> bool:
+    """Whether J(1, 2) may be a row and a column."""
+    return len(arguments) == 2 and all(isinstance(a, n.Number) and a.value in range(1, 7) for a in arguments)
+
+
+def _norm(evaluator: Evaluating, node: n.Call) -> Any:
+    """Return the length of a column or a row, the size of a scalar; of a matrix ‖·‖_F alone is known."""
+    value = evaluator.evaluate(node.arguments[0])
+    if not isinstance(value, Matrix):
+        return evaluator.algebra.absolute(value)
+    if node.function == "norm" and 1 not in value.shape:
+        raise EvaluationError(say(Kind.NORM_OF_MATRIX))
+    squares = [cell * cell for row in value.rows for cell in row]
+    return evaluator.algebra.sqrt(sum(squares[1:], squares[0]))
 
 
 def _scalar_function(evaluator: Evaluating, function: str, arguments: list[Any]) -> Any:
@@ -183,6 +203,12 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
     given = [names.known_symbol(letter) for letter in letters]
     if len(letters) < len(arguments) or (given != own and set(given) == set(own)):
         if len(arguments) == len(joints):
+            if (
+                _may_be_entry(arguments)
+                and isinstance(matrix := evaluator.evaluate(name), Matrix)
+                and 1 not in matrix.shape
+            ):
+                raise UnboundName(key, say(Kind.ENTRY_OR_VALUES))
             values = zip(joints, arguments, strict=True)
             return evaluator.at_values({joint.symbol: evaluator.scalar(argument) for joint, argument in values}, name)
         if len(arguments) == 1:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -23,6 +24,8 @@ from armproof.verification.latex.runs import (
 )
 from armproof.verification.latex.statements import Cell, build_statements, environment_node
 from armproof.verification.latex.tokens import Spelling, canonical_script, span_of_token
+
+_DOUBLE_BAR = re.compile(r"(?:\\left\s*)?(?:\\\||\|\||‖|\\[lr]?Vert(?![A-Za-z]))")
 
 
 class TreeBuilder(Transformer):
@@ -211,7 +214,8 @@ class TreeBuilder(Transformer):
     def bars(self, children: list) -> Item:
         opened, inner, closed = children
         span = (opened.start_pos, closed.end_pos)
-        function = "det" if isinstance(inner, n.Matrix) else "abs"
+        is_norm = _DOUBLE_BAR.match(self.text, opened.start_pos) is not None
+        function = "norm" if is_norm else "det" if isinstance(inner, n.Matrix) else "abs"
         return node_item(n.Call(function, (inner,), "|", "bars", span=span))
 
     def argument(self, children: list) -> n.Node:

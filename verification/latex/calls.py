@@ -10,7 +10,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, VARIANTS, one_of
-from armproof.verification.latex.indexed import NameReader
+from armproof.verification.latex.indexed import TRANSFORM_LETTERS, NameReader
 from armproof.verification.latex.items import Item, Script
 from armproof.verification.latex.tokens import canonical_script
 
@@ -18,6 +18,7 @@ TRIG_LETTERS = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
 ANGLE_LETTERS = frozenset([*ANGLES, *VARIANTS, "q", "delta"])
 _ANGLE = r"\\(?:var)?(?:%s)" % one_of(ANGLES)
 POINTS = frozenset("pxyz")  # a point and its coordinates
+MATRIX_LETTERS = TRANSFORM_LETTERS | {"J"}
 MATRIX_FUNCTIONS = frozenset(["det", "rank", "adj", "com", "tr"])
 _JOINT_DIGITS = re.compile(r"[+-]?\d(?:,?[+-]?\d)*")
 
@@ -59,6 +60,8 @@ class CallReader(NameReader):
 
     def _is_application(self, node: n.Name, arguments: tuple[n.Node, ...]) -> bool:
         letter, is_upper = node.base, node.base[:1].isupper()
+        if letter in MATRIX_LETTERS and any(isinstance(a, n.Name) and a.base in MATRIX_LETTERS for a in arguments):
+            return False  # R(R)^T, {}^0T_1({}^1T_2): matrices are multiplied
         is_point = letter in POINTS and all(map(_is_constant, arguments))
         may_be_applied = is_upper or (len(arguments) > 1 and (is_point or self.is_bound(node.key)))
         is_value = _is_constant if len(arguments) == 1 else _is_of_angles
@@ -141,6 +144,7 @@ class CallReader(NameReader):
         item = items[index]
         function = item.base
         powers: list[Script] = []
+        unread: list[str] = []  # \det_2 J, \max_q f: nobody knows the value
         axis: n.Node | None = None
         for script in item.scripts:
             kind, text, span = script
@@ -158,10 +162,16 @@ class CallReader(NameReader):
                     raise ReadError(say(Kind.NO_ANGLE, text=self.text[item.start : item.end]), item.start)
                 style = "index" if isinstance(argument, n.JointAngles) else "script"
                 return self._scripted_call(item, function, (argument,), script, style), index + 1
+            else:
+                unread.append(text)
         if index + 1 >= len(items):
             raise ReadError(say(Kind.NO_ARGUMENT, text=self.text[item.start : item.end]), item.start)
         following = items[index + 1]
         head = self.text[item.start : item.end]
+        if unread:
+            _, after = self.next_factor(items, index + 1)
+            span = (item.start, items[after - 1].end)
+            return n.Name("words", canonical_script(unread[0]), text=self.text[slice(*span)], span=span), after
         if following.kind == "list" and not following.pre:
             arguments = _arguments(following)
             if function == "atan" and len(arguments) == 2:

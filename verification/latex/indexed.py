@@ -23,6 +23,8 @@ _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
+_NOTED_SIZE = re.compile(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
+_NOTED_BASE = re.compile(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 
 
@@ -59,14 +61,27 @@ class NameReader:
                         ((node,) * int(size.group(2)),) * int(size.group(1)), "zeros", span=(start, span[1])
                     )
                     continue
-                if isinstance(node, n.Matrix | n.Group | n.Sequence | n.Call | n.Number) or canonical.startswith("("):
-                    continue  # a size or frame note under a matrix, such as _{3×1} or _{(0)}
-                raise ReadError(say(Kind.SUBSCRIPT_ON_EXPRESSION, script=canonical), span[0])
+                node = self.noted(node, canonical, (start, span[1]))
+                continue
             if canonical in ("T", "top", "t") and (row := _spaced_row(node)) is not None:
                 node = row
             whole = (start, max(span[1], node.span[1]))  # \\sin^2(x): the power stands before the argument
             node = self._raise_to(node, text, canonical, whole, span)
         return node
+
+    def noted(self, node: n.Node, note: str, span: tuple[int, int]) -> n.Node:
+        """Return an operand with a note under it: its size, its frame and ‖·‖_2 change nothing, of others nobody knows the value."""
+        if isinstance(node, n.Power) and isinstance(node.base, n.Call) and node.base.function == "norm":
+            return replace(node, base=self.noted(node.base, note, span), span=span)
+        is_printed = isinstance(n.ungrouped(node), n.Matrix) or isinstance(node, n.Sequence)
+        is_norm = isinstance(node, n.Call) and node.function == "norm"
+        if (is_norm and note == "2") or _NOTED_SIZE.fullmatch(note) or (is_printed and _NOTED_BASE.fullmatch(note)):
+            return node
+        if note == "(0)" or (isinstance(node, n.Number) and node.value == 0):  # seen from frame 0; 0_3, a zero vector
+            return node
+        if is_norm and note in ("F", "Fro"):
+            return replace(node, function="frobenius", span=span)  # type: ignore[call-arg]
+        return n.Name("words", note, text=self.text[slice(*span)], span=span)
 
     def configuration(self, text: str, span: tuple[int, int]) -> tuple[tuple[n.Node, n.Node], ...]:
         """Return the names and values of a configuration: θ_2 = 0, a_2 = a_1."""

@@ -34,7 +34,7 @@ _AT_THE_END = re.compile(
     r"\\q?quad[\s~]*(?:\\left)?\((?P<stated>[^()&]{0,200}(?:[=<>]|\\n?eq?\b|\\[lg]eq?\b|\\in\b)[^()&]{0,200}?)(?:\\right)?\)(?=[\s.,;]*$)"
 )
 _NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
-_BARS = re.compile(r"\\(?:abs|norm)\*?\s*(\{)")
+_BARS = re.compile(r"\\(?:abs|(?P<norm>norm))\*?\s*(?P<brace>\{)")
 
 
 def prepared(text: str) -> str:
@@ -92,9 +92,10 @@ def _without_boxes(text: str) -> str:
         for start, stop in spans:
             letters[start:stop] = _blank("".join(letters[start:stop]))
     for found in _BARS.finditer(text):
-        if (end := closing.get(found.start(1))) is not None:
-            letters[found.start() : found.end()] = " " * (found.end() - found.start() - 1) + "|"
-            letters[end] = "|"
+        if (end := closing.get(found.start("brace"))) is not None:
+            bar = "‖" if found["norm"] else "|"
+            letters[found.start() : found.end()] = " " * (found.end() - found.start() - 1) + bar
+            letters[end] = bar
     return "".join(letters)
 
 

@@ -57,7 +57,7 @@ _MASTER = re.compile(
   | (?P<SCRIPT>[_^])
   | (?P<NUMBER>\d+(?:(?:\.|\{,\})\d+)?|\.\d+)
   | (?P<BRACESPACE>\{\s*\})
-  | (?P<FENCE>\\(?:left|right)\s*(?:\\[lr](?:brace|brack|vert|angle|Vert)|\\[{}|]|\\rangle|[][()|/<>.]))
+  | (?P<FENCE>\\(?:left|right)\s*(?:\\[lr]?(?:brace|brack|vert|angle|Vert)|\\[{}|]|\\rangle|[][()|/<>.]))
   | (?P<MACRO>\\(?:[A-Za-z]+|[{}|&%%$\#_]))
   | (?P<BARE>%s)
   | (?P<LETTER>[A-Za-z])
@@ -98,7 +98,7 @@ _TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\
 _STYLED_WORD = re.compile(r"\s*\{\s*([^\W\d_][^{}\\$]*?)\s*\}")
 _FENCES = {
     ".": ".", r"\{": "{", r"\lbrace": "{", r"\}": "{", r"\rbrace": "{",
-    **dict.fromkeys(("|", r"\|", r"\lvert", r"\rvert", r"\vert", r"\lVert", r"\rVert"), "|"),
+    **dict.fromkeys(("|", r"\|", r"\lvert", r"\rvert", r"\vert", r"\Vert", r"\lVert", r"\rVert"), "|"),
 }  # fmt: skip
 _ENDS_OPERAND = frozenset(
     ["NUMBER", "LETTER", "RPAR", "RBRACE", "SUB", "SUP", "PRIME", "END", "DOTS", "CLOSE_SET", "CLOSE_BAR", "FUNC"]
@@ -603,7 +603,7 @@ class _Scanner:
         if self.text.startswith("\\mid", start):
             return False
         edge, bars = self._rest_of_member(end)
-        for double in ("||", "\\|"):
+        for double in ("||", "\\|", "‖"):
             if self.text.startswith(double, start):
                 return self.text.count(double, end, edge) % 2 == 1
         return (len(bars) - bisect_left(bars, end)) % 2 == 1
@@ -617,7 +617,7 @@ class _Scanner:
         return self.member
 
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
-        if value == "|":
+        if value in "|‖":
             doubled = self.text.startswith("||", start) and self.double_bar == self.bar_open
             tokens, end = self._bar(start, end + doubled)
             self.double_bar = self.bar_open and doubled

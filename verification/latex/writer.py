@@ -294,7 +294,7 @@ class Writer:
             plain = not scripts and node.base not in SCRIPTED
         elif isinstance(node, n.Call):
             closed = node.style in ("index", "script", "bars", "braces")
-            plain = closed and node.function in ("cos", "sin", "sqrt", "abs", "det")
+            plain = closed and node.function in ("cos", "sin", "sqrt", "abs", "norm", "det")
         else:
             plain = isinstance(node, n.Number | n.Group | n.Matrix | n.Sequence)
         return text if plain else f"({text})"
@@ -333,7 +333,8 @@ class Writer:
         if node.function == "name":
             return f"{head}({', '.join(self.write(a) for a in node.arguments[1:])})"
         if node.style == "bars":
-            return f"\\left|{inside}\\right|"
+            bar, note = "\\|" if node.function != "abs" else "|", "_F" * (node.function == "frobenius")
+            return f"\\left{bar}{inside}\\right{bar}{note}"
         if node.function == "sqrt":
             return f"\\sqrt{{{inside}}}"
         if node.style == "script" and node.function in ("cos", "sin"):

@@ -250,6 +250,11 @@ class Names:
         if key in self.state.definitions:
             self.state.definitions[key] = replace(self.state.definitions[key], evaluate=_raises(doubt))
 
+    def doubt(self, key: str) -> None:
+        """Let a name keep what a display says that it is, which may be a mistake."""
+        if key in self.state.definitions:
+            self.state.definitions[key] = replace(self.state.definitions[key], is_doubted=True)
+
     def forget(self, keys: Iterable[str]) -> None:
         """Take back what names have meant so far."""
         for key in keys:

@@ -35,6 +35,7 @@ class Definition:
     exercise: str = ""  # empty in the document's head, which holds for all of them
     has_two_meanings: bool = False  # a second equation of its section says that it is something else
     in_text: bool = False  # what the text between displays says: a display that gives the name a meaning goes before
+    is_doubted: bool = False  # a usual name that is equated to something else: its author means that, or is wrong
     by_table: bool = False  # the number in a row of the DH table, which its author never named
 
 
@@ -197,6 +198,10 @@ class DocumentState:
     def from_table(self) -> list[str]:
         """Return the names consulted that stand for numbers of the DH table by their indices alone."""
         return sorted(key for key, each in self._met() if each.by_table)
+
+    def doubted(self) -> list[Key]:
+        """Return the names consulted whose definitions may be mistakes, each with its line."""
+        return sorted((key, each.line) for key, each in self._met() if each.is_doubted)
 
     def _met(self) -> set[tuple[str, Definition]]:
         """Return the names consulted that the document defines, each with its definition."""

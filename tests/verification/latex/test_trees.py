@@ -96,7 +96,7 @@ x^2 y_1^3 (a + b)^2 {x}^2 {2}^3 {a + b}^2 {\cos x}^2 [a]^2  ⟶  (x**2 y_1^3 ((+
 a^{-1} A^{-T} J^{+} J^\dagger J^{\#} 90^\circ 30^o 45\degree  ⟶  (a^<-1> A^<-T> J^<+> J^<+> J^<+> 90^<deg> 30^<deg> 45^<deg>)
 a^{b + 1} a^b a^{1/2} (a)^b  ⟶  (a**(+ b + 1) a**b a**(1 / 2) (a)**b)
 \theta_1^* c^* x^* \quad \cos^*\theta_1  ⟶  (theta_1 c x^*); cos(theta_1)
-(x)_2 \quad x'{}_2 \quad 3_2 \quad \sqrt{x}_1 \quad (a)_{(0)}  ⟶  (x); x'_2; 3; sqrt(x); (a)
+(x)_2 \quad x'{}_2 \quad 3_2 \quad \sqrt{x}_1 \quad (a)_{(0)}  ⟶  '(x)_2'; x'_2; '3_2'; '\\sqrt{x}_1'; (a)
 R{}^T \quad R{}^T \cdot p  ⟶  R^<T>; (R^<T> ⋅ p)
 [a b]^T \quad [a + b]^T \quad [a b] \quad [a \cdot b]^T \quad [-1 0]^T \quad [c_1 2 x]^T \quad (a b)^T \quad [a (b) c]^T \quad [a b]^{-1}  ⟶  [a, b]^<T>; [(+ a + b)]^<T>; [(a b)]; [(a ⋅ b)]^<T>; [(- (1 0))]^<T>; [cos(+1), 2, x]^<T>; ((a b))^<T>; [(a (b) c)]^<T>; [(a b)]^<-1>
 """,
@@ -166,7 +166,7 @@ A_1(0) A_1(90^\circ) T(1, 2) T(\pi/2) T(2 \theta_1) T(2\theta_1, 0) J(x_1, 0) l(
 """,
     "brackets, bars and braces": r"""
 (a, b) \quad [a, b] \quad \{a, b\} \quad \left\{a\right\} \quad (a; b) \quad (a) \quad \left[a\right. \quad \left( a \right] \quad \left.a\right) \quad \{a, b\}^2 \quad \left\{a, b\right\}  ⟶  (a, b); [a, b]; {a, b}; {a}; (a, b); (a); [a]; (a); {a}; {a, b}**2; {a, b}
-|x| \quad |x + y|^2 \quad \lVert p \rVert \quad \|p\| \quad ||p|| \quad \left|x\right| \quad |A| \quad l |s| \quad \lvert x \rvert \quad a|b|c \quad a |b \quad \abs{x} \quad \norm{p}  ⟶  abs(x); abs((+ x + y))**2; abs(p); abs(p); abs(p); abs(x); abs(A); (l abs(s)); abs(x); (a abs(b) c); a; [words |]; b; abs(x); abs(p)
+|x| \quad |x + y|^2 \quad \lVert p \rVert \quad \|p\| \quad ||p|| \quad \left|x\right| \quad |A| \quad l |s| \quad \lvert x \rvert \quad a|b|c \quad a |b \quad \abs{x} \quad \norm{p}  ⟶  abs(x); abs((+ x + y))**2; norm(p); norm(p); norm(p); abs(x); abs(A); (l abs(s)); abs(x); (a abs(b) c); a; [words |]; b; abs(x); norm(p)
 a |b| |c| d |e| \quad |a| + |b| \quad |a||b| \quad \left|a\right| |b| \quad a |b| = |c|  ⟶  (a abs(b) abs(c) d abs(e)); (+ abs(a) + abs(b)); (abs(a) abs(b)); (abs(a) abs(b)); (a abs(b)) = abs(c)
 F|_{x = 0} \quad \left. F \right|_{x = 0, y = 1} \quad (a b)|_{x=1} \quad F_{x=0} \quad F_1^2|_{x = 0}  ⟶  F|(x = 0); F|(x = 0, y = 1); ((a b))|(x = 1); F_x=0; F_1**2|(x = 0)
 \underbrace{a}_{b} \overbrace{a + b}^{c} \underbrace{T}_{4 \times 4} \underbrace{a}_{\text{words}} \underbrace{a}_{=b} \underbrace{a}_{2} \underbrace{x}_{a + } \underbrace{x}_{(2\times 3)} \underbrace{x}  ⟶  (a_[b] (+ a + b)_[c] T_[4, 4] a_[] a_[b] a_[] x_[a + ] x_[2, 3] x_[])

@@ -26,8 +26,9 @@ class CallWriter:
         if call.function == "sqrt":
             return box.scripted(box.root(self.write(call.arguments[0])), sup=above)
         if call.style == "bars":
-            bar = "‖" if re.match(r"(?:\\left\s*)?\\(?:[lr]?Vert|\|)", self.text[call.span[0] :]) else "|"
-            return box.scripted(box.fenced(bar, self.write(call.arguments[0]), bar), sup=above)
+            bar = "‖" if call.function in ("norm", "frobenius") else "|"
+            sub = box.letter("F") if call.function == "frobenius" else EMPTY
+            return box.scripted(box.fenced(bar, self.write(call.arguments[0]), bar), sub, above)
         if call.style == "index":
             return box.scripted(self._head(call), self._digits(call.arguments[0]), above)
         if call.function in ("cos", "sin") and call.style == "script":
