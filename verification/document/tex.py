@@ -117,12 +117,17 @@ def _front_matter(path: Path, text: str) -> FrontMatter:
     return split_front_matter(path, block + "\n", first if fenced else first - 1)[0] or FrontMatter()
 
 
+# an exercise in an environment, of the author's own too: homeworkProblem
+_EXERCISE = re.compile(r"\w*(?:problem|exerci[sc]e|ejercicio|exercicio|esercizio|aufgabe|question)\*?", re.IGNORECASE)
+
+
 @dataclass
 class _Region:
-    """An environment that is open: where it began to be an erratum, if it is one."""
+    """An environment that is open: where it began to be an erratum, if it is one, and the section that it stands in."""
 
     name: str
     erratum: bool
+    section: str = ""
 
 
 class _Scanner:
@@ -138,7 +143,8 @@ class _Scanner:
         begin, end = (re.search(r"\\%s\s*\{document\}" % which, self.visible) for which in ("begin", "end"))
         self.start = begin.end() if begin else 0
         self.stop = end.start() if end else len(text)
-        self.section = ""
+        self.section = self.exercise = ""
+        self.exercises = 0
         self.regions: list[_Region] = []
         self.tables: list[Table] = []
         self.spans: list[tuple[int, int, Display | None]] = []  # of displays and tabulars, once they are read
@@ -160,8 +166,9 @@ class _Scanner:
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
-                self.section = " ".join(self.visible[token.end() : close].split())
-                yield from postures(self.section, self.line(position), self.section)
+                title = " ".join(self.visible[token.end() : close].split())
+                self.section = f"{self.exercise}: {title}" if self.exercise else title
+                yield from postures(title, self.line(position), self.section)
                 position = token.end() if close < 0 else close + 1
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
@@ -274,12 +281,17 @@ class _Scanner:
                 self.spans.append((token.start(), closing, None))
                 return end
         is_erratum = name.lower().startswith("errat") or begins_as_erratum(self.visible, token.end())
-        self.regions.append(_Region(name, is_erratum))
+        self.regions.append(_Region(name, is_erratum, self.section))
+        if _EXERCISE.fullmatch(name):
+            self.exercises += 1
+            self.section = self.exercise = f"Exercise {self.exercises}"
         return token.end()
 
     def _leave(self, name: str) -> None:
         while self.regions and any(region.name == name for region in self.regions):
-            if self.regions.pop().name == name:
+            if (left := self.regions.pop()).name == name:
+                if _EXERCISE.fullmatch(name):
+                    self.section, self.exercise = left.section, ""
                 return
 
 

@@ -184,8 +184,10 @@ class DocumentState:
         """Go on under a heading, in a new exercise where it says so."""
         if section != self.section:
             self.section, self.told = section, Told()
-            self.apart += WITH_ITS_ARM.match(section) is not None
-        self.exercise = section if EXERCISE.match(section) else self.exercise
+            own = WITH_ITS_ARM.match(section)
+            self.apart += own is not None and not self.exercise.startswith(own[0])
+        head = EXERCISE.match(section)
+        self.exercise = head[0] if head is not None else self.exercise
 
     def foreign(self) -> list[Key]:
         """Return the names consulted whose definitions stand in another exercise, each with its line."""

@@ -83,3 +83,29 @@ def test_other_letters_than_those_of_the_joints_refute_nothing_until_they_are_to
     for letter, verdict in ((r"\theta", "unchecked"), ("q", "refuted")):
         said = [text % (letter, letter, letter) for text in (right, wrong)]
         assert [verdicts(verify_text(links + text))[-1] for text in said] == ["proved", verdict]
+
+
+TEX_TABLE = r"""\begin{tabular}{ccccc} $i$ & $a$ & $\alpha$ & $d$ & $\theta$ \\ 1 & $l_1$ & 0 & 0 & $\theta_1$ \\ 2 & $l_2$ & 0 & 0 & $\theta_2$ \\ \end{tabular}
+"""
+TEX_POSE = r"""\[ T^0_2 = \begin{bmatrix} c_{12} & -s_{12} & 0 & l_1 c_1 + l_2 c_{12} \\ s_{12} & c_{12} & 0 & l_1 s_1 + l_2 s_{12} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} \]
+"""
+OTHER = r"\[ R^1_2 = \begin{bmatrix} 1 & 0 & 0 \\ 0 & c_2 & -s_2 \\ 0 & s_2 & c_2 \end{bmatrix} \]" + "\n"
+
+
+def tex(*exercises: str, name: str = "homeworkProblem") -> list[str]:
+    """Return the verdicts of a LaTeX document of exercises, each in an environment of the author's own."""
+    parts = (f"\\begin{{{name}}}[{k}]\n{each}\\end{{{name}}}\n" for k, each in enumerate(exercises, 1))
+    text = "\\documentclass{article}\\begin{document}\n" + "".join(parts) + "\\end{document}\n"
+    return [record.verdict.value for record in verify_text(text, path="page.tex").equations]
+
+
+@pytest.mark.parametrize("name", ["homeworkProblem", "exercise", "Aufgabe", "question*"])
+def test_exercises_in_environments_are_told_apart(name: str) -> None:
+    shown = r"\subsection{Solution for (a)}" + "\n" + TEX_TABLE + TEX_POSE
+    assert tex(OTHER, shown, name=name) == ["unchecked", "proved"]
+    assert tex(shown, OTHER, name=name) == ["proved", "unchecked"]
+    assert tex(shown + r"\subsection{Solution for (b)}" + "\n" + OTHER, name=name) == ["proved", "refuted"]
+
+
+def test_an_environment_that_is_no_exercise_parts_nothing() -> None:
+    assert tex(TEX_TABLE + TEX_POSE, OTHER, name="itemize") == ["proved", "refuted"]
