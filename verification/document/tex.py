@@ -120,6 +120,14 @@ def _front_matter(path: Path, text: str) -> FrontMatter:
 # an exercise in an environment, of the author's own too: homeworkProblem
 _EXERCISE = re.compile(r"\w*(?:problem|exerci[sc]e|ejercicio|exercicio|esercizio|aufgabe|question)\*?", re.IGNORECASE)
 
+_OPTION = re.compile(r"\s*\[[^\]\d]*(\d+(?:\.\d+)*)[^\]]*\]")  # \begin{homeworkProblem}[Question 4]
+_ROBOT_OF = re.compile(  # what an exercise begins with that is about the robot of another
+    r"\b(?:robot|manipulator|arm|mechanism|bras|brazo|braço|manipulador|roboter)s?\b[^.]{0,60}?\b(?:in|of|from|de|du|da|do|aus)\s+(?:the\s+)?"
+    r"(?:question|problem|exerci[sc]e|aufgabe|ejercicio|exercício|problema|problème)\s+(\d+(?:\.\d+)*)",
+    re.IGNORECASE,
+)
+FARTHEST = 500  # characters behind the beginning of an exercise
+
 
 @dataclass
 class _Region:
@@ -144,7 +152,7 @@ class _Scanner:
         self.start = begin.end() if begin else 0
         self.stop = end.start() if end else len(text)
         self.section = self.exercise = ""
-        self.exercises = 0
+        self.exercises, self.exercise_names = 0, dict[str, str]()  # by the number that the author gives each
         self.regions: list[_Region] = []
         self.tables: list[Table] = []
         self.spans: list[tuple[int, int, Display | None]] = []  # of displays and tabulars, once they are read
@@ -283,9 +291,17 @@ class _Scanner:
         is_erratum = name.lower().startswith("errat") or begins_as_erratum(self.visible, token.end())
         self.regions.append(_Region(name, is_erratum, self.section))
         if _EXERCISE.fullmatch(name):
-            self.exercises += 1
-            self.section = self.exercise = f"Exercise {self.exercises}"
+            self.section = self.exercise = self._next_exercise(token.end())
         return token.end()
+
+    def _next_exercise(self, begin: int) -> str:
+        """Return the name of the exercise that begins: that of an earlier one, where it goes on with the robot of that."""
+        self.exercises += 1
+        option = _OPTION.match(self.visible, begin)
+        number = option[1] if option is not None else str(self.exercises)
+        other = _ROBOT_OF.search(self.visible, begin, begin + FARTHEST)
+        earlier = self.exercise_names.get(other[1]) if other is not None else None
+        return self.exercise_names.setdefault(number, earlier or f"Exercise {self.exercises}")
 
     def _leave(self, name: str) -> None:
         while self.regions and any(region.name == name for region in self.regions):

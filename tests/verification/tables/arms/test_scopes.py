@@ -107,5 +107,17 @@ def test_exercises_in_environments_are_told_apart(name: str) -> None:
     assert tex(shown + r"\subsection{Solution for (b)}" + "\n" + OTHER, name=name) == ["proved", "refuted"]
 
 
+def test_an_exercise_about_the_robot_of_another_goes_on_with_its_arm() -> None:
+    first = "Find the table.\n" + TEX_TABLE + TEX_POSE
+    for words, verdict in (
+        ("Find the Jacobian of the manipulator in Question 1. ", "refuted"),
+        ("Find that of the robot arm\nof Problem 1.", "refuted"),
+        ("Find the Jacobian of the manipulator in the figure. ", "unchecked"),
+        ("Find the Jacobian of the manipulator of Exercise 7. ", "unchecked"),
+        ("Read Question 1. A manipulator is drawn. ", "unchecked"),
+    ):
+        assert tex(first, words + OTHER) == ["proved", verdict]
+
+
 def test_an_environment_that_is_no_exercise_parts_nothing() -> None:
     assert tex(TEX_TABLE + TEX_POSE, OTHER, name="itemize") == ["proved", "refuted"]
