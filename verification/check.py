@@ -26,7 +26,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
-from armproof.verification.naming.quantities import tells_frame
+from armproof.verification.naming.quantities import leads_outwards, tells_frame
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.state import DocumentState, Stated, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
@@ -393,11 +393,20 @@ class DocumentChecker:
         if (other := next(filter(self._is_other_variable, _names_in(outcome)), None)) is not None:
             joint = self.names.known_symbol(other.key)
             return outcome.left_open(say(Kind.UNTOLD_VARIABLE, name=other.key, joint=str(joint)))
+        if self._is_of_untold_direction(outcome):
+            return outcome.left_open(say(Kind.WHICH_INDEX))
         if taken.is_part and any(finding.kind is Kind.NO_SUCH_ANGLE for finding in outcome.findings):
             return outcome.left_open(outcome.findings[0])
         if taken.several_tools and (untold := next(filter(self._is_of_any_tool, _names_in(outcome)), None)) is not None:
             return outcome.left_open(say(Kind.SEVERAL_TOOLS, line=taken.line, name=untold.text))
         return outcome
+
+    def _is_of_untold_direction(self, outcome: Outcome) -> bool:
+        """Whether nothing tells which index is the reference, and names such as T_0^3 lead outwards if that is the lower one."""
+        if self.names.stated_transforms or self.names.state.transforms or self.arm is None:
+            return False
+        indexed = [name for name in _names_in(outcome) if name.base in "TAHR" and name.sub and name.sup]
+        return bool(indexed) and all(leads_outwards(name, self.arm, "lower") for name in indexed)
 
     def _is_of_any_tool(self, name: n.Name) -> bool:
         """Whether a name stands for a quantity of the last frame without saying so."""

@@ -120,3 +120,18 @@ def test_a_column_of_offsets_alone_is_that_of_d() -> None:
     text = text.replace("| $\\pi/2$ | 0 |", "| $\\pi/2$ | $d_1$ |")
     told = verify_text(text + shown("p_z = d_1 + a_2 s_2") + shown("p_x = a_2 c_1 c_2")).equations
     assert [record.verdict.value for record in told] == ["proved"] * 2
+
+
+def test_a_product_that_may_be_written_the_other_way_round_is_left_open_until_a_matrix_tells_the_direction() -> None:
+    """T_0^3 = A_1 A_2 A_3 = [R_{11} …]: nothing tells that the upper index is the reference, and no inverse is printed."""
+    letters = r"R_{%d1} & R_{%d2} & R_{%d3} & X_{%d}"
+    rows = r" \\ ".join(letters % ((k,) * 4) for k in (1, 2, 3)) + r" \\ 0 & 0 & 0 & 1"
+    product = shown(rf"T_0^3 = A_1(q_1) A_2(q_2) A_3(q_3) = \begin{{bmatrix}} {rows} \end{{bmatrix}}")
+    first = r"\begin{bmatrix} c_1 & 0 & s_1 & 0 \\ s_1 & 0 & -c_1 & 0 \\ 0 & 1 & 0 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    assert verify_text(TABLE + HEIGHT + "\n" + product).equations[-1].verdict == "unchecked"
+    told = verify_text(
+        TABLE + HEIGHT + "\n" + shown(f"T^0_1 = {first}") + product.replace("A_3(q_3) = ", "A_3(q_3) = T_0^3 = ")
+    ).equations
+    assert [record.verdict.value for record in told][:2] == ["proved"] * 2 and told[-1].verdict != "proved"
+    wrong = shown(f"T^0_1 = {first.replace('-c_1', 'c_1')}")
+    assert verify_text(TABLE + HEIGHT + "\n" + shown(f"T^0_1 = {first}") + wrong).equations[-1].verdict == "refuted"
