@@ -27,10 +27,11 @@ def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, l
     holding = {
         number for number in numbers.values() if _holds(checker, _instance(chain, letter, number), equation, line)
     }
-    if _is_column(chain.members[0]):
-        of_kind = [{numbers[j.symbol] for j in arm.joints if j.kind == kind} for kind in ("revolute", "prismatic")]
-        return bool(holding) and holding in (*of_kind, set(numbers.values()))
-    return len(holding) > 1 and holding == set(numbers.values())
+    turning, sliding = ({numbers[j.symbol] for j in arm.joints if j.kind == kind} for kind in ("revolute", "prismatic"))
+    if _is_column(chain.members[0]) and holding == sliding:
+        return bool(sliding)
+    of_all = (turning, turning | sliding) if _is_column(chain.members[0]) else (turning | sliding,)
+    return len(holding) > 1 and holding in of_all  # what one joint shows may be right by chance
 
 
 def _is_column(node: n.Node) -> bool:

@@ -37,3 +37,4 @@ def test_a_statement_about_any_joint_is_proved_joint_by_joint(judge: Judge, late
 def test_what_holds_of_one_joint_alone_is_no_law(judge: Judge) -> None:
     """Where only one slides, d_i z_i may be right by chance; a column of J has its own law there."""
     assert judge(r"p_i = p_{i-1} + d_i z_i", arm="scara").verdict.value == "unchecked"
+    assert judge(COLUMN.replace(" - %s", "") % ("z_{i-1}", "z_{i-1}"), arm="polar_rp").verdict.value == "unchecked"
