@@ -119,7 +119,6 @@ def _front_matter(path: Path, text: str) -> FrontMatter:
 
 # an exercise in an environment, of the author's own too: homeworkProblem
 _EXERCISE = re.compile(r"\w*(?:problem|exerci[sc]e|ejercicio|exercicio|esercizio|aufgabe|question)\*?", re.IGNORECASE)
-
 _OPTION = re.compile(r"\s*\[[^\]\d]*(\d+(?:\.\d+)*)[^\]]*\]")  # \begin{homeworkProblem}[Question 4]
 _ROBOT_OF = re.compile(  # what an exercise begins with that is about the robot of another
     r"\b(?:robot|manipulator|arm|mechanism|bras|brazo|braço|manipulador|roboter)s?\b[^.]{0,60}?\b(?:in|of|from|de|du|da|do|aus)\s+(?:the\s+)?"
@@ -301,7 +300,8 @@ class _Scanner:
         number = option[1] if option is not None else str(self.exercises)
         other = _ROBOT_OF.search(self.visible, begin, begin + FARTHEST)
         earlier = self.exercise_names.get(other[1]) if other is not None else None
-        return self.exercise_names.setdefault(number, earlier or f"Exercise {self.exercises}")
+        self.exercise_names[number] = earlier or f"Exercise {self.exercises}"  # [10 points] may stand at several
+        return self.exercise_names[number]
 
     def _leave(self, name: str) -> None:
         while self.regions and any(region.name == name for region in self.regions):

@@ -185,7 +185,7 @@ class DocumentState:
         if section != self.section:
             self.section, self.told = section, Told()
             own = WITH_ITS_ARM.match(section)
-            self.apart += own is not None and not self.exercise.startswith(own[0])
+            self.apart += own is not None and own[0] != self.exercise
         head = EXERCISE.match(section)
         self.exercise = head[0] if head is not None else self.exercise
 

@@ -119,5 +119,12 @@ def test_an_exercise_about_the_robot_of_another_goes_on_with_its_arm() -> None:
         assert tex(first, words + OTHER) == ["proved", verdict]
 
 
+def test_points_in_the_option_of_an_exercise_are_not_its_number() -> None:
+    """Two exercises of ten points are two."""
+    first, other = ("\\begin{problem}[10 points]\n%s\\end{problem}\n" % each for each in (TEX_TABLE + TEX_POSE, OTHER))
+    told = verify_text("\\begin{document}" + first + other + "\\end{document}", path="page.tex").equations
+    assert [record.verdict.value for record in told] == ["proved", "unchecked"]
+
+
 def test_an_environment_that_is_no_exercise_parts_nothing() -> None:
     assert tex(TEX_TABLE + TEX_POSE, OTHER, name="itemize") == ["proved", "refuted"]
