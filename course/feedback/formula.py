@@ -189,6 +189,10 @@ class Formula:
             yield angle_astray(asked, given, at)
             yield letters_astray_in_each(asked, given, at) if true[0].size > 1 else ""
             yield units_astray(asked, given, at, self._units)
+            half = len(true) // 2  # where letters that are no angles are positive
+            yield relation(
+                true[:half], obtained[:half], {name: values[:half] for name, values in self._factors(at).items()}
+            )
             yield letter_at_fault(asked, given, at)
 
     def _called(self, function: Callable[..., Any]) -> Values:

@@ -148,11 +148,21 @@ def units_astray(asked: Values, given: Values, at: Letters, units: Sequence[Sequ
 def letter_at_fault(asked: Values, given: Values, at: Letters) -> str:
     """Say for which letter an answer is right at zero: the mistake is in how that letter comes in."""
     wrong = _wrong(asked(at), given(at))
-    for name in list(at)[:_MOST_LETTERS]:
-        without = {**at, name: np.zeros_like(at[name])}
+    few = list(at)[:_MOST_LETTERS]
+    for names in [*((name,) for name in few), *combinations(few, 2)]:
+        without = {**at, **{name: np.zeros_like(at[name]) for name in names}}
         true = asked(without)[:, wrong]
         if _same(given(without)[:, wrong], true) and np.nanmax(np.abs(true)) > _TOLERANCE:
-            return written("right for {name} = 0: look at how {name} comes in", name=symbol_as_latex(name))
+            shown = [symbol_as_latex(name) for name in names]
+            if len(names) == 1:
+                return written(
+                    "the mistake is in how {name} comes in: for {name} = 0 your answer is right", name=shown[0]
+                )
+            return written(
+                "the mistake is in how {one} and {other} come in: for {one} = {other} = 0 your answer is right",
+                one=shown[0],
+                other=shown[1],
+            )
     return ""
 
 

@@ -41,6 +41,14 @@ TURRET = Formula(
 LINK = Formula(
     r"\begin{bmatrix} C_1 & S_1 & 0 & -l_1 \\ -S_1 & C_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}", ("theta_1", "l_1"), arm="planar_2r",
 )  # fmt: skip
+LEVER = Quantity("planar_3r", {"difference": [3, 0]})
+TURNED = Formula(
+    r"\operatorname{atan2}(y, \sqrt{x^2 - y^2}) - \theta",
+    ("x", "y", "theta"),
+    given={"y": r"x \sin(3\gamma)"},
+    symbols={"gamma": "free"},
+    unit="rad",
+)
 AXIS = Quantity("planar_3r", {"difference": [3, 2]})
 TURNING = Quantity("planar_3r", {"jacobian": 3, "rows": [6]})
 COLUMN3 = Quantity("planar_3r", {"jacobian": 3, "rows": [4, 5, 6]})
@@ -83,7 +91,7 @@ def squared(answer: str) -> str:
         (AWAY, r"\operatorname{atan2}(-x, y)", "the arguments of atan2 are exchanged"),
         (BENT, lambda D: np.arcsin(np.sqrt(1 - D**2)), "the sine is right, the angle is not"),
         (BENT, lambda D: -np.arccos(D), "sign"),
-        (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "right for l_1 = 0: look at how l_1 comes in"),
+        (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "the mistake is in how l_1 comes in: for l_1 = 0 your answer is right"),
         (LEAN, r"\arcsin\frac{l_1}{l_2}", "arcsin where arctan belongs"),
         (LEAN, lambda l_1, l_2: 2 * np.arcsin(l_1 / l_2) - np.arcsin(l_1 / l_2), "the tangent of the angle is known"),
         (HEIGHT, "l_1 S_1 + l_2 S_2 + l_3 S_3", "each angle is taken as absolute"),
@@ -118,6 +126,8 @@ def squared(answer: str) -> str:
         (LINK, r"\begin{bmatrix} C_1 & -S_1 & 0 & -l_1 C_1 \\ S_1 & C_1 & 0 & -l_1 S_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
             "the rotation is that of the inverse: it is still to be transposed; the origin is that of the inverse, only negated"),
         (AXIS, r"\begin{bmatrix} l_3 C_{123} \\ l_3 S_{123} \\ l_3 \end{bmatrix}", "entry (3, 1): zero belongs there"),
+        (LEVER, r"\begin{bmatrix} (l_1 + l_2 + l_3) C_{123} \\ (l_1 + l_2 + l_3) S_{123} \\ 0 \end{bmatrix}", r"how \theta_2 and \theta_3 come in"),
+        (TURNED, r"\arcsin\frac{y}{x} - 2\theta", r"what is asked minus \theta"),
         (AXIS, lambda q, l_3: [l_3 * np.cos(q[0] + q[1] + q[2]), l_3 * np.sin(q[0] + q[1] + q[2]), l_3], "entry (3, 1): zero belongs there"),
         (TURNING, r"\begin{bmatrix} 1 & 1 & l_3 \end{bmatrix}", "entry (1, 3): what is asked does not depend on l_3"),
         (COLUMN3, r"\begin{bmatrix} 1 & 1 & 1 \\ 2 & 1 & 1 \\ 1 & 1 & 1 \end{bmatrix}", "entries (1, 1), (1, 2), (1, 3), (2, 1): zero belongs there"),
