@@ -10,7 +10,7 @@ from armproof.verification.verdict import Verdict
 from tests.laws import SWEEP
 from tests.sweeps import mutants_of_displays as sweep
 
-COUNT, PARTS = (1_000, 4) if SWEEP else (150, 1)
+COUNT, PARTS = (1_000, 4) if SWEEP else (110, 1)
 
 
 @pytest.mark.parametrize("part", range(PARTS))

@@ -34,7 +34,7 @@ def test_a_picture_has_the_arm_where_the_plant_has_it() -> None:
 
 def test_a_gif_shows_the_whole_motion_and_repeats_byte_for_byte(tmp_path: Path) -> None:
     arm = load_arm("planar_2r")
-    motion = make_motion(arm, np.array([0.0, 0.5]), np.array([0.4, 0.9]))
+    motion = make_motion(arm, np.array([0.0, 0.5]), np.array([0.1, 0.6]))
     one, other = (write_film(arm, tmp_path / name, motion=motion) for name in ("one.gif", "other.gif"))
     assert one.read_bytes() == other.read_bytes()
     pictures = list(frames(arm, motion=motion))
