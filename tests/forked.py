@@ -9,6 +9,8 @@ import subprocess
 import sys
 import traceback
 from collections.abc import Mapping
+from contextvars import copy_context
+from functools import cache
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import NoReturn
@@ -16,9 +18,20 @@ from typing import NoReturn
 SECONDS = 120
 
 
+@cache
+def load() -> None:
+    """Load the command, with those of the course, once: each copy would load it anew, which takes longer than most of them work."""
+    from typer.testing import CliRunner
+
+    from armproof.verification.cli import app
+
+    copy_context().run(CliRunner().invoke, app, ["lesson", "no such command"])
+
+
 def armproof(*arguments: str | Path, folder: Path, environment: Mapping[str, str]) -> subprocess.CompletedProcess[str]:
     """Run the command in a folder and an environment, with nothing to read; return what it wrote and its exit code."""
     given = [str(argument) for argument in arguments]
+    load()
     with TemporaryFile() as out, TemporaryFile() as err:
         sys.stdout.flush()
         child = os.fork()
