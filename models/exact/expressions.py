@@ -77,14 +77,14 @@ class Expressions:
             value = expression.Evaluate()
             if value != round(value):
                 raise ModelError(Fault.TRACE_NOT_EXACT, arm=self._name, value=value)
-            coefficient = Fraction(round(value))
+            above, below = round(value), 1
             powers: dict[Generator, int] = {}
             for variable, power in drake_monomial.get_powers().items():
                 meaning = self._meanings[variable.get_id()]
-                if isinstance(meaning, Fraction):
-                    coefficient *= meaning**power
-                else:
+                if isinstance(meaning, tuple):
                     powers[meaning] = power
-            monomial = tuple(sorted(powers.items()))
-            entry[monomial] = entry.get(monomial, Fraction(0)) + coefficient
+                else:
+                    above, below = above * meaning.numerator**power, below * meaning.denominator**power
+            monomial, coefficient = tuple(sorted(powers.items())), Fraction(above, below)
+            entry[monomial] = entry[monomial] + coefficient if monomial in entry else coefficient
         return normal_form(entry)
