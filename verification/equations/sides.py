@@ -157,6 +157,8 @@ class Members:
                 return value
             if not isinstance(value, Matrix):
                 raise EvaluationError(say(Kind.ENTRY_OF_SCALAR))
+            if block.rows[-1] >= value.shape[0] or block.columns[-1] >= value.shape[1]:  # J has fewer rows elsewhere
+                raise EvaluationError(say(Kind.NO_SUCH_BLOCK, size=value.size))
             return block.of(value)
 
         return evaluate

@@ -177,6 +177,7 @@ class Kind(MessageKind):
     NO_SUCH_FRAME = "no_such_frame", "no frame '{frame}' on arm '{arm}'; its frames are {frames}"
     DECIMAL_COMMA = "decimal_comma", "one number or two: write a point, or {{,}} for a decimal comma"
     ENTRY_OR_VALUES = "entry_or_values", "an entry, or the matrix at a configuration? the entry is J_12"
+    NO_SUCH_BLOCK = "no_such_block", "a block that a {size} matrix does not have"
     NORM_OF_MATRIX = "norm_of_matrix", "the norm of a matrix: which one? ‖·‖_F is read, and |·| as its determinant"
     WORDS_FOR_VALUE = "words_for_value", "words stand for a value"
     TERMS_LEFT_OUT = "terms_left_out", "an ellipsis leaves terms to the reader"
