@@ -8,10 +8,11 @@ from dataclasses import replace
 from itertools import pairwise
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import as_scalar
+from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues, cells_of
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
@@ -57,6 +58,7 @@ class Circumstances:
                 chains = []
             names |= {name for chain in chains for name in _equated(chain)}
             for chain in chains:
+                heed_forces(self.names, chain)
                 self._define(chain, line)
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
@@ -96,8 +98,9 @@ class Circumstances:
         if usual or isinstance(bare(value), n.Name):
             return
         (found,) = self.checker.conventions.bind([members.evaluate(value)])
-        scalar = as_scalar(found.value) if found.known else None
-        if isinstance(scalar, Scalar) and symbols_in([scalar]):
+        told = as_scalar(found.value) if found.known else None
+        cells = told.cells if isinstance(told, Matrix) and told.shape[1] == 1 else [told]
+        if all(isinstance(cell, Scalar) for cell in cells) and symbols_in(cells):
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
 
     def of_display(self, chain: n.Chain) -> None:

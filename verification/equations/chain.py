@@ -17,6 +17,7 @@ from armproof.verification.equations.definitions import (
     letters_placed_before,
 )
 from armproof.verification.equations.equality import Equality
+from armproof.verification.equations.forces import heed_forces, unless_left_out
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.outcome import Outcome
@@ -83,6 +84,8 @@ class ChainChecker:
         """Return one outcome an equation, numbered from `first_equation`."""
         self.names.state.signs.read.clear()
         before = self.names.state.definitions.copy()
+        if define and self.names.arm is not None:
+            heed_forces(self.names, chain)
         chain = self.conventions.read(chain)
         is_again = define and bare_key(chain.members[0]) in self.names.state.definitions
         defined = self.redefinitions.before(chain) if is_again else None
@@ -116,7 +119,7 @@ class ChainChecker:
         outcomes = self._read_otherwise(chain, outcomes, settled, again)
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
         outcomes = [self._left_open_for_places(outcome, before, line) for outcome in outcomes]
-        outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
+        outcomes = [self.conventions.judge(unless_left_out(outcome, self.names)) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
         check = partial(self.check, first_equation=first_equation, line=line)
         if define and (letters := letters_meant_anew(outcomes)):

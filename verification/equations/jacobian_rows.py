@@ -78,7 +78,7 @@ class RowsOfJacobians:
         whole = whole or self._planar_factors(chain)
         if not whole or any(member is below for member in chain.members for below in whole):
             return outcomes
-        fitting: list[Outcome] | None = None
+        fitting, defined = None, self.names.state.definitions
         possible: Iterable[tuple[int, ...]] = ()
         if self._is_of_the_plane(whole[0]):
             possible = [PLANE]
@@ -91,13 +91,17 @@ class RowsOfJacobians:
             for below in whole:
                 read = n.substitute(read, below, self._part(below, rows))  # type: ignore[assignment]
             tried = check(read)
-            if not any(outcome.is_mismatch for outcome in tried):
+            if not any(outcome.is_mismatch or outcome.is_overloaded for outcome in tried):
                 for outcome in tried:
                     outcome.findings = outcome.findings or (say(Kind.READ_AS_ROWS, rows=list(rows)),)
                 if all(outcome.verdict is not Verdict.REFUTED for outcome in tried):
                     return tried
-                fitting = fitting or tried
-        return fitting or outcomes
+                if fitting is None:
+                    fitting, defined = tried, self.names.state.definitions
+        if fitting is None:
+            return outcomes
+        self.names.state.definitions = defined  # those of the rows that fit, and not of the last ones that were tried
+        return fitting
 
     def others(
         self, chains: Iterable[n.Chain], outcomes: list[Outcome], again: Callable[[], list[Outcome]]

@@ -241,6 +241,7 @@ class Kind(MessageKind):
     WRONG_THERE = "wrong_there", "at the configuration given before", ""
     NUMBERS_OF_NOWHERE = "numbers_of_nowhere", "which configuration, and which lengths? state the values before, as in \\theta_1 = 0"
     HOLDS_THERE = "holds_there", "at the configuration given before"
+    FORCE_LEFT_OUT = "force_left_out", "only one side holds {names}: say before what that is, as in F_x = 10"
     OTHER_AS_TOLD = "other_as_told", "it does not hold at the values that the text before gives: state them in a display to have it checked there"
     HOLDS_AS_TOLD = "holds_as_told", "it holds at the values that the text before gives, and not everywhere: state them in the display, with \\Rightarrow"
     HOLDS_AS_BEHIND = "holds_as_behind", "it holds at the values that stand behind it, and not everywhere: join them with \\text{{for}}"

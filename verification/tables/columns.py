@@ -121,7 +121,7 @@ def plain(text: str) -> str:
         r"\\(?:text\w*|%s)\s*(?![A-Za-z])(?:\{([^{}]*)\})?" % STYLES, lambda found: f" {found.group(1) or ''} ", text
     )
     text = re.sub(r"\\[,;:!> ]|\\q?quad(?![A-Za-z])|~", " ", text)
-    return text.replace("\\degree", "^\\circ").strip()
+    return re.sub(r"(?<!\{)\\degree", r"^\\circ", text).strip()  # \SI{90}{\degree} is read as it stands
 
 
 def read_header(text: str) -> Header:

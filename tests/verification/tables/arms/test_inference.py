@@ -148,11 +148,13 @@ def test_a_general_row_gives_no_arm() -> None:
         "| θ (deg) | d (mm) | Link length | Twist |\n|---|---|---|---|\n| $\\theta_1^*$ | 0 | $l_1$ | 0 |\n| $\\theta_2^*$ | 0 | $l_2$ | 0 |\n",
         "| i | 1 | 2 |\n|---|---|---|\n| $\\alpha_i$ | 0 | 0 |\n| $a_i$ | $l_1$ | $l_2$ |\n| $\\theta_i$ | θ1 (variable) | var |\n| $d_i$ | 0 | 0 |\n",
         "$$\n\\begin{array}{c|cccc} i & a_i & \\alpha_i & d_i & \\theta_i \\\\ \\hline 1 & l_1 & 0 & 0 & \\theta_1 \\\\ 2 & l_2 & 0 & 0 & \\theta_2 \\end{array}\n$$\n",
+        "| i | $a_i$ (\\si{\\milli\\metre}) | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n"
+        "| 1 | $l_1$ | \\SI{0}{\\degree} | \\SI{0}{\\metre} | $\\theta_1$ |\n| 2 | $l_2$ | $\\ang{0}$ | 0 | $\\theta_2$ |\n",
         "<table>\n<tr><th>Link</th><th>a<sub>i</sub></th><th>&alpha;<sub>i</sub></th><th>d<sub>i</sub></th><th>&theta;<sub>i</sub></th></tr>\n"
         "<tr><td>1</td><td>l<sub>1</sub></td><td>0</td><td>0</td><td>&theta;<sub>1</sub></td></tr>\n"
         "<tr><td>2</td><td>l<sub>2</sub></td><td>0</td><td>0</td><td>&theta;<sub>2</sub></td></tr>\n</table>\n",
     ],
-    ids=["French", "units and stars", "turned", "array", "HTML"],
+    ids=["French", "units and stars", "turned", "array", "siunitx", "HTML"],
 )
 def test_tables_are_read_as_they_are_written(table: str) -> None:
     result = verify_text(table + "\n" + CLASSIC)

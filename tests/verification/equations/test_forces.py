@@ -1,0 +1,62 @@
+"""Forces by their components: statics is decided for any of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.labelled.judging import verify_text
+
+FRONT = "---\narm: planar_2r\n---\n"
+FORCE = r"$$ F = \begin{bmatrix} F_x \\ F_y \end{bmatrix} $$"
+FIRST = r"-(l_1 s_1 + l_2 s_{12}) F_x + (l_1 c_1 + l_2 c_{12}) F_y"
+RIGHT, WRONG = r"-l_2 s_{12} F_x + l_2 c_{12} F_y", r"-l_2 s_{12} F_x - l_2 c_{12} F_y"
+COLUMN = r"\begin{{bmatrix}} {} \\ {} \end{{bmatrix}}"
+
+
+def verdicts_of(*parts: str) -> list[str]:
+    return [record.verdict.value for record in verify_text(FRONT + "\n\n".join(parts) + "\n").equations]
+
+
+@pytest.mark.parametrize(("second", "verdict"), [(RIGHT, "proved"), (WRONG, "refuted")])
+@pytest.mark.parametrize(
+    ("before", "statics"),
+    [
+        (FORCE, r"\tau = J^T F"),
+        (r"With $F = (F_x, F_y)^T$:", r"\tau = J^T F"),
+        ("", r"\tau = J^T " + COLUMN.format("F_x", "F_y")),
+        ("", r"J^T " + COLUMN.format("F_x", "F_y")),
+        ("", COLUMN.format(r"\tau_1", r"\tau_2") + " = J^T " + COLUMN.format("F_x", "F_y")),
+        ("", r"\tau = J_v^T " + r"\begin{bmatrix} F_x \\ F_y \\ 0 \end{bmatrix}"),
+    ],
+)
+def test_statics_holds_for_any_force(before: str, statics: str, second: str, verdict: str) -> None:
+    assert verdicts_of(before, f"$$ {statics} = {COLUMN.format(FIRST, second)} $$")[-1] == verdict
+
+
+def test_what_a_wrong_value_defined_refutes_no_right_one_behind_it() -> None:
+    torques = COLUMN.format(r"\tau_1", r"\tau_2") + " = J^T " + COLUMN.format("F_x", "F_y")
+    lines = [f"$$ {torques} = {COLUMN.format(FIRST, second)} $$" for second in (WRONG, RIGHT)]
+    assert verdicts_of(*lines) == ["refuted", "proved"]
+
+
+@pytest.mark.parametrize(
+    ("told", "verdict"),
+    [
+        ("$$ F_x = 10 $$", "proved"),
+        (r"$$ \begin{bmatrix} F_x \\ F_y \end{bmatrix} = \begin{bmatrix} 10 \\ 5 \end{bmatrix} $$", "proved"),
+        ("$$ F_x = -k_x x $$", "unchecked"),
+        ("", "unchecked"),  # it may be told below
+    ],
+)
+def test_a_component_is_what_an_equation_says(told: str, verdict: str) -> None:
+    ten = FIRST.replace("F_x", "10"), RIGHT.replace("F_x", "10")
+    found = verdicts_of(FORCE, told, f"$$ \\tau = J^T F = {COLUMN.format(*ten)} $$")
+    assert "refuted" not in found[:-1] and found[-1] == verdict
+
+
+def test_one_letter_alone_is_no_force() -> None:
+    assert verdicts_of(r"$$ F_x = l_1 c_1 $$", r"$$ x = F_x + l_2 c_{12} $$")[-1] == "proved"
+    assert (
+        verdicts_of(r"$$ \begin{bmatrix} N_x \\ N_y \end{bmatrix} = \begin{bmatrix} c_1 \\ s_1 \end{bmatrix} $$")[-1]
+        != "refuted"
+    )
