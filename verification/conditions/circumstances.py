@@ -123,7 +123,7 @@ class Circumstances:
         """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""
         if set(chain.relations) - {"=", "≈"} or len(chain.members) < 2:
             return
-        if len(chain.members) == 2 and (values := self.given.values(*chain.members)):
+        if values := self.given.values_of(chain):
             yield from (_value(name, node) for name, node in values.items())
             return
         members = [self.checker.member(node) for node in chain.members]

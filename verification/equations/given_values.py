@@ -32,15 +32,17 @@ class GivenValues:
 
     def read(self, chain: n.Chain, line: int, define: bool) -> tuple[str, ...] | None:
         """Return the names that a display gives values, and keep these; None where it claims something."""
-        first, *others = chain.members
-        values: Values | None = None
-        if len(others) > 1 and all(map(self.members.is_symbol, chain.members[:-1])):  # l_1 = l_2 = 1
-            values = self._together((name, others[-1]) for name in chain.members[:-1])
-        elif others and (len(others) == 1 or all(map(is_number, others))):
-            values = self.values(first, others[0])
+        values = self.values_of(chain)
         if define and values:
             self.remember(values, line)
         return None if values is None else tuple(values)
+
+    def values_of(self, chain: n.Chain) -> Values | None:
+        """Return the values that a chain gives, to one name or to several: l_1 = l_2 = 1; None where it claims something."""
+        first, *others = chain.members
+        if len(others) > 1 and all(map(self.members.is_symbol, chain.members[:-1])):
+            return self._together((name, others[-1]) for name in chain.members[:-1])
+        return self.values(first, others[0]) if others and (len(others) == 1 or all(map(is_number, others))) else None
 
     def is_condition(self, chain: n.Chain) -> bool:
         """Whether joints, or lengths, are said to be equal: θ_1 = θ_2."""
