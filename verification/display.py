@@ -364,7 +364,16 @@ class Statements:
         return statement
 
     def _claim(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
-        """Return the outcomes of a chain that is no condition: numbers may be those of the values that the text gives."""
+        """Return the outcomes of a chain that is no condition: numbers may be those of given values, and of rates in a column."""
+        if rates := self.given.rates_of_column(chain):
+            stated = self.names.state.configuration
+            self.names.state.configuration = {**self.given.stated(rates), **stated}
+            outcomes = self._at_values(chain, equation, line, define)
+            self.names.state.configuration = stated
+            return outcomes
+        return self._at_values(chain, equation, line, define)
+
+    def _at_values(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         self._begin()
         there = self._at_told_values(chain, equation, line)
         if any(outcome.verdict in DECIDED for outcome in there):

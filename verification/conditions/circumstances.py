@@ -13,9 +13,10 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.forces import heed_forces
-from armproof.verification.equations.given_values import GivenValues, cells_of
+from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
+from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -71,9 +72,9 @@ class Circumstances:
         return self.names.state.told_lengths | self._values(self.names.state.told.conditions)
 
     def _values(self, conditions: Iterable[n.Chain]) -> dict[str, Stated]:
-        given = {k: node for each in conditions for k, node in (self.given.values(*each.members[:2]) or {}).items()}
-        numbers = {name: (node, self.given.number(node)) for name, node in given.items()}
-        return {name: Stated(node, value) for name, (node, value) in numbers.items() if value is not None}
+        return self.given.stated(
+            {name: node for each in conditions for name, node in (self.given.values(*each.members[:2]) or {}).items()}
+        )
 
     def heed_behind(self, said: Iterable[str], statements: Iterable[n.Statement], line: int) -> None:
         """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""

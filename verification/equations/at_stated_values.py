@@ -10,11 +10,12 @@ from typing import Any
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.alignment import Pair, angle_places
+from armproof.verification.equations.alignment import Pair, angle_places, exactly_equal
 from armproof.verification.equations.decimals import FEW, finest_decimals, roundings
 from armproof.verification.equations.length_values import length_values
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.stated_rates import columns_of_numbers, is_rate
 from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -69,6 +70,8 @@ class StatedValues:
             numbers = _sides(outcome)[bool(one)]
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
             return None if of_names else self._numbers(outcome, pairs, numbers.node)
+        if set(filter(is_rate, one)) != set(filter(is_rate, other)) and self._has_column(outcome):
+            return self._at_rates(outcome, pairs[0], {each for each in one | other if is_rate(each)})
         return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
 
     def _stated(self, names: Iterable[str]) -> dict[str, Stated]:
@@ -165,6 +168,28 @@ class StatedValues:
         number = value.as_fraction()
         size = float(number) if number is not None else float(self.members.sampled().from_exact(value)[0])
         return abs(remainder(size, tau) if is_angle else size)
+
+    # -- velocities --------------------------------------------------------------------------------------------------------
+
+    def _has_column(self, outcome: Outcome) -> bool:
+        return any(next(columns_of_numbers(side.node), ()) for side in _sides(outcome))
+
+    def _at_rates(self, outcome: Outcome, pair: Pair, rates: set[str]) -> Outcome:
+        """ṗ = J [0.1; 0.2]: the side without rates is that at their values, where these are stated."""
+        stated = self._stated(rates)
+        if len(stated) < len(rates):
+            return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
+        sides = [side.map(lambda cell: self._at(cell, stated)) for side in (pair.true, pair.printed)]
+        there = replace(pair, true=sides[0], printed=sides[1])
+        wrong = [place for place, true, printed in there.entries() if not exactly_equal(true, printed)]
+        if len(wrong) > FEW:
+            return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
+        self._rest_on(stated)
+        if wrong:
+            return replace(outcome, pair=there, wrong=wrong, there={name: each.value for name, each in stated.items()})
+        return replace(
+            outcome, verdict=Verdict.CONFIRMED, findings=(say(Kind.HOLDS_THERE),), pair=pair, wrong=[], samples=1
+        )
 
     # -- what holds there --------------------------------------------------------------------------------------------------
 

@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.equations.given_values import cells_of
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from math import pi
 
 from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.stated_rates import columns_of_numbers, is_rate
 from armproof.verification.errors import UnboundName
+from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
@@ -60,9 +63,15 @@ class GivenValues:
                 del before[name]
         if not set(values).isdisjoint(joints):
             self.names.state.told = Told()
-        for name, node in values.items():
-            if (value := self.number(node)) is not None:
-                before[name] = Stated(node, value, line, self.names.state.section)
+        before |= self.stated(values, line)
+
+    def stated(self, values: Mapping[str, n.Node], line: int = 0) -> dict[str, Stated]:
+        """Return those of the values that are numbers, as stated under the heading at hand."""
+        numbers = {name: (node, self.number(node)) for name, node in values.items()}
+        section = self.names.state.section
+        return {
+            name: Stated(node, value, line, section) for name, (node, value) in numbers.items() if value is not None
+        }
 
     def repeats(self, chain: n.Chain) -> bool:
         """Whether an equation gives a length the value that it has."""
@@ -72,6 +81,20 @@ class GivenValues:
             name in self.lengths and name in stated and stated[name].value == self.number(node)
             for name, node in (values or {}).items()
         )
+
+    def rates_of_column(self, chain: n.Chain) -> Values:
+        """Return the rates that the column of a side J [0.1; 0.2] gives, where another side holds rates; else nothing."""
+        if not self.joints or not any(map(self._moves, chain.members)):
+            return {}
+        sides = [side for side in map(bare, chain.members) if isinstance(side, n.Product) and len(side.factors) == 2]
+        columns = (column for side in sides for column in columns_of_numbers(side))
+        column = next((each for each in columns if len(each) == len(self.joints)), ())
+        return {f"dot {joint}": cell for joint, cell in zip(self.joints, column, strict=False)}
+
+    def _moves(self, node: n.Node) -> bool:
+        value = self.members.evaluate(node).value
+        cells = value.cells if isinstance(value, Matrix) else [value] if isinstance(value, Scalar) else []
+        return any(map(is_rate, symbols_in(cells)))
 
     @property
     def joints(self) -> list[str]:
@@ -163,17 +186,6 @@ class GivenValues:
         member = self.members.evaluate(node)
         constant = isinstance(member.value, Scalar) and member.value.as_fraction() is not None
         return member.problem is not None or constant or bool(getattr(member.value, "is_zero", bool)())
-
-
-def cells_of(node: n.Node) -> Sequence[n.Node]:
-    """Return the entries of a list, of a row or of a column, transposed or not; none of another tree."""
-    node = bare(node)
-    if isinstance(node, n.Postfix) and node.operator == "T":
-        node = bare(node.base)
-    if isinstance(node, n.Sequence):
-        return node.items
-    column = isinstance(node, n.Matrix) and (len(node.rows) == 1 or all(len(row) == 1 for row in node.rows))
-    return node.cells if isinstance(node, n.Matrix) and column else ()
 
 
 def new_name(names: Names, chain: n.Chain) -> str | None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,17 @@ def written_rows(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:
         return tuple((item,) for item in node.items)
     rows = node.rows if isinstance(node, n.Matrix) else ()
     return tuple(zip(*rows, strict=False)) if transposed else rows
+
+
+def cells_of(node: n.Node) -> Sequence[n.Node]:
+    """Return the entries of a list, of a row or of a column, transposed or not; none of another tree."""
+    node = bare(node)
+    if isinstance(node, n.Postfix) and node.operator == "T":
+        node = bare(node.base)
+    if isinstance(node, n.Sequence):
+        return node.items
+    column = isinstance(node, n.Matrix) and (len(node.rows) == 1 or all(len(row) == 1 for row in node.rows))
+    return node.cells if isinstance(node, n.Matrix) and column else ()
 
 
 def partition(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> list[Block] | None:
