@@ -101,7 +101,8 @@ class Circumstances:
         (found,) = self.checker.conventions.bind([members.evaluate(value)])
         told = as_scalar(found.value) if found.known else None
         cells = told.cells if isinstance(told, Matrix) and told.shape[1] == 1 else [told]
-        if all(isinstance(cell, Scalar) for cell in cells) and symbols_in(cells):
+        scalars = [cell for cell in cells if isinstance(cell, Scalar)]
+        if len(scalars) == len(cells) and symbols_in(scalars):
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
 
     def of_display(self, chain: n.Chain) -> None:

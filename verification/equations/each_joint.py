@@ -16,27 +16,15 @@ MOST_JOINTS = 8
 
 
 def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, line: int) -> bool:
-    """Whether a chain is proved with its index for each joint of the arm; a column of a Jacobian for each that turns, or each that slides.
+    """Whether a chain is proved with its index for each joint of the arm; what holds for one kind of joints is no law of all.
 
     A wrong one is not refuted here: the text beside it may say of which joints it is.
     """
     arm, letter = checker.names.arm, _index_of(chain)
-    if arm is None or not letter or len(arm.joints) > MOST_JOINTS or len(chain.members) < 2:
+    if arm is None or not letter or not 1 < len(arm.joints) <= MOST_JOINTS or len(chain.members) < 2:
         return False
-    numbers = {joint.symbol: number for number, joint in enumerate(arm.joints, 1)}
-    holding = {
-        number for number in numbers.values() if _holds(checker, _instance(chain, letter, number), equation, line)
-    }
-    turning, sliding = ({numbers[j.symbol] for j in arm.joints if j.kind == kind} for kind in ("revolute", "prismatic"))
-    if _is_column(chain.members[0]) and holding == sliding:
-        return bool(sliding)
-    of_all = (turning, turning | sliding) if _is_column(chain.members[0]) else (turning | sliding,)
-    return len(holding) > 1 and holding in of_all  # what one joint shows may be right by chance
-
-
-def _is_column(node: n.Node) -> bool:
-    """Whether a side is J_i, J_{v_i} or J_{ω_i}: its law is another where the joint slides."""
-    return isinstance(name := n.bare(node), n.Name) and name.base == "J" and not (name.primes or name.dots)
+    instances = (_instance(chain, letter, number) for number in range(1, len(arm.joints) + 1))
+    return all(_holds(checker, instance, equation, line) for instance in instances)
 
 
 def _index_of(chain: n.Chain) -> str:

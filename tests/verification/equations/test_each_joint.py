@@ -19,8 +19,12 @@ COLUMN = r"J_i = \begin{bmatrix} %s \times (p_n - %s) \\ %s \end{bmatrix}"
         (COLUMN % ("z_i", "p_i", "z_i"), "rx90", "proved"),
         (COLUMN % ("z_i", "p_{i-1}", "z_i"), "rx90", "unchecked"),
         (COLUMN % ("z_i", "p_i", "-z_i"), "rx90", "unchecked"),
-        (COLUMN % ("z_i", "p_i", "z_i"), "scara_modified", "proved"),  # of the joints that turn
-        (r"J_i = \begin{bmatrix} z_{i-1} \\ 0 \end{bmatrix}", "scara", "proved"),  # of the one that slides
+        (
+            COLUMN % ("z_i", "p_i", "z_i"),
+            "scara_modified",
+            "unchecked",
+        ),  # of the joints that turn alone, and it says of all
+        (r"J_i = \begin{bmatrix} z_{i-1} \\ 0 \end{bmatrix}", "scara", "unchecked"),  # of the one that slides
         (r"J_i = \begin{bmatrix} 0 \\ z_{i-1} \end{bmatrix}", "scara", "unchecked"),
         (r"z_j = R_j^0 \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}", "rx90", "proved"),
         (r"z_j = R_{j-1}^0 \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}", "rx90", "unchecked"),
