@@ -15,7 +15,7 @@ from armproof.verification.equations.decimals import FEW, finest_decimals, round
 from armproof.verification.equations.length_values import length_values
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
-from armproof.verification.equations.stated_rates import columns_of_numbers, is_rate
+from armproof.verification.equations.stated_rates import are_rates, columns_of_numbers, is_rate
 from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -70,7 +70,12 @@ class StatedValues:
             numbers = _sides(outcome)[bool(one)]
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
             return None if of_names else self._numbers(outcome, pairs, numbers.node)
-        if set(filter(is_rate, one)) != set(filter(is_rate, other)) and self._has_column(outcome):
+        moves = set(filter(is_rate, one)) != set(filter(is_rate, other))
+        if (
+            moves
+            and self._has_column(outcome)
+            and not any(are_rates(s.cells) for s in (pairs[0].true, pairs[0].printed))
+        ):
             return self._at_rates(outcome, pairs[0], {each for each in one | other if is_rate(each)})
         return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import chain as chain_cells
 from math import pi
 
 from armproof.verification.algebra.calculus import symbols_in
@@ -12,7 +13,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
-from armproof.verification.equations.stated_rates import columns_of_numbers, is_rate
+from armproof.verification.equations.stated_rates import are_rates, columns_of_numbers, is_rate
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.latex import nodes as n
@@ -83,18 +84,22 @@ class GivenValues:
         )
 
     def rates_of_column(self, chain: n.Chain) -> Values:
-        """Return the rates that the column of a side J [0.1; 0.2] gives, where another side holds rates; else nothing."""
-        if not self.joints or not any(map(self._moves, chain.members)):
-            return {}
-        sides = [side for side in map(bare, chain.members) if isinstance(side, n.Product) and len(side.factors) == 2]
-        columns = (column for side in sides for column in columns_of_numbers(side))
-        column = next((each for each in columns if len(each) == len(self.joints)), ())
-        return {f"dot {joint}": cell for joint, cell in zip(self.joints, column, strict=False)}
+        """Return the rates that the column of a side J [0.1; 0.2] gives, where another side holds rates; else nothing.
 
-    def _moves(self, node: n.Node) -> bool:
-        value = self.members.evaluate(node).value
-        cells = value.cells if isinstance(value, Matrix) else [value] if isinstance(value, Scalar) else []
-        return any(map(is_rate, symbols_in(cells)))
+        A column behind J^{-1} is of velocities, and so is what stands beside the rates themselves.
+        """
+        products = [each for each in map(bare, chain.members) if isinstance(each, n.Product) and len(each.factors) == 2]
+        products = [each for each in products if isinstance(bare(each.factors[0]), n.Matrix | n.Name)]
+        columns = (column for each in products for column in columns_of_numbers(each))
+        column = next((each for each in columns if len(each) == len(self.joints)), None)
+        if column is None:
+            return {}
+        values = [self.members.evaluate(member).value for member in chain.members]
+        cells = [value.cells if isinstance(value, Matrix) else [value] for value in values]
+        sides = [[cell for cell in each if isinstance(cell, Scalar)] for each in cells]
+        if not any(map(is_rate, symbols_in(chain_cells.from_iterable(sides)))) or any(map(are_rates, sides)):
+            return {}
+        return {f"dot {joint}": cell for joint, cell in zip(self.joints, column, strict=True)}
 
     @property
     def joints(self) -> list[str]:

@@ -11,6 +11,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import is_near
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
+from armproof.verification.equations.stated_rates import are_rates, is_rate
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -77,24 +78,9 @@ def _gives_rates(outcome: Outcome) -> Finding | None:
         return None
     sides = [outcome.pair.true.cells, outcome.pair.printed.cells]
     for rates, others in (sides, sides[::-1]):
-        moving = [symbols_in([cell]) for cell in rates]
-        alone = all(
-            len(names) == 1 and _is_rate(min(names)) and _is_symbol(cell)
-            for names, cell in zip(moving, rates, strict=True)
-        )
-        if alone and not any(map(_is_rate, symbols_in(others))):
+        if are_rates(rates) and not any(map(is_rate, symbols_in(others))):
             return say(Kind.GIVES_RATES)
     return None
-
-
-def _is_rate(symbol: str) -> bool:
-    return symbol.startswith("dot")
-
-
-def _is_symbol(cell: Scalar) -> bool:
-    """Whether a scalar is a symbol by itself."""
-    terms = list(cell.ring.terms(cell.numerator))
-    return cell.denominator.is_one() and len(terms) == 1 and terms[0][1] == 1 and sum(terms[0][0].values()) == 1
 
 
 def _numbered_twice(chain: n.Chain) -> Finding | None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.latex import nodes as n
@@ -14,6 +16,23 @@ from armproof.verification.latex.nodes import bare
 def is_rate(symbol: str) -> bool:
     """Whether a symbol is the rate of a joint, or a higher derivative."""
     return symbol.startswith("dot")
+
+
+def are_rates(cells: Sequence[Scalar]) -> bool:
+    """Whether every cell is a rate by itself, as in q̇."""
+    return bool(cells) and all(_is_symbol(cell) and is_rate(min(symbols_in([cell]))) for cell in cells)
+
+
+def _is_symbol(cell: Scalar) -> bool:
+    """Whether a scalar is a symbol by itself."""
+    terms = list(cell.ring.terms(cell.numerator))
+    return (
+        cell.denominator.is_one()
+        and len(terms) == 1
+        and terms[0][1] == 1
+        and sum(terms[0][0].values()) == 1
+        and bool(symbols_in([cell]))
+    )
 
 
 def columns_of_numbers(node: n.Node) -> Iterator[tuple[n.Node, ...]]:
