@@ -172,7 +172,10 @@ class Statements:
         judged = self._of_the_tool(display, wider, found)
         self.names.forget(key for outcome in found for key in outcome.defines)  # what a name means there alone
         judged = judged or self._implication(wider, [Outcome(Verdict.UNCHECKED)], display.equation, [])
-        return [replace(judged[0], role=Role.CONDITION)] if judged is not None and judged[0].verdict in HOLDS else found
+        if judged is not None and judged[0].verdict in HOLDS:
+            return [replace(judged[0], role=Role.CONDITION)]
+        is_wrong = judged is not None and judged[0].verdict is Verdict.REFUTED and not self.names.has_tool
+        return found if is_wrong else [outcome.unless_refuted(say(Kind.UNDER_MORE)) for outcome in found]
 
     def _take_implication(self, display: _Display, implication: Implication) -> None:
         given = dict(self.names.state.configuration)
@@ -321,8 +324,12 @@ class Statements:
         again = partial(self._judged, implication, steps, equation, links)
         doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
         if judged[0].verdict in DECIDED:
-            doubt = doubt or self.checker.readings.other_direction(
+            readings, verdict = self.checker.readings, judged[0].verdict
+            doubt = doubt or readings.other_direction(
                 implication.chains, hold([judged[0]]), lambda: hold([(again() or judged)[0]])
+            )
+            doubt = doubt or readings.of_either_frame(
+                implication.chains, verdict, lambda: (again() or judged)[0].verdict
             )
         return (judged[0].left_open(doubt), {}) if doubt is not None else judged
 

@@ -70,10 +70,10 @@ def test_a_name_may_stand_on_the_right(check: Check) -> None:
 
 
 def test_an_erratum_defines_nothing(check: Check) -> None:
-    result = check(errata=(r"x = a_1 c_1", r"x = a_1 c_1"))
+    result = check(errata=(r"h = a_1 c_1", r"h = a_1 c_1"))
     assert verdicts(result) == ["unchecked", "unchecked"]
     assert not result.passed
-    assert check("x = a_1 c_1", errata=("x = a_1 s_1",)).passed
+    assert check("h = a_1 c_1", errata=("h = a_1 s_1",)).passed
 
 
 def test_bare_entries_of_a_matrix_are_defined_by_their_places(check: Check) -> None:

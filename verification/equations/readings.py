@@ -96,19 +96,8 @@ class Readings:
         So is a part of one, J_1 or J_{12}; `settled` are the names that earlier equations have given a meaning.
         """
         arm, state = self.names.arm, self.names.state
-        if arm is None or arm.frames[-1] == (last := numbered_frames(arm)[-1]):
-            return outcomes
-        left_open = {
-            name.key: quantity
-            for below in n.walk(chain)
-            if (name := self.members.jacobian_name(below, True)) is not None
-            and name.key not in settled
-            and (name.pre_sup or name.sup or "J" not in settled)
-            and (quantity := self.names.quantity(replace(name, dots=0))) is not None
-            and quantity.frame == last
-            and name.sub != "n"
-        }
-        if not left_open or all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes):
+        left_open = self._of_last_frame([chain], settled)
+        if arm is None or not left_open or all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes):
             return outcomes
         if not any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
             self._settle(left_open)
@@ -124,6 +113,38 @@ class Readings:
         for key in left_open:
             state.inferred.pop(key, None)
         return outcomes
+
+    def of_either_frame(self, chains: Iterable[n.Chain], now: Verdict, again: Callable[[], Verdict]) -> Finding | None:
+        """Say of which frame a Jacobian must be for a verdict, where it may be of the tool behind the last one as well."""
+        arm, state = self.names.arm, self.names.state
+        left_open = self._of_last_frame(chains, frozenset(state.inferred))
+        if arm is None or not left_open:
+            return None
+        before = state.copy()
+        state.shown = {key: rows for key, rows in state.shown.items() if key not in left_open}
+        state.inferred.update({key: replace(each, frame=arm.frames[-1]) for key, each in left_open.items()})
+        other = again()
+        state.become(before)
+        if other is now:
+            return None
+        key, quantity = min(left_open.items())
+        return say(Kind.FRAME_NOT_TOLD, name=key, frame=quantity.frame, tool=arm.frames[-1])
+
+    def _of_last_frame(self, chains: Iterable[n.Chain], settled: Set[str]) -> dict[str, Quantity]:
+        """Return the Jacobians that name no frame, of an arm with a tool behind its last one; `settled` have a meaning."""
+        arm = self.names.arm
+        if arm is None or arm.frames[-1] == (last := numbered_frames(arm)[-1]):
+            return {}
+        return {
+            name.key: quantity
+            for below in (each for chain in chains for each in n.walk(chain))
+            if (name := self.members.jacobian_name(below, True)) is not None
+            and name.key not in settled
+            and (name.pre_sup or name.sup or "J" not in settled)
+            and (quantity := self.names.quantity(replace(name, dots=0))) is not None
+            and quantity.frame == last
+            and name.sub != "n"
+        }
 
     def _settle(self, read: Mapping[str, Quantity]) -> None:
         """What one Jacobian in the base frame is of, all are: J_v after J."""

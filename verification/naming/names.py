@@ -19,7 +19,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
-from armproof.verification.naming.quantities import implied_quantity, tells_frame, transform_pair
+from armproof.verification.naming.quantities import implied_quantity, numbered_frames, tells_frame, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
@@ -217,6 +217,11 @@ class Names:
         """Return the rows (from 1) in which the document shows the Jacobian of a name, or None where it has not."""
         shown = self.state.shown.get(key)
         return shown.rows if shown is not None else None
+
+    @property
+    def has_tool(self) -> bool:
+        """Whether the arm has a frame behind its last numbered one."""
+        return self.arm is not None and self.arm.frames[-1] != numbered_frames(self.arm)[-1]
 
     def is_free(self, name: n.Name) -> bool:
         """Whether an unbound name is a free scalar: in a document of general statements, a letter with indices."""
