@@ -654,7 +654,7 @@ def _is_alternative(statements: list[n.Statement], index: int) -> bool:
 
 def _is_concluded(statements: list[n.Statement], index: int) -> bool:
     """Whether a statement stands behind an arrow, perhaps joined to others by "and" or "or"."""
-    while index and isinstance(before := statements[index - 1], n.Connective):
+    while index > 0 and isinstance(before := statements[index - 1], n.Connective):
         if before.kind in ARROWS:
             return True
         if before.kind not in ("and", "or"):

@@ -140,6 +140,14 @@ def test_any_relation_between_anything_gets_a_verdict(check: Check) -> None:
     assert_each_has_a_record(check, relations)
 
 
+def test_a_connective_may_stand_at_either_end(check: Check) -> None:
+    words = (r"\Rightarrow", r"\iff", r"\vee", r"\land", r"\text{if}", r"\text{with}", r"\forall", r"\exists")
+    claims = ("x = l_1", r"\theta_2 = 0", "C_1 C_2")
+    assert_each_has_a_record(check, [f"{word} {claim}" for word in words for claim in claims])
+    assert_each_has_a_record(check, [f"{claim} {word}" for word in words for claim in claims])
+    assert_each_has_a_record(check, [f"{a} {b} x = l_1" for a in words for b in words])
+
+
 def of_each_pair(forms: Sequence[str]) -> Iterator[tuple[str, str, str]]:
     """Yield each form with each pair of atoms in a sweep; else each pair in one of the forms, and each form with each atom."""
     for (k, form), (i, a), (j, b) in itertools.product(enumerate(forms), enumerate(ATOMS), enumerate(ATOMS)):
