@@ -9,13 +9,8 @@ from functools import cached_property, partial
 
 from armproof.models.errors import together
 from armproof.verification.conditions.circumstances import Circumstances
-from armproof.verification.conditions.implication import (
-    Implication,
-    connectives_among,
-    find_implication,
-    is_condition,
-    is_rank_condition,
-)
+from armproof.verification.conditions.implication import Implication, connectives_among, find_implication
+from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
@@ -24,7 +19,7 @@ from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
-from armproof.verification.equations.misreadings import sizes_of_convention, without_misreading
+from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side
 from armproof.verification.errors import ReadError
@@ -83,9 +78,6 @@ class _Display:
         return any(isinstance(statement, n.Connective) for statement in self.statements)
 
 
-Judgement = tuple[Outcome, dict[str, float]] | None  # the verdict of an implication and what refutes it
-
-
 class Statements:
     """Checks the statements of displays; one that begins with a relation goes on about the subject of the one before.
 
@@ -99,6 +91,7 @@ class Statements:
         self.names = checker.names
         self.ring = checker.exact.ring
         self.given = GivenValues(checker.equality)
+        self.implications = Implications(checker)
 
     @cached_property
     def circumstances(self) -> Circumstances:
@@ -152,7 +145,7 @@ class Statements:
         if _is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
         found = self._concluded_too(display, chain, found)
-        if any(map(_is_condition, found)):
+        if any(outcome.is_condition for outcome in found):
             display.stated.append((len(display.outcomes), chain))
         display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
         self._tell_what_is_left_out(chain, statements, found, display.latex)
@@ -169,9 +162,9 @@ class Statements:
         if all(outcome.verdict in HOLDS for outcome in found):
             return found
         wider = replace(under, before=[[chain]]) if under.kind == "if" else replace(under, behind=[[chain]])
-        judged = self._of_the_tool(display, wider, found)
+        judged = self.implications.of_the_tool(wider, found, display.equation, display.links)
         self.names.forget(key for outcome in found for key in outcome.defines)  # what a name means there alone
-        judged = judged or self._implication(wider, [Outcome(Verdict.UNCHECKED)], display.equation, [])
+        judged = judged or self.implications.judge(wider, [Outcome(Verdict.UNCHECKED)], display.equation, [])
         if judged is not None and judged[0].verdict in HOLDS:
             return [replace(judged[0], role=Role.CONDITION)]
         is_wrong = judged is not None and judged[0].verdict is Verdict.REFUTED and not self.names.has_tool
@@ -185,13 +178,15 @@ class Statements:
         steps = [self._chain(chain, display.equation, display.line, display.define) for chain in premises]
         self.checker.redefinitions.enabled = True
         self._begin()
-        judged = self._implication(implication, [o for found in steps for o in found], display.equation, display.links)
-        judged = self._beside(display, implication, judged)
+        premised = [outcome for found in steps for outcome in found]
+        judged = self.implications.judge(implication, premised, display.equation, display.links)
+        judged = self.implications.beside(judged, implication, display.above, display.equation)
         if judged is None or judged[0].verdict is Verdict.UNCHECKED:
-            judged = self._of_the_tool(display, implication, [o for found in steps for o in found]) or judged
+            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
+            judged = of_the_tool or judged
         if judged is not None:
             judged = self._unless_doubted(judged[0]), judged[1]
-        if judged is not None and any(_holds_there(o) for found in steps for o in found):
+        if judged is not None and any(outcome.holds_there for outcome in premised):
             judged = self._unless_meant_there(display, implication, judged)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
@@ -203,7 +198,7 @@ class Statements:
             return
         display.under = implication if implication.kind in ("⇒", "if") else None
         self.names.state.configuration = given  # a premise holds in its implication alone, and so does what it defines
-        self.names.forget(key for found in steps for o in found for key in o.defines if not _is_condition(o))
+        self.names.forget(key for found in steps for o in found for key in o.defines if not o.is_condition)
         outcome, counterexample = judged
         read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
         sides = tuple(member for chain in implication.chains for member in chain.members)
@@ -214,17 +209,6 @@ class Statements:
         display.links = [*display.links, implication] if goes_on else []
         display.equation += sum(len(chain.relations) for chain in (premises if goes_on else implication.chains))
         display.index = implication.behind_at if goes_on else implication.after
-
-    def _of_the_tool(self, display: _Display, implication: Implication, steps: list[Outcome]) -> Judgement:
-        """Return the verdict where an implication holds of the tool's coordinates, as x, y mostly are; else None."""
-        if self.names.arm is None:
-            return None
-        before, judged = self.names.state.copy(), None
-        self.names.forget(key for outcome in steps for key in outcome.defines if not _is_condition(outcome))
-        if self.checker.conventions.infer_tool(implication.chains):
-            judged = self._implication(implication, [Outcome(Verdict.UNCHECKED)], display.equation, display.links)
-        self.names.state.become(before)
-        return judged if judged is not None and judged[0].verdict in HOLDS else None
 
     def _unless_meant_there(
         self, display: _Display, implication: Implication, judged: tuple[Outcome, dict[str, float]]
@@ -237,17 +221,6 @@ class Statements:
         ]
         refuted = any(outcome.verdict is Verdict.REFUTED for outcome in claims)
         return judged if refuted else (judged[0].left_open(say(Kind.HOLDS_THERE_ALONE)), {})
-
-    def _beside(self, display: _Display, implication: Implication, judged: Judgement) -> Judgement:
-        """Leave open what does not follow from its own line, where it may from those above: the lines of one system."""
-        if judged is None or judged[0].verdict is not Verdict.REFUTED or not display.above:
-            return judged
-        above = [chain for each in display.above for chain in each.chains]
-        with self.ring.budget.paused():
-            from armproof.verification.conditions.judgement import check_implication
-        wider = replace(implication, before=[[*above, *chains] for chains in implication.before])
-        again = check_implication(self.checker, wider, display.equation)[0]
-        return judged if again.verdict is Verdict.REFUTED else (judged[0].left_open(say(Kind.UNDER_MORE)), {})
 
     def _heed_behind(self, display: _Display) -> None:
         """R = R_z(θ_1), θ_2 = 0: what is refuted may be meant where the values behind it say."""
@@ -308,60 +281,6 @@ class Statements:
             return False
         joints = {joint.symbol for joint in self.names.arm.joints}
         return node.key in ("q", "theta") or self.names.known_symbol(node.key) in joints
-
-    def _implication(
-        self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
-    ) -> Judgement:
-        """Return what `_judged` does; what holds with other rows of J or another direction of indices is left open."""
-        judged = self._judged(implication, steps, equation, links)
-        if judged is None:
-            return None
-        if (left_open := self.checker.angles.of_condition(implication.chains)) is not None:
-            return judged[0].left_open(left_open), {}
-        sizes = [sizes_of_convention(judged[0], chain, self.names) for chain in implication.chains]
-        if judged[0].verdict is Verdict.REFUTED and any(sizes):
-            return judged[0].left_open(next(filter(None, sizes))), {}
-        again = partial(self._judged, implication, steps, equation, links)
-        doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
-        if judged[0].verdict in DECIDED:
-            readings, verdict = self.checker.readings, judged[0].verdict
-            doubt = doubt or readings.other_direction(
-                implication.chains, hold([judged[0]]), lambda: hold([(again() or judged)[0]])
-            )
-            doubt = doubt or readings.of_either_frame(
-                implication.chains, verdict, lambda: (again() or judged)[0].verdict
-            )
-        return (judged[0].left_open(doubt), {}) if doubt is not None else judged
-
-    def _judged(
-        self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
-    ) -> Judgement:
-        """Return the verdict of an implication and its counterexample, or None where its premises are claims themselves."""
-        premises, conclusions = implication.premises, implication.conclusions
-        holds = not any(
-            o.verdict in (Verdict.REFUTED, Verdict.UNCHECKED) or _is_condition(o) or _holds_there(o) for o in steps
-        )
-        if implication.kind != "if" and holds and not any(is_rank_condition(chain) for chain in premises):
-            return None  # what holds everywhere is no premise: what follows is a claim itself
-        with self.ring.budget.paused():  # few documents hold one: the import is none of its time
-            from armproof.verification.conditions.judgement import check_implication, check_value, states_condition
-
-        if implication.kind == "if":
-            has_value = check_value(self.checker, implication, equation)
-            if has_value is not None and len(steps) == 1:
-                return (steps[0] if has_value.verdict is Verdict.PROVED else has_value), {}
-            self.names.forget(key for outcome in steps for key in outcome.defines)  # what it means there alone
-            return check_implication(self.checker, implication, equation, links)
-        if links or any(states_condition(self.checker, chain) for chain in premises):
-            return check_implication(self.checker, implication, equation, links)
-        values = (self.checker.member(node).value for chain in premises for node in chain.members)
-        if not all(is_condition(chain) for chain in conclusions) or any(hasattr(value, "rows") for value in values):
-            return None  # a step between matrices
-        judged = check_implication(self.checker, implication, equation, links)
-        of_arm = any(self.checker.quantity_of(below) for chain in premises for below in n.walk(chain))
-        if judged[0].verdict is Verdict.PROVED and of_arm and any(o.verdict is Verdict.REFUTED for o in steps):
-            return replace(judged[0], verdict=Verdict.UNCHECKED, findings=(say(Kind.PREMISE_DIFFERS),)), {}
-        return judged if judged[0].verdict is not Verdict.UNCHECKED else None
 
     def _resolve_subject(self, statement: n.Statement) -> n.Statement:
         """A display that begins with a relation goes on about the subject of the one before."""
@@ -680,14 +599,3 @@ def _is_label(chain: n.Chain) -> bool:
     """Whether a number in brackets stands alone, as equations are numbered: (3)."""
     (member,) = chain.members
     return isinstance(member, n.Group) and isinstance(member.inner, n.Number)
-
-
-def _holds_there(outcome: Outcome) -> bool:
-    """Whether an equation holds at the values stated before it, and not everywhere."""
-    there = (Kind.HOLDS_THERE, Kind.TO_DECIMALS_THERE)
-    return outcome.verdict is Verdict.CONFIRMED and any(finding.kind in there for finding in outcome.findings)
-
-
-def _is_condition(outcome: Outcome) -> bool:
-    given = (Kind.CONDITION, Kind.CONFIGURATION)
-    return outcome.verdict is Verdict.DEFINED and any(finding.kind in given for finding in outcome.findings)

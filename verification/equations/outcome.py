@@ -81,6 +81,18 @@ class Outcome:
         return [side.node for side in (self.true, self.printed) if side is not None]
 
     @property
+    def is_condition(self) -> bool:
+        """Whether the equation gives a configuration or a condition, and claims nothing."""
+        given = (Kind.CONDITION, Kind.CONFIGURATION)
+        return self.verdict is Verdict.DEFINED and any(finding.kind in given for finding in self.findings)
+
+    @property
+    def holds_there(self) -> bool:
+        """Whether the equation holds at the values stated before it, and not everywhere."""
+        there = (Kind.HOLDS_THERE, Kind.TO_DECIMALS_THERE)
+        return self.verdict is Verdict.CONFIRMED and any(finding.kind in there for finding in self.findings)
+
+    @property
     def is_mismatch(self) -> bool:
         """Whether two values of different sizes were equated."""
         known = self.true is not None and self.printed is not None and self.true.known and self.printed.known

@@ -1,0 +1,103 @@
+"""Which verdict an implication gets: what holds in one reading of its names alone is left open."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+from armproof.verification.conditions.implication import Implication, is_condition, is_rank_condition
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.misreadings import sizes_of_convention
+from armproof.verification.equations.outcome import HOLDS, Outcome, hold
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import DECIDED, Verdict
+
+Judgement = tuple[Outcome, dict[str, float]] | None  # the verdict of an implication and what refutes it
+
+
+class Implications:
+    """Judges implications in each of the readings that their names allow: rows of J, directions of indices, the tool."""
+
+    def __init__(self, checker: ChainChecker) -> None:
+        self.checker = checker
+        self.names = checker.names
+        self.ring = checker.exact.ring
+
+    def judge(
+        self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
+    ) -> Judgement:
+        """Return the verdict of an implication and its counterexample, or None where its premises are claims; what holds with other rows of J or another direction of indices is left open."""
+        judged = self._judged(implication, steps, equation, links)
+        if judged is None:
+            return None
+        if (left_open := self.checker.angles.of_condition(implication.chains)) is not None:
+            return judged[0].left_open(left_open), {}
+        sizes = [sizes_of_convention(judged[0], chain, self.names) for chain in implication.chains]
+        if judged[0].verdict is Verdict.REFUTED and any(sizes):
+            return judged[0].left_open(next(filter(None, sizes))), {}
+        again = partial(self._judged, implication, steps, equation, links)
+        doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
+        if judged[0].verdict in DECIDED:
+            readings, verdict = self.checker.readings, judged[0].verdict
+            doubt = doubt or readings.other_direction(
+                implication.chains, hold([judged[0]]), lambda: hold([(again() or judged)[0]])
+            )
+            doubt = doubt or readings.of_either_frame(
+                implication.chains, verdict, lambda: (again() or judged)[0].verdict
+            )
+        return (judged[0].left_open(doubt), {}) if doubt is not None else judged
+
+    def of_the_tool(
+        self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
+    ) -> Judgement:
+        """Return the verdict where an implication holds of the tool's coordinates, as x, y mostly are; else None."""
+        if self.names.arm is None:
+            return None
+        before, judged = self.names.state.copy(), None
+        self.names.forget(key for outcome in steps for key in outcome.defines if not outcome.is_condition)
+        if self.checker.conventions.infer_tool(implication.chains):
+            judged = self.judge(implication, [Outcome(Verdict.UNCHECKED)], equation, links)
+        self.names.state.become(before)
+        return judged if judged is not None and judged[0].verdict in HOLDS else None
+
+    def beside(self, judged: Judgement, implication: Implication, above: list[Implication], equation: int) -> Judgement:
+        """Leave open what does not follow from its own line, where it may from those above: the lines of one system."""
+        if judged is None or judged[0].verdict is not Verdict.REFUTED or not above:
+            return judged
+        chains = [chain for each in above for chain in each.chains]
+        with self.ring.budget.paused():
+            from armproof.verification.conditions.judgement import check_implication
+        wider = replace(implication, before=[[*chains, *each] for each in implication.before])
+        again = check_implication(self.checker, wider, equation)[0]
+        return judged if again.verdict is Verdict.REFUTED else (judged[0].left_open(say(Kind.UNDER_MORE)), {})
+
+    def _judged(
+        self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
+    ) -> Judgement:
+        """Return the verdict of an implication and its counterexample, or None where its premises are claims themselves."""
+        premises, conclusions = implication.premises, implication.conclusions
+        holds = not any(
+            o.verdict in (Verdict.REFUTED, Verdict.UNCHECKED) or o.is_condition or o.holds_there for o in steps
+        )
+        if implication.kind != "if" and holds and not any(is_rank_condition(chain) for chain in premises):
+            return None  # what holds everywhere is no premise: what follows is a claim itself
+        with self.ring.budget.paused():  # few documents hold one: the import is none of its time
+            from armproof.verification.conditions.judgement import check_implication, check_value, states_condition
+
+        if implication.kind == "if":
+            has_value = check_value(self.checker, implication, equation)
+            if has_value is not None and len(steps) == 1:
+                return (steps[0] if has_value.verdict is Verdict.PROVED else has_value), {}
+            self.names.forget(key for outcome in steps for key in outcome.defines)  # what it means there alone
+            return check_implication(self.checker, implication, equation, links)
+        if links or any(states_condition(self.checker, chain) for chain in premises):
+            return check_implication(self.checker, implication, equation, links)
+        values = (self.checker.member(node).value for chain in premises for node in chain.members)
+        if not all(is_condition(chain) for chain in conclusions) or any(hasattr(value, "rows") for value in values):
+            return None  # a step between matrices
+        judged = check_implication(self.checker, implication, equation, links)
+        of_arm = any(self.checker.quantity_of(below) for chain in premises for below in n.walk(chain))
+        if judged[0].verdict is Verdict.PROVED and of_arm and any(o.verdict is Verdict.REFUTED for o in steps):
+            return replace(judged[0], verdict=Verdict.UNCHECKED, findings=(say(Kind.PREMISE_DIFFERS),)), {}
+        return judged if judged[0].verdict is not Verdict.UNCHECKED else None
