@@ -62,20 +62,14 @@ def number_slip(
     told = [
         (
             labels[k],
-            _of_function(labels[k], float(given[k]), float(right[k]))
-            or _of_one(float(given[k]), float(right[k]), known, len(right), is_count),
+            _of_function(labels[k], number, float(right[k]))
+            or _of_one(number, float(right[k]), known, len(right), is_count)
+            or _of_another(number, right, labels)
+            or _of_stated(number, stated)
+            or _of_two_others(number, right, labels),
         )
         for k in wrong
-    ]
-    told = [
-        (
-            label,
-            words
-            or _of_another(float(given[k]), right, labels)
-            or _of_stated(float(given[k]), stated)
-            or _of_two_others(float(given[k]), right, labels),
-        )
-        for k, (label, words) in zip(wrong, told, strict=True)
+        for number in [float(given[k])]
     ]
     return look_up("; ").join(written("{label}: {words}", label=label, words=words) for label, words in told if words)
 

@@ -73,7 +73,7 @@ class Circumstances:
 
     def _values(self, conditions: Iterable[n.Chain]) -> dict[str, Stated]:
         return self.given.stated(
-            {name: node for each in conditions for name, node in (self.given.values(*each.members[:2]) or {}).items()}
+            {name: node for each in conditions for name, node in (self.given.values_of(each) or {}).items()}
         )
 
     def heed_behind(self, said: Iterable[str], statements: Iterable[n.Statement], line: int) -> None:

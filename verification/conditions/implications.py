@@ -27,7 +27,7 @@ class Implications:
     def judge(
         self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
     ) -> Judgement:
-        """Return the verdict of an implication and its counterexample, or None where its premises are claims; what holds with other rows of J or another direction of indices is left open."""
+        """Return what `_judged` does; what holds with other rows of J or another direction of indices is left open."""
         judged = self._judged(implication, steps, equation, links)
         if judged is None:
             return None

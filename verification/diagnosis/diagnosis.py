@@ -163,10 +163,8 @@ class Diagnostician:
         decimals = finest_decimals([cell]) if cell is not None and is_number(cell) else 0
         if not decimals or not isinstance(true, Scalar) or symbols_in([true]):
             return ""
-        number = true.as_fraction()
-        size = float(number) if number is not None else float(self.checker.sampled().from_exact(true)[0])
         mark = next((mark for mark in ("{,}", ",") if mark in printed), ".")
-        return f"{size:.{decimals}f}".replace(".", mark)
+        return f"{self.checker.members.number(true):.{decimals}f}".replace(".", mark)
 
 
 def _summary(entries: list[WrongEntry]) -> Iterator[Finding]:

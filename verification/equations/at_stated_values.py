@@ -170,8 +170,7 @@ class StatedValues:
         self._rest_on(stated)
         if missing and not value.is_zero():  # no lengths make d_6 + d_G zero
             return inf
-        number = value.as_fraction()
-        size = float(number) if number is not None else float(self.members.sampled().from_exact(value)[0])
+        size = self.members.number(value)
         return abs(remainder(size, tau) if is_angle else size)
 
     # -- velocities --------------------------------------------------------------------------------------------------------

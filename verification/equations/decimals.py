@@ -89,7 +89,7 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
     pair = outcome.pair
     if pair is not None and (unit := _whole_unit(outcome)) is not None:
         apart = pair.true.rows[0][0] - pair.printed.rows[0][0]
-        return abs(remainder(float(members.sampled().from_exact(apart)[0]), tau)) <= unit
+        return abs(remainder(members.number(apart), tau)) <= unit
     if pair is None or not (is_constant(pair.true) and is_constant(pair.printed)):
         return False
     slack = dict.fromkeys(outcome.wrong, Fraction(0))

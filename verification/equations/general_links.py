@@ -75,13 +75,12 @@ class GeneralStatements:
 
     def _bind_links(self, chain: n.Chain) -> None:
         """Let T_1, T_2, … be the links of the arm where T_i is the link matrix of any: else they are usually poses in the base."""
-        arm, names = (
-            self.checker.names.arm,
-            [member for member in map(bare, chain.members) if isinstance(member, n.Name)],
-        )
-        for name in names if arm is not None else ():
+        arm = self.checker.names.arm
+        if arm is None:
+            return
+        for name in (member for member in map(bare, chain.members) if isinstance(member, n.Name)):
             if name.base == "T" and name.sub == "i" and not (name.sup or name.pre_sub or name.pre_sup or name.primes):
-                for before, frame in pairwise(arm.frames):  # type: ignore[union-attr]
+                for before, frame in pairwise(arm.frames):
                     self.checker.names.state.infer_usual(f"T_{frame}", Quantity("pose", frame, before))
 
     def _heads(self, chain: n.Chain) -> list[bool | None]:

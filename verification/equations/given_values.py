@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import chain as chain_cells
-from math import pi
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
@@ -179,13 +178,7 @@ class GivenValues:
     def number(self, node: n.Node) -> float | None:
         """Return the number that a value is, or None."""
         value = self.members.evaluate(node).value
-        if not isinstance(value, Scalar):
-            return None
-        if (number := value.as_fraction()) is not None:
-            return float(number)
-        if (turns := (value / self.members.exact.pi()).as_fraction()) is not None:
-            return float(turns) * pi
-        return float(self.members.sampled().from_exact(value)[0])
+        return self.members.number(value) if isinstance(value, Scalar) else None
 
     def _vanishes(self, node: n.Node) -> bool:
         member = self.members.evaluate(node)

@@ -103,8 +103,7 @@ class Readings:
             self._settle(left_open)
             return outcomes
         before = state.shown
-        state.shown = {key: rows for key, rows in before.items() if key not in left_open}
-        state.inferred.update({key: replace(quantity, frame=arm.frames[-1]) for key, quantity in left_open.items()})
+        self._read_of_tool(left_open)
         tried = check(chain)
         if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
             self._settle({key: state.inferred[key] for key in left_open})
@@ -121,8 +120,7 @@ class Readings:
         if arm is None or not left_open:
             return None
         before = state.copy()
-        state.shown = {key: rows for key, rows in state.shown.items() if key not in left_open}
-        state.inferred.update({key: replace(each, frame=arm.frames[-1]) for key, each in left_open.items()})
+        self._read_of_tool(left_open)
         other = again()
         state.become(before)
         if other is now:
@@ -130,11 +128,19 @@ class Readings:
         key, quantity = min(left_open.items())
         return say(Kind.FRAME_NOT_TOLD, name=key, frame=quantity.frame, tool=arm.frames[-1])
 
+    def _read_of_tool(self, left_open: Mapping[str, Quantity]) -> None:
+        """Take Jacobians for those of the tool, in rows that are to be told again."""
+        arm, state = self.names.arm, self.names.state
+        assert arm is not None
+        state.shown = {key: rows for key, rows in state.shown.items() if key not in left_open}
+        state.inferred.update({key: replace(each, frame=arm.frames[-1]) for key, each in left_open.items()})
+
     def _of_last_frame(self, chains: Iterable[n.Chain], settled: Set[str]) -> dict[str, Quantity]:
         """Return the Jacobians that name no frame, of an arm with a tool behind its last one; `settled` have a meaning."""
         arm = self.names.arm
-        if arm is None or arm.frames[-1] == (last := numbered_frames(arm)[-1]):
+        if arm is None or not self.names.has_tool:
             return {}
+        last = numbered_frames(arm)[-1]
         return {
             name.key: quantity
             for below in (each for chain in chains for each in n.walk(chain))

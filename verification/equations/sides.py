@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import pi
 from typing import TYPE_CHECKING, Any
 
 from armproof.models.errors import Sentence, together
@@ -11,6 +12,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import kind_of
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -69,6 +71,14 @@ class Members:
             return Member(node, None, beyond_size(problem), self._rank(node))
         except EvaluationError as problem:
             return Member(node, None, problem)
+
+    def number(self, value: Scalar) -> float:
+        """Return the number that a scalar without symbols is."""
+        if (number := value.as_fraction()) is not None:
+            return float(number)
+        if (turns := (value / self.exact.pi()).as_fraction()) is not None:
+            return float(turns) * pi
+        return float(self.sampled().from_exact(value)[0])
 
     def _rank(self, node: n.Node) -> int:
         if isinstance(node, n.Group | n.Labelled):
