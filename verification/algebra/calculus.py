@@ -22,11 +22,7 @@ def derivative(value: Scalar, variable: Scalar) -> Scalar:
     d cos θ = −sin θ, d sin θ = cos θ, d√k = dk/(2√k), d atan2(s, c) = c ds − s dc for s² + c² = 1.
     """
     ring = value.ring
-    found = list(ring.terms(variable.numerator)) if variable.denominator.is_one() else []
-    if len(found) != 1 or found[0][1] != 1 or len(found[0][0]) != 1:
-        raise EvaluationError(say(Kind.DERIVATIVE_BY_NO_VARIABLE))
-    (kind, name), power = next(iter(found[0][0].items()))
-    if kind != "symbol" or power != 1:
+    if (name := symbol_of(variable)) is None:
         raise EvaluationError(say(Kind.DERIVATIVE_BY_NO_VARIABLE))
     numerator = _poly_derivative(ring, value.numerator, name)
     denominator = _poly_derivative(ring, value.denominator, name)
@@ -118,6 +114,15 @@ def _replacement(ring: Ring, generator: Generator, replacements: Mapping[Generat
 def angles_in(value: Scalar) -> set[str]:
     """Return the angles of which a value has the cosine or the sine."""
     return {name for kind, name in value.generators if kind in ("cos", "sin")}
+
+
+def symbol_of(value: Scalar) -> str | None:
+    """Return the symbol that a scalar is by itself; None of any other."""
+    terms = list(value.ring.terms(value.numerator)) if value.denominator.is_one() else []
+    if len(terms) != 1 or terms[0][1] != 1 or len(terms[0][0]) != 1:
+        return None
+    (kind, name), power = next(iter(terms[0][0].items()))
+    return name if kind == "symbol" and power == 1 else None
 
 
 def symbols_in(values: Iterable[Scalar]) -> set[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import symbol_of
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.evaluation.blocks import cells_of
@@ -20,19 +20,8 @@ def is_rate(symbol: str) -> bool:
 
 def are_rates(cells: Sequence[Scalar]) -> bool:
     """Whether every cell is a rate by itself, as in q̇."""
-    return bool(cells) and all(_is_symbol(cell) and is_rate(min(symbols_in([cell]))) for cell in cells)
-
-
-def _is_symbol(cell: Scalar) -> bool:
-    """Whether a scalar is a symbol by itself."""
-    terms = list(cell.ring.terms(cell.numerator))
-    return (
-        cell.denominator.is_one()
-        and len(terms) == 1
-        and terms[0][1] == 1
-        and sum(terms[0][0].values()) == 1
-        and bool(symbols_in([cell]))
-    )
+    symbols = [symbol_of(cell) for cell in cells]
+    return bool(symbols) and all(symbol is not None and is_rate(symbol) for symbol in symbols)
 
 
 def columns_of_numbers(node: n.Node) -> Iterator[tuple[n.Node, ...]]:
