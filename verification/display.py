@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
@@ -121,6 +121,8 @@ class Statements:
             self._take_next(display)
         self._heed_behind(display)
         _tell_words_that_change(statements, display.outcomes)
+        for key in _left_open(display.outcomes) if define else ():
+            self.names.doubt(key)
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
@@ -166,7 +168,7 @@ class Statements:
         self.names.forget(key for outcome in found for key in outcome.defines)  # what a name means there alone
         judged = judged or self.implications.judge(wider, [Outcome(Verdict.UNCHECKED)], display.equation, [])
         if judged is not None and judged[0].verdict in HOLDS:
-            return [replace(judged[0], role=Role.CONDITION)]
+            return [replace(self._unless_doubted(judged[0]), role=Role.CONDITION)]
         is_wrong = judged is not None and judged[0].verdict is Verdict.REFUTED and not self.names.has_tool
         return found if is_wrong else [outcome.unless_refuted(say(Kind.UNDER_MORE)) for outcome in found]
 
@@ -303,7 +305,7 @@ class Statements:
         self._begin()
         there = self._at_told_values(chain, equation, line)
         if any(outcome.verdict in DECIDED for outcome in there):
-            return [replace(outcome, uses=self._consulted()) for outcome in there]
+            return [replace(self._unless_doubted(outcome), uses=self._consulted()) for outcome in there]
         outcomes = self._chain(chain, equation, line, define)
         for outcome in outcomes if there else ():
             if any(finding.kind is Kind.NUMBERS_OF_NOWHERE for finding in outcome.findings):
@@ -365,13 +367,12 @@ class Statements:
         return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]
 
     def _unless_doubted(self, outcome: Outcome) -> Outcome:
-        """Leave open what is refuted by a definition that may be the mistake itself."""
+        """Leave open what a definition that may be a mistake decides: it proves nothing, and may be the mistake itself."""
         doubted = self.names.state.doubted()
-        return (
-            outcome.unless_refuted(say(Kind.RESTS_ON_DOUBT, name=doubted[0][0], line=doubted[0][1]))
-            if doubted
-            else outcome
-        )
+        if not doubted or outcome.verdict not in DECIDED:
+            return outcome
+        kind = Kind.RESTS_ON_DOUBT if outcome.verdict is Verdict.REFUTED else Kind.FOLLOWS_FROM_DOUBT
+        return outcome.left_open(say(kind, name=doubted[0][0], line=doubted[0][1]))
 
     def _of_own_sums(self, outcome: Outcome, chain: n.Chain) -> Outcome:
         """A θ_{34} that the document says to be θ_3 - θ_4 is what it says: that is no claim, and what then fails is left open."""
@@ -557,12 +558,17 @@ def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
 
 
 def _tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
-    """Beside "not", "except" or "unless" nothing is decided but what is so without it."""
+    """Beside "not", "except" or "unless" nothing is decided or defined."""
     said = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words"]
     words = [text for text in said if CHANGES.search(text) or text == "exists"]
     for outcome in outcomes if words else ():
-        if outcome.verdict in DECIDED or (outcome.verdict is Verdict.REFUTED and "exists" in words):
+        if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
+
+
+def _left_open(outcomes: list[Outcome]) -> Iterator[str]:
+    """Yield the names that undecided equations define: what follows from these is not decided either."""
+    return (key for outcome in outcomes if outcome.verdict is Verdict.UNCHECKED for key in outcome.defines)
 
 
 def _is_alternative(statements: list[n.Statement], index: int) -> bool:

@@ -58,6 +58,7 @@ class Implications:
         self.names.forget(key for outcome in steps for key in outcome.defines if not outcome.is_condition)
         if self.checker.conventions.infer_tool(implication.chains):
             judged = self.judge(implication, [Outcome(Verdict.UNCHECKED)], equation, links)
+        before.consulted |= self.names.state.consulted  # what the verdict rests on
         self.names.state.become(before)
         return judged if judged is not None and judged[0].verdict in HOLDS else None
 

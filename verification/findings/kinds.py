@@ -69,6 +69,7 @@ class Kind(MessageKind):
     NUMBERS_FOR_LENGTHS = "numbers_for_lengths", "numbers stand where the arm has lengths, and the document gives the lengths no values: state them"
     WHICH_INDEX = "which_index", "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter"
     GIVES_RATES = "gives_rates", "it may say how fast the joints are to move, and claim nothing"
+    FOLLOWS_FROM_DOUBT = "follows_from_doubt", "it follows from what line {line} says that {name} is, and that is not decided"
     RESTS_ON_DOUBT = "rests_on_doubt", "it, or what line {line} says that {name} is, is wrong"
     SECOND_MEANING = "second_meaning", "`{name}` means something else since line {line}: give it another name, or a section of its own"
     ARM_OF_OTHER_EXERCISE = "arm_of_other_exercise", "that is not so of the arm that another exercise shows at line {line}: name this one's in the front matter, by section under arms"

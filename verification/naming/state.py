@@ -35,7 +35,7 @@ class Definition:
     exercise: str = ""  # empty in the document's head, which holds for all of them
     has_two_meanings: bool = False  # a second equation of its section says that it is something else
     in_text: bool = False  # what the text between displays says: a display that gives the name a meaning goes before
-    is_doubted: bool = False  # a usual name that is equated to something else: its author means that, or is wrong
+    is_doubted: bool = False  # its equation is unchecked, for a usual name that it equates to something else
     by_table: bool = False  # the number in a row of the DH table, which its author never named
 
 
