@@ -13,6 +13,7 @@ from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import (
     Definitions,
     Redefinitions,
+    keys_about,
     letters_meant_anew,
     letters_placed_before,
 )
@@ -26,6 +27,7 @@ from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.errors import UnboundName
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -84,6 +86,8 @@ class ChainChecker:
         """Return one outcome an equation, numbered from `first_equation`."""
         self.names.state.signs.read.clear()
         before = self.names.state.definitions.copy()
+        placed = self.names.state.placed | {key: each.line for key, each in before.items() if each.by_place}
+        ended = self._ended_with_their_section(chain) if define else {}
         if define and self.names.arm is not None:
             heed_forces(self.names, chain)
         chain = self.conventions.read(chain)
@@ -98,6 +102,8 @@ class ChainChecker:
         known = [member for member in members if member.known]
         members = [self.readings.part(member, known) for member in members] if known else members
         members = self.conventions.bind(members)
+        if define:
+            self._heed_places(members, settled, line)
         known = [member for member in members if member.known]
         if not known:
             if define and adopts_letters(self.members, members):
@@ -118,7 +124,8 @@ class ChainChecker:
         again = partial(self._again, before, first_equation, line, define)
         outcomes = self._read_otherwise(chain, outcomes, settled, again)
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
-        outcomes = [self._left_open_for_places(outcome, before, line) for outcome in outcomes]
+        outcomes = [self._left_open_for_places(outcome, placed) for outcome in outcomes]
+        outcomes = [self._left_open_for_section(outcome, ended) for outcome in outcomes]
         outcomes = [self.conventions.judge(unless_left_out(outcome, self.names)) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
         check = partial(self.check, first_equation=first_equation, line=line)
@@ -164,15 +171,38 @@ class ChainChecker:
             self.names.state.definitions = made
         return outcomes
 
-    def _left_open_for_places(self, outcome: Outcome, before: Mapping[str, Definition], line: int) -> Outcome:
-        """Leave open what does not fit with what the places in another matrix told of a name; nobody knows any more what it is."""
-        placed = letters_placed_before(outcome, before)
-        if not placed:
+    def _ended_with_their_section(self, chain: n.Chain) -> dict[str, int]:
+        """Forget what blocks of another section are that a chain is about: they get a meaning anew. Return their lines."""
+        made = self.names.state.definitions
+        ended = {key: made[key].line for key in keys_about(chain) if key in made and made[key].has_ended}
+        self.names.forget(ended)
+        return ended
+
+    def _left_open_for_section(self, outcome: Outcome, ended: Mapping[str, int]) -> Outcome:
+        """Leave open what is not so, of names that are blocks in another section: this one may be a part of that."""
+        if outcome.verdict is not Verdict.REFUTED or not ended:
             return outcome
-        first = min(placed)
-        self.names.forget(placed)
-        self.names.leave_unknown(placed, line)
-        return outcome.left_open(say(Kind.SECOND_MEANING, name=first, line=before[first].line))
+        first = min(ended)
+        self.names.leave_unknown(ended, ended[first])
+        return outcome.left_open(say(Kind.OTHER_SECTION, name=first, line=ended[first]))
+
+    def _heed_places(self, members: list[Member], settled: Set[str], line: int) -> None:
+        """Remember the names of blocks that are what convention says, as their places in a matrix show."""
+        state = self.names.state
+        cells = (bare_key(cell) for each in members for row in written_rows(each.node) for cell in row)
+        for key in {key for key in cells if key is not None and key not in settled}:
+            if key in state.inferred and key not in state.conventional and not state.inferred[key].scalar:
+                state.placed[key] = line
+
+    def _left_open_for_places(self, outcome: Outcome, placed: Mapping[str, int]) -> Outcome:
+        """Leave open what does not fit with what the places in another matrix told of a name; nobody knows any more what it is."""
+        letters = letters_placed_before(outcome, placed)
+        if not letters:
+            return outcome
+        first = min(letters)
+        self.names.forget(letters)
+        self.names.leave_unknown(letters, placed[first])
+        return outcome.left_open(say(Kind.SECOND_MEANING, name=first, line=placed[first]))
 
     def _again(
         self, before: dict[str, Definition], first_equation: int, line: int, define: bool, chain: n.Chain

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.matrix import Matrix
@@ -117,7 +117,9 @@ class Definitions:
             else:
                 first[key] = block.of(value)
                 if defines:
-                    self.names.define(key, self.members.meaning(true.node, block), self.line, by_place=True)
+                    meaning = self.members.meaning(true.node, block)
+                    of_section = block.is_larger and not self.members.is_of_tool(true.node)
+                    self.names.define(key, meaning, self.line, by_place=True, of_section=of_section)
         if wrong:
             pair = Pair(value, value) if len(blocks) == len(value.cells) else None
             findings = () if pair else (say(Kind.WRONG_BLOCK),)
@@ -259,7 +261,7 @@ def _is_another_meaning(outcome: Outcome) -> bool:
     return outcome.verdict is Verdict.REFUTED and not near and len(set(numbers)) < 2
 
 
-def letters_placed_before(outcome: Outcome, known: Mapping[str, Definition]) -> frozenset[str]:
+def letters_placed_before(outcome: Outcome, placed: Iterable[str]) -> frozenset[str]:
     """Return the names of blocks that do not fit, of which their places in another matrix alone told what they are.
 
     T_2^0 = [R, p; 0, 1] behind T_1^0 = [R, p; 0, 1]: a pattern, or a mistake.
@@ -267,10 +269,20 @@ def letters_placed_before(outcome: Outcome, known: Mapping[str, Definition]) -> 
     value = outcome.true.value if outcome.true is not None else None
     if outcome.verdict is not Verdict.REFUTED or not isinstance(value, Matrix) or value.shape[1] == 1:
         return frozenset()
-    nodes = (side.node for side in (outcome.true, outcome.printed) if side is not None)
-    blocks = [rows for node in nodes if len(rows := written_rows(node)) < value.shape[0]]
-    keys = {key for rows in blocks for row in rows for cell in row if (key := bare_key(cell)) is not None}
-    return frozenset(key for key in keys & set(known) if known[key].by_place)
+    return frozenset(key for node in outcome.nodes for key in _pattern(node, value.shape[0])) & frozenset(placed)
+
+
+def _pattern(node: n.Node, height: int) -> Iterator[str]:
+    """Yield the names of a matrix of less than so many rows, that holds nothing but names and numbers."""
+    cells = [bare(cell) for row in written_rows(node) for cell in row] if len(written_rows(node)) < height else []
+    if all(isinstance(cell, n.Name | n.Number) for cell in cells):
+        yield from (key for cell in cells if (key := bare_key(cell)) is not None)
+
+
+def keys_about(chain: n.Chain) -> frozenset[str]:
+    """Return the names that a chain is about: that of its first side, and those alone in the cells of matrices."""
+    cells = [cell for member in chain.members for row in written_rows(member) for cell in row]
+    return frozenset(key for node in (chain.members[0], *cells) if (key := bare_key(node)) is not None)
 
 
 def letters_meant_anew(outcomes: Iterable[Outcome]) -> frozenset[str]:

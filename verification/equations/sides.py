@@ -21,6 +21,7 @@ from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import numbered_frames
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -111,6 +112,13 @@ class Members:
             found = self.names.quantities.get(call_key(node))
             return found or self.quantity_of(node.arguments[0])
         return self.names.quantity(node) if isinstance(node, n.Name) else None
+
+    def is_of_tool(self, node: n.Node) -> bool:
+        """Whether a tree is a quantity of the tool or of the last frame, in the base."""
+        quantity, arm = self.quantity_of(node), self.names.arm
+        if quantity is None or arm is None or quantity.reference != arm.frames[0]:
+            return False
+        return quantity.frame in (arm.frames[-1], numbered_frames(arm)[-1])
 
     def read_as(self, node: n.Node) -> str:
         """Return in words what a side is taken for: its quantity, or those of the names in it; empty for a plain formula."""

@@ -21,6 +21,11 @@ class Block:
     rows: tuple[int, ...]
     columns: tuple[int, ...]
 
+    @property
+    def is_larger(self) -> bool:
+        """Whether it is larger than one entry."""
+        return len(self.rows) * len(self.columns) > 1
+
     def of(self, whole: Matrix) -> Value:
         """Return the block's value: a scalar where it is one entry."""
         block = whole.block(self.rows, self.columns)

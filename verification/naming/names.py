@@ -14,13 +14,12 @@ from armproof.models.dh.entry import LinearForm
 from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
 from armproof.verification.naming.quantities import implied_quantity, numbered_frames, tells_frame, transform_pair
-from armproof.verification.naming.state import Definition, DocumentState
+from armproof.verification.naming.state import Definition, DocumentState, undecided
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
@@ -253,7 +252,7 @@ class Names:
         """Let nothing be decided by a name's definition, of which nobody can tell whether it is meant so."""
 
         if key in self.state.definitions:
-            self.state.definitions[key] = replace(self.state.definitions[key], evaluate=_raises(doubt))
+            self.state.definitions[key] = replace(self.state.definitions[key], evaluate=undecided(doubt))
 
     def doubt(self, key: str) -> None:
         """Let a name keep what a display says that it is, which may be a mistake."""
@@ -268,10 +267,11 @@ class Names:
             self.state.conventional.discard(key)
 
     def leave_unknown(self, keys: Iterable[str], line: int) -> None:
-        """Let names without a meaning have none by convention either: a display gave them one that is not known."""
+        """Let names without a meaning have none by convention either: a display of this section gave them one that is not known."""
         for key in keys:
             if key not in self.state.definitions and key not in self.state.inferred:
-                self.define(key, _raises(say(Kind.SECOND_MEANING, name=key, line=line)), line)
+                self.define(key, undecided(say(Kind.SECOND_MEANING, name=key, line=line)), line)
+                self.state.definitions[key] = replace(self.state.definitions[key], has_two_meanings=True)
 
     def define(
         self,
@@ -283,6 +283,7 @@ class Names:
         node: n.Node | None = None,
         in_text: bool = False,
         by_table: bool = False,
+        of_section: bool = False,
     ) -> None:
         """Give a name its meaning, unless it has one."""
         definition = Definition(
@@ -294,14 +295,6 @@ class Names:
             self.state.exercise,
             in_text=in_text,
             by_table=by_table,
+            of_section=of_section,
         )
         self.state.definitions.setdefault(key, definition)
-
-
-def _raises(doubt: Finding) -> Callable[[Algebra], Value]:
-    """Return what evaluates a name of which nobody can tell what it means."""
-
-    def evaluate(_: Algebra) -> Value:
-        raise EvaluationError(doubt)
-
-    return evaluate

@@ -10,7 +10,8 @@ from typing import Any
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.findings import Kind, say
+from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation
 from armproof.verification.verdict import EquationResult, Record, Role, Verdict, worst
@@ -21,6 +22,15 @@ _KINDS = rf"{_OF_ITS_OWN}|question|task|tâche|part|partie"
 _NUMBER = r"\s*(?:n[°o]\.?\s*)?(?:\d+|[ivx]+|[a-z])\b"
 EXERCISE = re.compile(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
 WITH_ITS_ARM = re.compile(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
+
+
+def undecided(doubt: Finding) -> Callable[[Any], Value]:
+    """Return what evaluates a name of which nobody can tell what it means."""
+
+    def evaluate(_: Any) -> Value:
+        raise EvaluationError(doubt)
+
+    return evaluate
 
 
 @dataclass(frozen=True)
@@ -37,6 +47,10 @@ class Definition:
     in_text: bool = False  # what the text between displays says: a display that gives the name a meaning goes before
     is_doubted: bool = False  # its equation is unchecked, for a usual name that it equates to something else
     by_table: bool = False  # the number in a row of the DH table, which its author never named
+    of_section: bool = (
+        False  # a block of a matrix that is not the tool's: R and p of other sections may be those of others
+    )
+    has_ended: bool = False  # with its section
 
 
 @dataclass(frozen=True)
@@ -134,6 +148,7 @@ class DocumentState:
         definitions: what names mean.
         inferred: names whose meaning the other side of an equation told.
         conventional: those of them that only convention binds.
+        placed: names of blocks that are what convention says, as their place in a matrix showed → the line of its display.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
@@ -159,6 +174,7 @@ class DocumentState:
     definitions: dict[str, Definition] = field(default_factory=dict)
     inferred: dict[str, Quantity] = field(default_factory=dict)
     conventional: set[str] = field(default_factory=set)
+    placed: dict[str, int] = field(default_factory=dict)
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
@@ -183,11 +199,19 @@ class DocumentState:
     def enter(self, section: str) -> None:
         """Go on under a heading, in a new exercise where it says so."""
         if section != self.section:
+            self._leave_blocks()
             self.section, self.told = section, Told()
             own = WITH_ITS_ARM.match(section)
             self.apart += own is not None and own[0] != self.exercise
         head = EXERCISE.match(section)
         self.exercise = head[0] if head is not None else self.exercise
+
+    def _leave_blocks(self) -> None:
+        """Let nothing be decided any more by the blocks of matrices of the section that ends; the document's head holds for all."""
+        for key, each in self.definitions.items():
+            if each.of_section and each.section and not each.has_ended:
+                doubt = say(Kind.OTHER_SECTION, name=key, line=each.line)
+                self.definitions[key] = replace(each, evaluate=undecided(doubt), has_ended=True)
 
     def foreign(self) -> list[Key]:
         """Return the names consulted whose definitions stand in another exercise, each with its line."""

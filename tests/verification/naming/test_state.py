@@ -90,6 +90,18 @@ def test_an_exercise_lasts_to_the_next_one() -> None:
         assert (state.section, state.exercise) == (section, exercise)
 
 
+def test_blocks_of_a_matrix_end_with_their_section_but_those_of_the_head() -> None:
+    names = names_of()
+    names.define("R", lambda _: 1, 2, of_section=True)
+    names.state.enter("First")
+    names.define("p", lambda _: 2, 5, of_section=True), names.define("k", lambda _: 3, 6)
+    assert names.defined_value("p", None) == 2  # type: ignore[arg-type]
+    names.state.enter("Second")
+    assert names.defined_value("R", None) == 1 and names.defined_value("k", None) == 3  # type: ignore[arg-type]
+    with pytest.raises(EvaluationError, match="another section, at line 5"):
+        names.defined_value("p", None)  # type: ignore[arg-type]
+
+
 def test_what_was_consulted_tells_where_its_meaning_comes_from() -> None:
     state = DocumentState(exercise="Exercise 2", consulted={A, B, C, ("gone", 4)})
     state.definitions = {
