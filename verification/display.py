@@ -192,7 +192,7 @@ class Statements:
             judged = self._unless_meant_there(display, implication, judged)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
-            for chain, found in zip(premises, steps, strict=True):
+            for chain, found in zip(premises, map(self._without_numbers, steps), strict=True):
                 display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
             display.equation += sum(len(chain.relations) for chain in premises)
             display.links = []
@@ -211,6 +211,12 @@ class Statements:
         display.links = [*display.links, implication] if goes_on else []
         display.equation += sum(len(chain.relations) for chain in (premises if goes_on else implication.chains))
         display.index = implication.behind_at if goes_on else implication.after
+
+    def _without_numbers(self, step: list[Outcome]) -> list[Outcome]:
+        """φ = 0 ⇒ …: a number is no meaning that a name has from there on; the equation is a condition."""
+        self.names.forget(key for outcome in step if outcome.gives_numbers for key in outcome.defines)
+        condition = Outcome(Verdict.DEFINED, (say(Kind.CONDITION),))
+        return [replace(condition, equation=o.equation) if o.gives_numbers else o for o in step]
 
     def _unless_meant_there(
         self, display: _Display, implication: Implication, judged: tuple[Outcome, dict[str, float]]
@@ -359,7 +365,7 @@ class Statements:
         before = state.copy()
         state.configuration = self.circumstances.told_values() | state.configuration
         outcomes = self._read_chain(chain, equation, line, False)
-        wrong = [each for each in outcomes if each.verdict is not Verdict.CONFIRMED]
+        wrong = [each for each in outcomes if each.verdict not in HOLDS]
         if not wrong or (state.told.line == line and all(map(is_mostly_right, wrong))):
             state.configuration = before.configuration
             return outcomes

@@ -144,6 +144,7 @@ class ChainChecker:
         if doubt:
             self.names.state.definitions = before  # what names it would define is open too
             outcomes = [replace(outcome.left_open(doubt), defines=()) for outcome in outcomes]
+        self.conventions.restore(outcomes)
         return [*outcomes, *_labels(chain, first_equation, definitions)]
 
     def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:

@@ -50,6 +50,7 @@ class Conventions:
         self.members = equality.members
         self.names = equality.names
         self.doubts = Doubts(self.names)
+        self.before: dict[str, Quantity] = {}  # what names that stand alone in the chain meant
 
     @cached_property
     def spellings(self) -> Spellings:
@@ -63,8 +64,9 @@ class Conventions:
         self.doubts = Doubts(self.names)
         keys = set(map(_plain_key, chain.members))
         self.names.state.forget_text(_plain_key(chain.members[0]))
-        if known := keys & self.names.state.conventional:  # a name that stands alone is asked anew
-            self.names.state.forget_usual(known)
+        known = keys & self.names.state.conventional
+        self.before = {key: self.names.state.inferred[key] for key in known if key in self.names.state.inferred}
+        self.names.state.forget_usual(known)  # a name that stands alone is asked anew
         for key in filter(self._usual, keys):
             self.names.state.definitions.pop(key, None)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
@@ -164,7 +166,7 @@ class Conventions:
         self.names.state.forget_usual({name.key})
         if near is None or (near != usual and self._is_of_another(known)):
             return member
-        return self._tried(member.node, name, near)
+        return self._tried(member.node, name, usual or near)  # what is wrong of all shows none anew
 
     def _is_named_in(self, member: Member, quantity: Quantity, key: str) -> bool:
         """Whether a side holds another name of a quantity: then an author who has both means something else by this one."""
@@ -260,6 +262,8 @@ class Conventions:
 
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit."""
+        if outcome.gives_numbers and outcome.printed is not None:
+            self._give(_plain(outcome.printed.node))
         if outcome.verdict is Verdict.REFUTED and (meant := self._defined_otherwise(outcome)) is not None:
             return outcome.left_open(meant)
         near = outcome.pair is not None and is_near(outcome.pair)
@@ -270,6 +274,25 @@ class Conventions:
             return outcome.left_open(say(Kind.NOT_BOUND, name=key))
         doubtful = (self.doubts.weak and not near) if refuted else (outcome.defines and self.doubts.open)
         return self.doubts.judge(outcome) if doubtful else outcome
+
+    def restore(self, outcomes: Iterable[Outcome]) -> None:
+        """Let a name keep what it meant where a slip makes it look like the point of another frame, of which nothing is shown here."""
+        state = self.names.state
+        shown = {quantity.frame for (_, section), quantity in state.usual.items() if section == state.section}
+        for outcome in outcomes:
+            name = (
+                _plain(outcome.true.node) if outcome.verdict is Verdict.REFUTED and outcome.true is not None else None
+            )
+            before = self.before.get(name.key) if name is not None else None
+            now = state.inferred.get(name.key) if name is not None else None
+            if name is not None and before is not None and now is not None and now.frame not in shown:
+                state.infer_usual(name.key, before)
+
+    def _give(self, name: n.Name | None) -> None:
+        """x = 0: where the tool is to be, and not what x is."""
+        arm = self.names.arm
+        if name is not None and arm is not None and is_usual(name) and conventional(name, arm, self.names.transforms):
+            self.names.keep_as_given(name.key)
 
     def _seen_from_elsewhere(self, outcome: Outcome) -> str:
         """Return a block of a pose seen from another frame than the base, T_2^1 = [R, p_2; 0, 1], that names no frame to be seen from."""

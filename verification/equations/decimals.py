@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import remainder, tau
 
-from armproof.verification.algebra.calculus import leaves_open
+from armproof.verification.algebra.calculus import leaves_open, symbols_in
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.outcome import Outcome
@@ -84,26 +84,33 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
 def may_be_rounded(members: Members, outcome: Outcome) -> bool:
     """Whether the numbers of an equation between numbers, each half a unit off, can make it right: 18.106 − 8·0.643 = 12.964.
 
-    Those of fewer than three decimals count as exact: a length of 0.5 is no rounded one.
+    Those of fewer than three decimals count as exact but in degrees, and of two beside a root: a length of 0.5 is no rounded one.
     """
     pair = outcome.pair
     if pair is not None and (unit := _whole_unit(outcome)) is not None:
         apart = pair.true.rows[0][0] - pair.printed.rows[0][0]
         return abs(remainder(members.number(apart), tau)) <= unit
-    if pair is None or not (is_constant(pair.true) and is_constant(pair.printed)):
+    if pair is None or symbols_in((*pair.true.cells, *pair.printed.cells)):
         return False
-    slack = dict.fromkeys(outcome.wrong, Fraction(0))
-    for side, value in ((outcome.true, pair.true), (outcome.printed, pair.printed)):
+    slack = dict.fromkeys(outcome.wrong, 0.0)
+    for side, value, other in ((outcome.true, pair.true, pair.printed), (outcome.printed, pair.printed, pair.true)):
         assert side is not None
-        for number in (b for b in n.walk(side.node) if isinstance(b, n.Number) and b.decimals >= FINE):
+        for number in _rounded_numbers(side.node, COARSE if is_constant(value) and not is_constant(other) else FINE):
             off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
             moved = as_matrix(members.evaluate(n.substitute(side.node, number, off)).value)
             if moved.shape != value.shape:
                 return False
             for row, column in slack:
-                slack[row, column] += abs((moved.rows[row][column] - value.rows[row][column]).as_fraction() or 0)
-    apart = {(r, c): (pair.true.rows[r][c] - pair.printed.rows[r][c]).as_fraction() for r, c in slack}
-    return all(size is not None and abs(size) <= slack[place] for place, size in apart.items())
+                slack[row, column] += abs(members.number(moved.rows[row][column] - value.rows[row][column]))
+    apart = {(r, c): members.number(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in slack}
+    return all(abs(size) <= slack[place] + EXACT.near for place, size in apart.items())
+
+
+def _rounded_numbers(node: n.Node, fine: int) -> list[n.Number]:
+    """Return the numbers of a tree that are rounded, perhaps: of so many decimals, or decimals of degrees."""
+    below = [*n.walk(node)]
+    angles = [each.base for each in below if isinstance(each, n.Postfix) and each.operator == "deg"]
+    return [b for b in below if isinstance(b, n.Number) and (b.decimals >= fine or (b.decimals and b in angles))]
 
 
 def _whole_unit(outcome: Outcome) -> float | None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Identity, Matrix, as_matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.equations.sides import Member
@@ -103,6 +104,15 @@ class Outcome:
         """Whether a matrix or a formula that is written out is given one name."""
         written = self.true is not None and self.true.rank == 1 and isinstance(self.true.value, Matrix | Scalar)
         return self.verdict is Verdict.DEFINED and len(self.defines) == 1 and written
+
+    @property
+    def gives_numbers(self) -> bool:
+        """Whether the equation gives names numbers for their meaning: φ = 0, R = I."""
+        value = self.true.value if self.defines and self.true is not None else None
+        if not isinstance(value, Scalar | Matrix):
+            return isinstance(value, Identity)
+        cells = as_matrix(value).cells
+        return all(isinstance(cell, Scalar) for cell in cells) and not symbols_in(cells)
 
     @property
     def states_values(self) -> bool:

@@ -259,6 +259,11 @@ class Names:
         if key in self.state.definitions:
             self.state.definitions[key] = replace(self.state.definitions[key], is_doubted=True)
 
+    def keep_as_given(self, key: str) -> None:
+        """Let a name have the number that a display gives it, and refute nothing under another heading."""
+        if key in self.state.definitions:
+            self.state.definitions[key] = replace(self.state.definitions[key], is_given=True)
+
     def forget(self, keys: Iterable[str]) -> None:
         """Take back what names have meant so far."""
         for key in keys:

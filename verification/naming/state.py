@@ -46,6 +46,7 @@ class Definition:
     has_two_meanings: bool = False  # a second equation of its section says that it is something else
     in_text: bool = False  # what the text between displays says: a display that gives the name a meaning goes before
     is_doubted: bool = False  # its equation is unchecked, for a usual name that it equates to something else
+    is_given: bool = False  # a usual name that is equated to a number: what is to be reached under this heading
     by_table: bool = False  # the number in a row of the DH table, which its author never named
     of_section: bool = (
         False  # a block of a matrix that is not the tool's: R and p of other sections may be those of others
@@ -227,7 +228,11 @@ class DocumentState:
 
     def doubted(self) -> list[Key]:
         """Return the names consulted whose definitions may be mistakes, each with its line."""
-        return sorted((key, each.line) for key, each in self._met() if each.is_doubted)
+        return sorted(
+            (key, each.line)
+            for key, each in self._met()
+            if each.is_doubted or (each.is_given and each.section != self.section)
+        )
 
     def _met(self) -> set[tuple[str, Definition]]:
         """Return the names consulted that the document defines, each with its definition."""
