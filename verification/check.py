@@ -444,7 +444,8 @@ class DocumentChecker:
 
     def _outcomes_of(self, latex: str) -> list[Outcome]:
         """Return the outcomes of a display that is tried: it defines nothing."""
-        return self.statements.check(self.names.reader.read(latex), 0, define=False)[0]
+        read = self.names.reader.read(latex)
+        return self.statements.check(read, 0, define=False, latex=normalise_unicode(latex))[0]
 
     def _with_later_definitions(
         self, statements: list[n.Statement], display: Display

@@ -22,6 +22,7 @@ from armproof.verification.equations.inequalities import check_relation, is_numb
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side
+from armproof.verification.equations.series import written_out
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -110,6 +111,7 @@ class Statements:
 
         `latex` is the display in which the nodes have their places, to quote what is left out.
         """
+        statements = [written_out(statement, latex, self.names) for statement in statements]
         statements = [
             part
             for statement in self._without_for_all(statements)

@@ -28,6 +28,7 @@ from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.readings import column_of_jacobian
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
 from armproof.verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
@@ -122,7 +123,7 @@ class Conventions:
 
     def infer_tool(self, nodes: Iterable[n.Node]) -> set[str]:
         """Take the coordinates and points in formulas that nothing gives a meaning for those of the tool, and return their names."""
-        added: set[str] = set()
+        added = self._columns_beside_rates(nodes := [*nodes])
         for below in (each for node in nodes for each in n.walk(node)):
             name = _plain(below)
             if name is None or not is_usual(name) or not self.names.is_open(name):
@@ -132,6 +133,33 @@ class Conventions:
                 self.names.state.infer_usual(name.key, quantities[0])
                 added.add(name.key)
         return added
+
+    def _columns_beside_rates(self, nodes: Iterable[n.Node]) -> set[str]:
+        r"""Take the J_i of J_1 \dot q_1 + … + J_n \dot q_n for the columns of J, and return their names.
+
+        Where not every joint has its term, q_1 may be several joints, and J_1 a block.
+        """
+        products = (each for node in nodes for each in n.walk(node) if isinstance(each, n.Product))
+        columns = {name.key: found for each in products for name, found in self._column_beside_rate(each)}
+        joints = self.names.arm.joints if self.names.arm is not None else ()
+        if len({found.columns for found in columns.values()}) < len(joints):
+            return set()
+        for key, found in columns.items():
+            self.names.state.infer_usual(key, found)
+        return set(columns)
+
+    def _column_beside_rate(self, product: n.Product) -> Iterator[tuple[n.Name, Quantity]]:
+        """Yield the open J_i that stands beside the rate of joint i, and no other, with the column that it is."""
+        names = [factor for factor in map(bare, product.factors) if isinstance(factor, n.Name)]
+        rates = {self.names.known_symbol(replace(each, dots=0).key) for each in names if each.dots == 1}
+        for name in (each for each in names if each.base == "J" and self.names.is_open(each)):
+            found = column_of_jacobian(name, self.names)
+            if found is not None and rates == {self._joint_of(found)}:
+                yield name, found
+
+    def _joint_of(self, column: Quantity) -> str:
+        assert self.names.arm is not None and column.columns is not None
+        return self.names.arm.joints[column.columns[0] - 1].symbol
 
     def _bound(self, member: Member, known: list[Member]) -> Member:
         name = _plain(member.node)

@@ -188,8 +188,9 @@ class RowsOfJacobians:
                     yield name
 
     def _square(self, name: n.Name) -> tuple[int, ...] | None:
-        value = self.members.evaluate(replace(name, dots=0)).value
-        if not isinstance(value, Matrix) or value.shape[0] == value.shape[1]:
+        value, quantity = self.members.evaluate(replace(name, dots=0)).value, self.names.quantity(replace(name, dots=0))
+        is_column = quantity is not None and quantity.columns is not None
+        if not isinstance(value, Matrix) or value.shape[0] == value.shape[1] or is_column:
             return None
         rows = square_rows(value)
         return tuple(row + 1 for row in rows) if rows is not None else None
@@ -198,7 +199,7 @@ class RowsOfJacobians:
         """Return the name of some rows of a Jacobian, which stands for it in a tree."""
         quantity = self.names.quantity(replace(name, dots=0))
         assert quantity is not None
-        part = replace(name, sub=f"rows {rows}")
+        part = replace(name, sub=f"{name.sub}rows {rows}")
         self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
         return part
 

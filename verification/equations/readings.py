@@ -256,6 +256,35 @@ def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | No
     J_k is the k-th column where a 6×1 or shorter column stands on the other side, J_{ik} an entry where a scalar does
     (of the rows in which the document has shown J); a name with any other value is the document's own.
     """
+    told = _told_part(name, names)
+    if told is None:
+        return None
+    part, digits, column = told
+    if len(digits) == 1 and isinstance(value, Matrix) and value.shape[1] == 1:
+        if part and value.shape[0] == 3:
+            return replace(column, rows=_rows_of(part))
+        return column if not part and value.shape[0] in (2, 3, 4, 6) else None  # 4: [z; 0]
+    if len(digits) == 2 and not part and not isinstance(value, Matrix | list):
+        rows = column.rows or names.rows_of("J") or (1, 2, 3, 4, 5, 6)
+        row = int(digits[0])
+        return replace(column, rows=(rows[row - 1],), scalar=True) if 1 <= row <= len(rows) else None
+    return None
+
+
+def column_of_jacobian(name: n.Name, names: Names) -> Quantity | None:
+    """Return the column that a J_k, J_{vk} or J_{ωk} is where it can be nothing else, or None."""
+    part, digits, column = _told_part(name, names) or ("", "", None)
+    if column is None or len(digits) != 1:
+        return None
+    return replace(column, rows=_rows_of(part) if part else column.rows or names.rows_of("J"))
+
+
+def _rows_of(part: str) -> tuple[int, ...]:
+    return (1, 2, 3) if part in LINEAR else (4, 5, 6)
+
+
+def _told_part(name: n.Name, names: Names) -> tuple[str, str, Quantity] | None:
+    """Return the letters and the digits of the index of J_{v2}, with the column of J that the last digit counts."""
     found = _PART.fullmatch(name.sub)
     arm = names.arm
     if arm is None or name.base != "J" or found is None or name.sup or name.pre_sub or name.primes or name.dots:
@@ -265,19 +294,9 @@ def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | No
     if whole is None or (part and part not in (*LINEAR, *ANGULAR)):
         return None
     column = int(digits[-1])
-    count = len(whole.columns or arm.joints)
-    if not 1 <= column <= count:
+    if not 1 <= column <= len(whole.columns or arm.joints):
         return None
-    columns = (whole.columns[column - 1],) if whole.columns else (column,)
-    if len(digits) == 1 and isinstance(value, Matrix) and value.shape[1] == 1:
-        if part and value.shape[0] == 3:
-            return replace(whole, rows=(1, 2, 3) if part in LINEAR else (4, 5, 6), columns=columns)
-        return replace(whole, columns=columns) if not part and value.shape[0] in (2, 3, 4, 6) else None  # 4: [z; 0]
-    if len(digits) == 2 and not part and not isinstance(value, Matrix | list):
-        rows = whole.rows or names.rows_of("J") or (1, 2, 3, 4, 5, 6)
-        row = int(digits[0])
-        return replace(whole, rows=(rows[row - 1],), columns=columns, scalar=True) if 1 <= row <= len(rows) else None
-    return None
+    return part, digits, replace(whole, columns=(whole.columns[column - 1],) if whole.columns else (column,))
 
 
 def _whole_jacobian(names: Names, reference: str) -> Quantity | None:

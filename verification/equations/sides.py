@@ -130,7 +130,7 @@ class Members:
                     words = Sentence("rate of change of the {what}", what=words)
                 elif below.dots:
                     words = Sentence("derivative of the {what}", what=words)
-                found.setdefault(below.base if below.sub.startswith("rows") else below.key, words)
+                found.setdefault(replace(below, sub=below.sub.partition("rows ")[0]).key, words)
         alone = len(found) == 1 and isinstance(n.ungrouped(node), n.Name | n.Call)
         named = [Sentence("{name}: {what}", name=key, what=words) for key, words in found.items()]
         return next(iter(found.values())) if alone else together(named)

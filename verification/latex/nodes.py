@@ -331,6 +331,18 @@ def substitute_each(node: Node, new: Mapping[int, Node]) -> Node:
     return replace(node, **changes) if changes else node
 
 
+def placed(node: Node, span: tuple[int, int]) -> Node:
+    """Return a tree all of whose nodes have one place: what they stand for is written there."""
+    changes = {name: _placed_in(getattr(node, name), span) for name in _branching(type(node))}  # type: ignore[arg-type]
+    return replace(node, span=span, **changes)
+
+
+def _placed_in(value: Any, span: tuple[int, int]) -> Any:
+    if isinstance(value, Node):
+        return placed(value, span)
+    return tuple(_placed_in(item, span) for item in value) if isinstance(value, tuple) else value
+
+
 def _substitute_in(value: object, new: Mapping[int, Node]) -> object:
     if isinstance(value, Node):
         return substitute_each(value, new)

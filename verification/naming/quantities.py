@@ -163,9 +163,8 @@ def tells_frame(name: n.Name, quantity: Quantity) -> bool:
 def leads_outwards(name: n.Name, arm: Arm, transforms: str) -> bool:
     """Whether an index above and one below lead from a frame to one that is farther from the base, as link matrices do."""
     pair = transform_pair(name, arm, transforms) if name.sub and name.sup else None
-    if pair is None or not all(frame in arm.frames for frame in pair):
-        return False
-    return arm.frames.index(pair[0]) < arm.frames.index(pair[1])
+    first, last = (_frame(arm, each) for each in pair) if pair is not None else (None, None)
+    return first is not None and last is not None and arm.frames.index(first) < arm.frames.index(last)
 
 
 def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
