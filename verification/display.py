@@ -12,6 +12,7 @@ from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.implication import Implication, connectives_among, find_implication
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.equations.at_stated_values import is_mostly_right
+from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.decimals import is_number
@@ -23,7 +24,6 @@ from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side
 from armproof.verification.equations.series import written_out
-from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -448,7 +448,7 @@ class Statements:
             parts = [(equation + at, part) for at, part in parts_of(chain)]
             return [outcome for number, part in parts for outcome in self._related(part, number, line, define)]
         if any(isinstance(member, n.Cases) for member in chain.members):
-            return self._cases(chain, equation, line, define)
+            return check_cases(self.checker, chain, equation, line, define)
         return self._claimed(chain, equation, line, define)
 
     def _stated(self, chain: n.Chain, equation: int, line: int, define: bool) -> Outcome | None:
@@ -521,29 +521,6 @@ class Statements:
             and all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)
         ):
             return self.general.identity(chain, equation, line) or outcomes
-        return outcomes
-
-    def _cases(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
-        """Check each case under its condition where that is an equation (σ_i = 0); words leave it unchecked."""
-        cases = next(member for member in chain.members if isinstance(member, n.Cases))
-        others = [member for member in chain.members if member is not cases]
-        outcomes: list[Outcome] = []
-        for value, condition in cases.branches:
-            found = re.search(
-                r"([^=]*?)=([^=]*)$", re.sub(r"\\(?:text|mathrm|textrm)\s*\{[^{}]*\}|\\q?quad", " ", condition)
-            )
-            try:
-                if found is None:
-                    raise ReadError("words")
-                at = tuple(self.names.reader.read_expression(side) for side in found.groups())
-            except ReadError:
-                return self.checker.check(chain, equation, line, define)
-            members = tuple(n.At(member, ((at[0], at[1]),), span=member.span) for member in (*others, value))
-            outcomes.extend(
-                self.checker.check(
-                    replace(chain, members=members, relations=("=",) * len(others)), equation, line, False
-                )
-            )
         return outcomes
 
 

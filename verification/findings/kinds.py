@@ -78,6 +78,7 @@ class Kind(MessageKind):
     OTHER_EXERCISE = "other_exercise", "that is not so for the `{name}` of line {line}, which another exercise defines: say here what it means"
     AS_TEXT_SAYS = "as_text_says", "it is not so with what the text says of {name}: print that equation as a display to have this one checked"
     BEYOND = "beyond", "nothing of the arm's or the document's kinematics is in it"
+    CASE_OPEN = "case_open", "when the case '{text}' is, is not decided, and the line does not hold everywhere"
     LEFT_OUT = "left_out", "'{text}' stands beside the equation, not in it: what it says is not decided"
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"
     ONE_OF_TWO = "one_of_two", "an equation beside 'or': which of them holds, and when, is not said; write each on its own, or a ±"

@@ -17,7 +17,7 @@ FUNCTIONS = {
     "atan2": "atan2", "Atan2": "atan2", "ATAN2": "atan2", "arctan2": "atan2", "Arctan2": "atan2", "arctg": "atan",
     "tg": "tan", "sen": "sin",
     "det": "det", "Det": "det", "DET": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
-    "cof": "com", "tr": "tr", "Tr": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
+    "cof": "com", "tr": "tr", "Tr": "tr", "trace": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
     "diag": "diag", "exp": "exp", "ln": "ln", "log": "log", "sgn": "sgn", "sign": "sgn", "sinh": "sinh", "cosh": "cosh",
     "tanh": "tanh", "min": "min", "max": "max", "lim": "lim",
 }  # fmt: skip

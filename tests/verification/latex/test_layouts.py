@@ -84,7 +84,7 @@ def test_a_line_with_a_sign_and_a_relation_is_an_equation(judge: Judge) -> None:
     [
         r"\theta_1 = 0", r"\theta_1 = 30^\circ,\ \theta_2 = -45°", r"(\theta_1, \theta_2) = (-0.785, 5.498)", r"\theta_1 = 30^\circ = \frac{\pi}{6}\,\text{rad}",
         r"a_1 = 300\,\text{mm}", r"a_1 = 0.3 \text{ m}", r"\theta_2 = \cos^{-1}(0.5) = 60^\circ", r"x = 0.5, \quad y = 0.3", r"T = A_1 A_2 \cdots A_n",
-        r"T^0_n = \prod_{i=1}^{n} A_i", r"{}^0T_6 = \sum_{i=1}^6 {^{i-1}}T_i", r"R \in SO(3)", r"T = e^{[S_1]\theta_1} e^{[S_2]\theta_2} M", r"-\pi \le \theta_1 \le \pi",
+        r"T^0_n = \prod_i A_i", r"{}^0T_6 = \sum_{i=1}^6 {^{i-1}}T_i", r"R \in SO(3)", r"T = e^{[S_1]\theta_1} e^{[S_2]\theta_2} M", r"-\pi \le \theta_1 \le \pi",
         r"{}^0T_2 = \begin{bmatrix} \cdots & a_1c_1 \\ \vdots & \ddots \end{bmatrix}", r"w = \sqrt{\det(J J^T)}", r"\text{where } \alpha_i \text{ is the twist}",
     ],
 )  # fmt: skip
