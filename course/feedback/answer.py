@@ -14,12 +14,13 @@ from typing import Any
 import numpy as np
 
 from armproof.course.errors import AnswerError
+from armproof.course.feedback.spelling import parts_of, with_decimal_points, with_powers
 from armproof.models.errors import ArmproofError
 from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.tracing.expressions import FromSympy, is_sympy
 from armproof.verification.functions.tracing.number import TracedNumber, as_traced, constant, function, symbol
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.greek import GREEK, one_of
+from armproof.verification.latex.greek import GREEK, NAMES, one_of
 from armproof.verification.latex.reader import Reader
 from armproof.verification.latex.unicode import normalise_unicode
 
@@ -39,6 +40,7 @@ _LETTER = re.compile(rf"(?:[A-Za-z]|{one_of(GREEK)})(?:_[A-Za-z0-9]+|\d*)")
 MOST_NODES = 2000
 MOST_CHARACTERS = 20_000
 _DOLLARS = re.compile(r"^\s*(\$\$?|\\\[|\\\()(.*?)(\$\$?|\\\]|\\\))\s*$", re.DOTALL)
+_GREEK = re.compile("|".join(NAMES))
 
 
 @dataclass(frozen=True)
@@ -123,7 +125,12 @@ def _read_text(text: str) -> str:
         )
     found = _DOLLARS.match(text)
     text = found.group(2) if found else text
+    text = with_decimal_points(with_powers(text))
+    if (parts := parts_of(text)) is not None:
+        return as_latex([part.rsplit("=", 1)[-1] for part in parts])
     plain = read_plain(text)
+    if plain is None and text.count("=") == 1 and (side := text.partition("=")[2]).strip() != "0":
+        plain = read_plain(side)
     if plain is None:
         return _last_side(text)
     if isinstance(plain, list):
@@ -132,7 +139,7 @@ def _read_text(text: str) -> str:
 
 
 def _last_side(text: str) -> str:
-    """Return what stands behind the last = of a formula; a text that cannot be read is returned as it is."""
+    """Return what stands behind the last = of a formula, a list as a column; a text that cannot be read as it is."""
     latex = normalise_unicode(text)
     try:
         statements = Reader().read(latex)
@@ -141,12 +148,22 @@ def _last_side(text: str) -> str:
     if len(statements) != 1 or not isinstance(statements[0], n.Chain):
         return latex
     chain = statements[0]
-    if len(chain.members) < 2 or any(relation != "=" for relation in chain.relations):
+    if any(relation != "=" for relation in chain.relations):
         return latex
+    if len(chain.members) < 2:
+        return _as_column(latex, chain.members[0]) or latex
     start, end = chain.members[-1].span
     if latex[start:end].strip() == "0":
         raise AnswerError("give the expression alone, without = 0")
-    return latex[start:end]
+    return _as_column(latex, chain.members[-1]) or latex[start:end]
+
+
+def _as_column(latex: str, node: n.Node) -> str:
+    """Return a list in square brackets as a column, as everybody means it; empty where a node is none."""
+    if not isinstance(node, n.Sequence) or node.brackets != "[]":
+        return ""
+    cells = [latex[item.span[0] : item.span[1]] for item in node.items]
+    return r"\begin{bmatrix} " + r" \\ ".join(cells) + r" \end{bmatrix}"
 
 
 def _with_underscore(name: str) -> str:
@@ -159,6 +176,7 @@ def read_plain(text: str) -> Any:
     if re.search(r"[\\{]|\d_\d", text):  # LaTeX; T^1_2 is no power 12 of T
         return None
     text = text.strip().replace("−", "-").replace("^", "**")  # in Python ^ binds less than +
+    text = _GREEK.sub(lambda found: NAMES[found.group()], text)
     safe = re.sub(r"\b(\w+)\b", lambda found: found[1] + "__" * keyword.iskeyword(found[1]), text)
     if (rows := re.fullmatch(r"\[([^\[\]]*;[^\[\]]*)\]", safe)) is not None:  # rows as in MATLAB, [v; w]
         safe = "[" + ", ".join(f"[{row}]" for row in rows[1].split(";")) + "]"
@@ -198,6 +216,9 @@ def _read(node: ast.expr) -> Any:
         return _combine(node)
     if isinstance(node, ast.Call) and not node.keywords:
         name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        if name == "hypot" and len(node.args) == 2:
+            one, other = map(_number, node.args)
+            return function("sqrt", one * one + other * other)
         if name in _FUNCTIONS:
             return function(_FUNCTIONS[name], *(_number(argument) for argument in node.args))
     raise _NoPlainText

@@ -16,8 +16,10 @@ from armproof.course.feedback.numbers import numbers_in
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up, separator
+from armproof.verification.latex.greek import NAMES
 
 _TOLERANCE = 1e-6
+_FOUR_DIGITS = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,13 +69,28 @@ class Choice:
     def _chosen(self, answer: Any) -> list[str]:
         """Return the keys of an answer: a list, or a text with commas, blanks or "and" between them, in either case."""
         items = [answer] if isinstance(answer, int) else answer
+        if isinstance(items, str) and (key := self._said.get(items.strip().lower())) is not None:
+            return [key]
         words = re.split(r"[,;\s]+", items) if isinstance(items, str) else [str(item).strip() for item in items]
         words = [word for word in words if word and (word not in ("and", "et") or word in self.options)]
-        known = {key.lower(): key for key in self.options}
-        words = [known.get(word.lower(), word) for word in words]
+        known = {_bare(key): key for key in self.options}
+        known = {**self._by_digit, **{_bare(words): key for words, key in self._said.items()}, **known}
+        words = [known.get(_bare(word), word) for word in words]
         if len(words) == 1 and words[0] not in self.options and set(words[0].lower()) <= set(known):
             return [known[letter] for letter in words[0].lower()]
         return words
+
+    @property
+    def _said(self) -> dict[str, str]:
+        """The key of each option by its words."""
+        return {words.strip().lower(): key for key, words in self.options.items()}
+
+    @property
+    def _by_digit(self) -> dict[str, str]:
+        """The key of each option by its digit alone, where all keys are one letter with digits of their own."""
+        digits = {digit[0]: key for key in self.options if (digit := re.findall(r"\d+$", key))}
+        letters = {re.sub(r"\d+$", "", key) for key in self.options}
+        return digits if len(digits) == len(self.options) and len(letters) == 1 else {}
 
     def _keys(self) -> str:
         return ", ".join(repr(key) for key in self.options)
@@ -129,6 +146,8 @@ class Number:
         wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
         if not wrong.any():
             return Feedback(Outcome.PROVED, "")
+        if all(map(_to_its_digits, given.tolist(), right.tolist())):
+            return Feedback(Outcome.CONFIRMED, look_up("right, as far as the digits go"))
         told = [
             written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
             for k in np.flatnonzero(_listed(given, right, wrong)).tolist()
@@ -145,6 +164,19 @@ class Number:
         if index < len(self.labels):
             return self.labels[index]
         return look_up("the number") if np.ndim(self.value) == 0 else written("number {number}", number=index + 1)
+
+
+def _to_its_digits(given: float, right: float) -> bool:
+    """Whether a number is right to four digits, of one that has no fewer."""
+    if abs(given - right) <= _TOLERANCE * (1 + abs(right)):
+        return True
+    return float(f"{right:.4g}") != right and abs(given - right) <= _FOUR_DIGITS * abs(right)
+
+
+def _bare(word: str) -> str:
+    """Return a key or a word without what students put around it: (b), z_4 for z4, α_0 for alpha_0."""
+    spelt = "".join(NAMES.get(character, character) for character in word)
+    return re.sub(r"[\s_(){}\[\]\\'\".:]", "", spelt).lower()
 
 
 def _listed(given: np.ndarray, right: np.ndarray, wrong: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Numbers as students write them: a list, a text with decimal commas, with units, with names before them."""
+"""Numbers as students write them: a list, a text with decimal commas, with units, with names or words between them."""
 
 from __future__ import annotations
 
@@ -21,6 +21,16 @@ _SCALES = {
     "rad": {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180},
     "rad/s": {"rad/s": 1.0, "deg/s": np.pi / 180, "°/s": np.pi / 180},
 }
+_WORDS = {
+    word: number
+    for number, words in enumerate((
+        "zero none no zéro aucun aucune", "one un une", "two deux", "three trois", "four quatre", "five cinq", "six",
+        "seven sept", "eight huit", "nine neuf", "ten dix", "eleven onze", "twelve douze",
+    ))
+    for word in words.split()
+}  # fmt: skip
+_FRACTION = re.compile(r"\\[dt]?frac\s*(?:\{([^{}]*)\}|(\d))\s*(?:\{([^{}]*)\}|(\d))")
+_RECKONING = re.compile(r"pi|sqrt|root|racine|sin|cos|tan|minus|moins|plus|times|fois|not|pas|or|ou|over|sur|frac|dfrac|half|demi|about|environ", re.I)
 _KNOWN = sorted({unit for scales in _SCALES.values() for unit in scales} | {"kg", "N"}, key=len, reverse=True)
 _UNIT = re.compile(rf"(?<=[\d\])])\s*({'|'.join(map(re.escape, _KNOWN))})(?![\w/])")
 
@@ -69,7 +79,38 @@ def _of_bare(text: str, count: int) -> np.ndarray:
     has_comma = _DECIMAL_COMMAS.fullmatch(text) and (";" in text or spoken() != ENGLISH)
     if has_comma or (count == 1 and _ONE_DECIMAL_COMMA.fullmatch(text)):
         text = text.replace(",", ".").replace(";", ",")
-    plain = read_plain(text)
+    if (number := _WORDS.get(text.strip(" .").lower())) is not None:
+        return np.array([float(number)])
+    plain = read_plain(_FRACTION.sub(_divided, text).replace("\\pi", "pi"))
+    if plain is None and (among := _among_words(text)) is not None and len(among) == count:
+        return among
     if plain is None:
         return np.array([float(part) for part in re.split(r"[,;\s]+|\band\b", text.strip(" []()")) if part])
-    return np.array([float(item) for item in np.ravel(np.array(plain, dtype=object)).tolist()])
+    return np.array([float(item) for item in _flat(plain)])
+
+
+def _flat(value: Any) -> list[Any]:
+    return [item for each in value for item in _flat(each)] if isinstance(value, list) else [value]
+
+
+def _divided(found: re.Match[str]) -> str:
+    """Return a fraction of LaTeX as Python writes it."""
+    above, below = found[1] or found[2], found[3] or found[4]
+    return f"(({above})/({below}))"
+
+
+def _among_words(text: str) -> np.ndarray | None:
+    """Return the numbers of a text of words, "row 1, column 2" or "6×7, 7×1"; None where it may be a sum or a doubt."""
+    text = re.sub(r"(?<=\d)\s*[x×]\s*(?=\d)", " ", text)
+    text = re.sub(r"(?<=\d)\s*[x×](?=\W|$)", " ", text)
+    words = re.findall(r"[^\W\d_]{2,}", text)
+    if any(_RECKONING.fullmatch(word) for word in words):
+        return None
+    rest = re.sub(r"\\?[^\W\d_]+(?:_\w+)?", " ", text)
+    if not re.fullmatch(r"[\s,;:=.()\[\]°+\-\d]*", rest):
+        return None
+    parts = [part for part in re.split(r"[\s,;:=()\[\]°]+", rest) if part.strip(".")]
+    try:
+        return np.array([float(part.rstrip(".")) for part in parts])
+    except ValueError:
+        return None

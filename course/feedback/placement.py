@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -200,6 +201,7 @@ class Placement:
     def _vectors(self, key: str, given: Any) -> tuple[Vector, ...]:
         count = len(self.scheme.arm.joints)
         given = given.tolist() if hasattr(given, "tolist") else given
+        given = _listed(given, count) if isinstance(given, str) else given
         if not isinstance(given, list | tuple) or len(given) != count:
             raise AnswerError("{key} is a list of {count} entries, one a joint", key=key, count=count)
         read = self._point if key == "O" else self._direction
@@ -251,6 +253,8 @@ class Placement:
             place = written("row {row}: {name}", row=number, name=name)
             raise AnswerError("{place}: {cell} cannot be read: {reason}", place=place, cell=f"{cell!r:.40}", reason=str(problem)) from None  # fmt: skip
         letters = [*(joint.symbol for joint in self.scheme.arm.joints), *self.scheme.arm.lengths]
+        bare = {letter.replace("_", ""): letter for letter in letters}  # l1 for l_1
+        form = replace(form, symbols=tuple((bare.get(symbol.replace("_", ""), symbol), times) for symbol, times in form.symbols))
         if unknown := [symbol for symbol, _ in form.symbols if symbol not in letters]:
             place = written("row {row}: {name}", row=number, name=name)
             raise AnswerError("{place}: there is no letter {key}; the letters are {letters}", place=place, key=unknown[0], letters=letters)  # fmt: skip
@@ -347,6 +351,14 @@ def _parallel(one: np.ndarray, other: np.ndarray) -> bool:
 
 def _on_line(point: np.ndarray, on: np.ndarray, way: np.ndarray) -> bool:
     return _parallel(point - on, way)
+
+
+def _listed(text: str, count: int) -> list[str] | str:
+    """Return the entries of a text, "A, B" or "AB"; the text where it has not one a joint."""
+    for entries in (re.split(r"[,;\s]+", text.strip(" []()")), re.findall(r"-?\w", text)):
+        if len(entries) == count:
+            return entries
+    return text
 
 
 def _triple(given: Any) -> Vector:

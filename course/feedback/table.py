@@ -197,6 +197,8 @@ class Table:
             answer = answer()
             if is_missing(answer):
                 return []
+        if isinstance(answer, Mapping) and set(ORDER[self.convention]) <= set(answer):
+            answer = list(zip(*(answer[name] for name in ORDER[self.convention]), strict=True))
         if not isinstance(answer, list | tuple):
             raise AnswerError("a table is a list of rows, not a {type}", type=type(answer).__name__)
         return [self._row(row, number + 1) for number, row in enumerate(answer)]

@@ -26,7 +26,7 @@ class Layout:
 
     Attributes:
         joints: the joint symbols in the order of the arm.
-        by_name: the parameter for each joint symbol where the function names them; empty otherwise.
+        by_name: the parameter for each joint symbol that the function names; empty where it names none.
         vector: whether the joint values are one vector.
         lengths: the parameter for each length symbol that the function takes.
         defaults: the default value of those lengths that have one.
@@ -47,7 +47,8 @@ class Layout:
         named = {self.lengths[symbol]: values(symbol) for symbol in lengths}
         joints = [values(symbol) for symbol in self.joints]
         if self.by_name:
-            return [], {**{self.by_name[s]: v for s, v in zip(self.joints, joints, strict=True)}, **named}
+            taken = {self.by_name[s]: v for s, v in zip(self.joints, joints, strict=True) if s in self.by_name}
+            return [], {**taken, **named}
         if not self.vector:
             return joints, named
         is_float = all(isinstance(value, float) for value in joints)
@@ -98,6 +99,9 @@ def _joint_parameters(
     }
     positional_only = any(p.kind is p.POSITIONAL_ONLY for p in plain)
     if len(set(named.values())) == n > 1 and set(named.values()) >= {p.name for p in required} and not positional_only:
+        return named, False
+    some = {name for name in named.values() if name not in ("q", "x")}
+    if required and {p.name for p in required} <= some and len(some) == len(named) and not positional_only:
         return named, False
     positional = [p for p in plain if p.kind is not p.KEYWORD_ONLY]
     if len(required) == n > 1 and len([p for p in required if p in positional]) == n:

@@ -217,7 +217,9 @@ def test_a_stub_is_not_attempted(asks: Any) -> None:
         (COSINE, lambda x, y, a, b: "text", ""),
         (Table("planar_2r", "classic"), [("theta_1", 0)], "row 1 is to hold 4 entries: theta, d, a, alpha"),
         (Table("planar_2r", "classic"), [{"a": 0}], "row 1 has no 'theta'"),
-        (Number(1), "one", "is a number"),
+        (Number(1), "a few", "is a number"),
+        (Number((6.0, 5.0)), "6 or 5", "is a list of 2 numbers"),
+        (Number(2.0), "not 2", "is a number"),
         (Choice({"a": "one", "b": "two"}, "b"), "z", "the options are 'a', 'b'"),
     ],
 )

@@ -104,7 +104,7 @@ def squared(answer: str) -> str:
         (PLACE, [0, 0.6, -0.8], "wrong by a factor of 2"),
         (Number((0.0, np.pi / 2)), [0, 90], "in degrees"),
         (Number((5, 4)), [5, 3], "one too few"),
-        (Number((0.6435011, -1.5707963)), [0.6435, -1.5708], "right, but rounded"),
+        (Number((0.6435011, -1.5707963)), [0.644, -1.571], "right, but rounded"),
         (Number((0, 0, 1)), [0.6, 0.8, 0], "at right angles"),
         (Number((0, 0, 1)), [0, 1, 1], "a direction has the length 1"),
         (Number((0.75, 0.6)), [0.6, 0.6], "number 1: this is number 2"),
@@ -229,4 +229,4 @@ def test_values_of_a_text_are_lengths_that_it_gives_to_letters() -> None:
 def test_a_number_that_is_only_rounded_is_not_called_wrong_beside_one_that_is() -> None:
     asked = Number((0.6435011, -1.5707963), "rad", ("φ", "ψ"))
     assert "ψ" not in asked.judge([0.6, -1.5708]).message
-    assert "ψ" in asked.judge([0.6435, -1.5708]).message  # where all are rounded, that is what is said
+    assert "ψ" in asked.judge([0.644, -1.571]).message  # where all are rounded, that is what is said

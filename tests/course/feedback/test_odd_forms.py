@@ -1,0 +1,80 @@
+"""A right answer is right in whatever form students write it; a wrong one in the same form is wrong."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from armproof.course.feedback import Choice, Formula, Number, Outcome, Quantity, open_lesson
+from armproof.course.feedback.answer import as_latex
+from armproof.course.feedback.spelling import parts_of
+
+POSITION = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
+POLAR = Formula(r"\begin{bmatrix} u \cos\theta - r w \sin\theta \\ u \sin\theta + r w \cos\theta \end{bmatrix}", ("r", "theta", "u", "w"))
+COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
+ROOT = Formula(r"\sqrt{x^2 + y^2}", ("x", "y"))
+SPEED = Formula(r"\frac{15}{8 t_f}", ("t_f",))
+SIZES = Number((6.0, 7.0, 7.0, 1.0))
+AXES = Choice({"z4": "axis 4", "z5": "axis 5", "z6": "axis 6"}, frozenset({"z4", "z5"}))
+STEP = Choice({"alpha_0": "the twist", "a_0": "the length"}, "alpha_0")
+RAM = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": 0, "theta": "theta_1"}, {"alpha": "-pi/2", "a": 0, "d": "d_2", "theta": 0}],
+    "joints": ["theta_1", "d_2"]}, {"axis": 2, "along": "z"})  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("asks", "right", "wrong"),
+    [
+        (POLAR, r"[u\cos\theta - r w\sin\theta, u\sin\theta + r w\cos\theta]", r"[u\cos\theta - r w\sin\theta, u\sin\theta - r w\cos\theta]"),
+        (POLAR, r"u\cos\theta - r w\sin\theta, u\sin\theta + r w\cos\theta", r"u\cos\theta, u\sin\theta"),
+        (POLAR, "X = u cos(theta) - r w sin(theta), Y = u sin(theta) + r w cos(theta)".replace(" cos", "*cos").replace(" sin", "*sin").replace(" w", "*w"),
+            "X = u*cos(theta), Y = u*sin(theta)"),
+        (POLAR, r"\begin{aligned} X &= u\cos\theta - r w\sin\theta, \\ Y &= u\sin\theta + r w\cos\theta \end{aligned}",
+            r"\begin{aligned} X &= u\cos\theta \\ Y &= u\sin\theta + r w\cos\theta \end{aligned}"),
+        (POSITION, "l_1 C_1 + l_2 C_{12}; l_1 S_1 + l_2 S_{12}", "l_1 C_1 + l_2 C_2; l_1 S_1 + l_2 S_2"),
+        (COSINE, "(x²+y²−l₁²−l₂²)/(2 l₁ l₂)", "(x²+y²−l₁−l₂)/(2 l₁ l₂)"),
+        (ROOT, "np.hypot(x, y)", "np.hypot(x, x)"),
+        (SPEED, "1,875/t_f", "1,785/t_f"),
+        (SPEED, r"\frac{1,875}{t_f}", r"\frac{1,785}{t_f}"),
+        (SIZES, "6x7, 7x1", "7x6, 7x1"),
+        (SIZES, "J is 6×7 and the rates 7×1", "J is 7×6 and the rates 7×1"),
+        (Number((6.0, 5.0)), "6 conditions, degree 5", "5 conditions, degree 6"),
+        (Number((1.0, 2.0)), "row 1, column 2", "row 2, column 1"),
+        (Number((0.0, 0.0, 1.0, 0.3), "m"), "O_1 = [0, 0, 1], a_1 = 0.3", "O_1 = [0, 0, 0], a_1 = 0.3"),
+        (Number((2.0, 1.0, 0.0)), ["two", "one", "none"], ["two", "two", "none"]),
+        (Number(8.0), "huit", "sept"),
+        (Number(500.0, "m"), r"\frac{0.5}{0.001}", r"\frac{0.001}{0.5}"),
+        (Number((np.pi / 2, 0.4), "rad"), [1.5708, 0.4], [1.58, 0.4]),
+        (Number((np.pi / 2, 0.4), "rad"), [r"\frac{\pi}{2}", "0.4"], [r"-\frac{\pi}{2}", "0.4"]),
+        (AXES, [4, 5], [5, 6]),
+        (AXES, ("z_4", "(z5)"), ("z_4", "z_6")),
+        (AXES, ["axis 4", "axis 5"], ["axis 4"]),
+        (STEP, "α_0", "a_0"),
+        (STEP, "the twist", "the length"),
+        (RAM, lambda theta_1: [-np.sin(theta_1), np.cos(theta_1), 0], lambda theta_1: [np.cos(theta_1), np.sin(theta_1), 0]),
+        (open_lesson("planar_dh").z_axes.asks, "z, z", "x, x"),
+        (open_lesson("planar_dh").origins.asks, "AB", "BC"),
+        (open_lesson("placing_frames").table.asks,
+            {"alpha": [0, "pi/2", 0, "pi/2"], "a": [0, 0, "a_2", "e"], "d": [0, 0, 0, "d_4"], "theta": ["theta_1", "theta_2", "theta_3", 0]},
+            {"alpha": [0, "pi/2", 0, "pi/2"], "a": [0, 0, "e", "a_2"], "d": [0, 0, 0, "d_4"], "theta": ["theta_1", "theta_2", "theta_3", 0]}),
+    ],
+)  # fmt: skip
+def test_a_form_decides_nothing(asks: Any, right: Any, wrong: Any) -> None:
+    assert asks.judge(right).is_right
+    assert asks.judge(wrong).outcome is Outcome.WRONG
+
+
+@pytest.mark.parametrize("text", [r"\text{atan2}(y, x)", r"a\,b", "[a, b]", r"\begin{bmatrix} a & b \end{bmatrix}", "a,", ""])
+def test_one_formula_is_not_taken_apart(text: str) -> None:
+    assert parts_of(text) is None
+
+
+def test_a_list_is_a_column_and_a_row_of_a_matrix_is_none() -> None:
+    assert as_latex(r"[\cos\theta, 0]") == r"\begin{bmatrix} \cos\theta \\ 0 \end{bmatrix}"
+    assert "1×2" in POLAR.judge(r"\begin{bmatrix} u & w \end{bmatrix}").message
+
+
+def test_numbers_that_are_right_to_four_digits_are_right_only_where_they_have_more() -> None:
+    assert Number(np.pi / 2, "rad").judge(1.5708).outcome is Outcome.CONFIRMED
+    assert Number(0.375, "m/s").judge(0.37503).outcome is Outcome.WRONG
