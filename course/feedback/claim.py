@@ -13,12 +13,12 @@ import numpy as np
 
 from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_number
-from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, place, told, without_asked
+from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, place, said_of, told, without_asked
 from armproof.models.arm import Arm
-from armproof.models.errors import written
+from armproof.models.errors import ArmproofError, written
 from armproof.models.language import look_up
 from armproof.verification.algebra.budget import Budget
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
@@ -26,7 +26,7 @@ from armproof.verification.errors import ReadError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.findings import Finding, Kind
-from armproof.verification.findings.finding import Audience, write_all
+from armproof.verification.findings.finding import write_all
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, one_of
 from armproof.verification.naming.conventions import applied, conventional
@@ -41,6 +41,7 @@ _PARAMETER = re.compile(r"(?:[adlrq]|alpha|theta)_\d+")  # of a link or a joint
 _READ = (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED)
 _DECIMAL = re.compile(r"\d\.\d|\\frac\{\d+\}\{\d+\}")
 _NEAR = 1e-9
+_INFINITE = re.compile(r"\\infty|∞|(?<![A-Za-z\\])inf(?![A-Za-z])")
 SAMPLES = 200
 SEED = 11
 _JOINTS = {"revolute": (-2.6, 2.6), "prismatic": (0.1, 0.9)}
@@ -70,6 +71,10 @@ class Claim:
 
     def judge(self, latex: str) -> Feedback:
         """Return what becomes of a formula."""
+        if _INFINITE.search(latex):
+            return Feedback(
+                Outcome.WRONG, look_up("that is infinite: what is asked has a value for all values of its letters")
+            )
         if problem := self._refused(latex):
             return Feedback(Outcome.WRONG, problem)
         record = self.record(latex)
@@ -86,7 +91,7 @@ class Claim:
             findings = told([each for each in record.findings if not self._names_hidden(each)], record.entries)
             rows, at = self._imagined(latex) or (self._rows(record), record.counterexample)
             outcome = Outcome.LETTERS if self._is_measured(latex) else Outcome.WRONG
-            words = write_all(findings, Audience.STUDENT)
+            words = said_of(findings)
             picture = self._picture(record) if at is record.counterexample else None
             return Feedback(outcome, words, rows, at, picture, findings=findings)
         if record.says(Kind.NUMBERS_FOR_LENGTHS):
@@ -149,14 +154,34 @@ class Claim:
 
     def values_over(self, latex: str, at: Mapping[str, np.ndarray]) -> np.ndarray:
         """Return a formula at values of joints and letters, N of each: (N, rows, columns)."""
-        joints = self.arm.joints if self.arm is not None else ()
-        count = max((len(values) for values in at.values()), default=1)
-        q = np.array([at.get(joint.symbol, np.zeros(count)) for joint in joints]).reshape(len(joints), count).T
-        sampled = SampledAlgebra(self._checker.exact, q, SEED, at)
-        node = self._checker.names.reader.read_expression(latex)
+        sampled, node = self._sampled(at), self.read(latex)
         with self._budget.of(SECONDS_TO_DECIDE), np.errstate(all="ignore"):
             value = Evaluator(self._checker.names, sampled).evaluate(node)
         return sampled.stacked(value)
+
+    def evaluated_over(self, at: Mapping[str, np.ndarray]) -> Callable[[n.Node], np.ndarray | None]:
+        """Return what gives a scalar's tree its values at those of joints and letters, (N,); None where it has none."""
+        evaluator = Evaluator(self._checker.names, self._sampled(at))
+
+        def value(node: n.Node) -> np.ndarray | None:
+            try:
+                with self._budget.of(SECONDS_TO_DECIDE), np.errstate(all="ignore"):
+                    found = as_scalar(evaluator.evaluate(node))
+            except (ArmproofError, TypeError, NotImplementedError):
+                return None
+            return found if isinstance(found, np.ndarray) and found.ndim == 1 else None
+
+        return value
+
+    def read(self, latex: str) -> n.Node:
+        """Return a formula as a tree."""
+        return self._checker.names.reader.read_expression(latex)
+
+    def _sampled(self, at: Mapping[str, np.ndarray]) -> SampledAlgebra:
+        joints = self.arm.joints if self.arm is not None else ()
+        count = max((len(values) for values in at.values()), default=1)
+        q = np.array([at.get(joint.symbol, np.zeros(count)) for joint in joints]).reshape(len(joints), count).T
+        return SampledAlgebra(self._checker.exact, q, SEED, at)
 
     @cached_property
     def samples(self) -> SampledAlgebra:

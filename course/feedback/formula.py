@@ -29,6 +29,7 @@ from armproof.course.feedback.relation import (
     transform_astray,
     units_astray,
 )
+from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up
 from armproof.verification.findings import Kind, say
@@ -193,7 +194,14 @@ class Formula:
             yield relation(
                 true[:half], obtained[:half], {name: values[:half] for name, values in self._factors(at).items()}
             )
+            latex = self._written(answer)
+            yield slips_by_value(self.claim, latex, at)
+            yield slips_by_value(self.claim, latex, {name: values[:half] for name, values in at.items()})
             yield letter_at_fault(asked, given, at)
+
+    def _written(self, answer: Any) -> str:
+        """Return an answer as LaTeX, of a function what it gives for letters."""
+        return write_matrix(self._trace(self._in_order(answer))) if is_function(answer) else as_latex(answer)
 
     def _called(self, function: Callable[..., Any]) -> Values:
         """Return a function of single values as one of arrays."""

@@ -30,7 +30,10 @@ _WORDS = {
     for word in words.split()
 }  # fmt: skip
 _FRACTION = re.compile(r"\\[dt]?frac\s*(?:\{([^{}]*)\}|(\d))\s*(?:\{([^{}]*)\}|(\d))")
-_RECKONING = re.compile(r"pi|sqrt|root|racine|sin|cos|tan|minus|moins|plus|times|fois|not|pas|or|ou|over|sur|frac|dfrac|half|demi|about|environ", re.I)
+_RECKONING = re.compile(
+    r"pi|sqrt|root|racine|sin|cos|tan|minus|moins|plus|times|fois|not|pas|or|ou|over|sur|frac|dfrac|half|demi|about|environ",
+    re.I,
+)
 _KNOWN = sorted({unit for scales in _SCALES.values() for unit in scales} | {"kg", "N"}, key=len, reverse=True)
 _UNIT = re.compile(rf"(?<=[\d\])])\s*({'|'.join(map(re.escape, _KNOWN))})(?![\w/])")
 

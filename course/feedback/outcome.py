@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
 from markupsafe import Markup, escape
 
 from armproof.course.feedback.notebook import render
-from armproof.models.errors import written
+from armproof.models.errors import counted, written
 from armproof.models.language import look_up, number_text, separator, use
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.findings.finding import Audience, distinct, write
 from armproof.verification.functions.function_check import FunctionVerdict
 from armproof.verification.functions.guarded_call import CallError
 from armproof.verification.latex.greek import GREEK, one_of
@@ -28,6 +29,8 @@ GENERAL = (
     Kind.FEW_WRONG_ENTRIES,
     Kind.WRONG_ENTRIES,
     Kind.WRONG_ENTRIES_AT,
+    Kind.LINK_ENTRIES,
+    Kind.LINK_MOST_ENTRIES,
 )  # where no mistake is recognised
 MOST_ROWS = 8
 _NOTHING = 1e-12
@@ -141,7 +144,7 @@ class Feedback:
     @property
     def is_general(self) -> bool:
         """Whether the answer is wrong, and no mistake is recognised in it."""
-        return self.outcome is Outcome.WRONG and any(finding.kind in GENERAL for finding in self.findings)
+        return self.outcome is Outcome.WRONG and any(_is_general(finding) for finding in self.findings)
 
     def as_json(self) -> dict[str, Any]:
         """Return the feedback as JSON writes it, without its picture."""
@@ -209,6 +212,14 @@ class Feedback:
         return pretty(separator(values).join(values))
 
 
+def _is_general(finding: Finding) -> bool:
+    """Whether a finding, or the one within it, says where a mistake is and not which it is."""
+    inner = [term for term in finding.terms.values() if isinstance(term, Finding)]
+    if finding.kind is Kind.SEVERAL_LENGTHS:  # lengths in numbers that make it right by chance
+        return any(each.kind in (Kind.OTHER_NUMBER, Kind.SEVERAL_LENGTHS) for each in inner)
+    return finding.kind in GENERAL or any(each.kind in GENERAL for each in inner)
+
+
 def nothing() -> Feedback:
     """Return the feedback on no answer."""
     return Feedback(Outcome.NOT_ATTEMPTED, look_up("no answer yet"))
@@ -255,6 +266,27 @@ def told(findings: Sequence[Finding], entries: Sequence[WrongEntry]) -> tuple[Fi
     if len(places) <= MOST_PLACES:
         return (say(Kind.FEW_WRONG_ENTRIES, places=[place(row, column) for row, column in places]),)
     return (say(Kind.WRONG_ENTRIES, count=len(places)),)
+
+
+def said_of(findings: Sequence[Finding]) -> str:
+    """Return findings in words for a student, the same of several entries once."""
+    places: dict[str, list[str]] = {}
+    whole: dict[str, str] = {}
+    for finding in distinct(findings, Audience.STUDENT):
+        words = write(replace(finding, row=None, column=None), Audience.STUDENT) if _has_place(finding) else ""
+        key = words or write(finding, Audience.STUDENT)
+        places.setdefault(key, []).extend([place(finding.row, finding.column)] if words else [])
+        whole.setdefault(key, write(finding, Audience.STUDENT))
+    return look_up("; ").join(
+        counted("entry {places}: {words}", "entries {places}: {words}", len(where), places=separator(where).join(where), words=words)
+        if len(where) > 1 else whole[words]
+        for words, where in places.items()
+    )  # fmt: skip
+
+
+def _has_place(finding: Finding) -> bool:
+    """Whether a finding is of an entry, whose place is put before its words."""
+    return finding.row is not None and finding.column is not None and "{row}" not in finding.kind.template
 
 
 def place(row: int | None, column: int | None) -> str:

@@ -15,7 +15,7 @@ from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
-from armproof.course.feedback.table import ORDER, TURN
+from armproof.course.feedback.table import ORDER, TURN, no_such_letter
 from armproof.course.figures.facts.dh_rows import LinkRow
 from armproof.course.figures.facts.placing import (
     NEAR,
@@ -254,10 +254,12 @@ class Placement:
             raise AnswerError("{place}: {cell} cannot be read: {reason}", place=place, cell=f"{cell!r:.40}", reason=str(problem)) from None  # fmt: skip
         letters = [*(joint.symbol for joint in self.scheme.arm.joints), *self.scheme.arm.lengths]
         bare = {letter.replace("_", ""): letter for letter in letters}  # l1 for l_1
-        form = replace(form, symbols=tuple((bare.get(symbol.replace("_", ""), symbol), times) for symbol, times in form.symbols))
+        form = replace(
+            form, symbols=tuple((bare.get(symbol.replace("_", ""), symbol), times) for symbol, times in form.symbols)
+        )
         if unknown := [symbol for symbol, _ in form.symbols if symbol not in letters]:
             place = written("row {row}: {name}", row=number, name=name)
-            raise AnswerError("{place}: there is no letter {key}; the letters are {letters}", place=place, key=unknown[0], letters=letters)  # fmt: skip
+            raise no_such_letter(place, unknown[0], letters, self.scheme.arm)
         return form
 
     def _placed(self, read: Answer) -> Placed:

@@ -14,7 +14,7 @@ from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import Claim, judge_formula
 from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
-from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Outcome, Row, place, told
+from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Outcome, Row, place, said_of, told
 from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.course.feedback.relation import (
     Letters,
@@ -25,12 +25,13 @@ from armproof.course.feedback.relation import (
     relation,
     remembered,
 )
+from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
 from armproof.models.language import noted
 from armproof.verification.algebra.quantity_kinds import kind_of
-from armproof.verification.findings.finding import Audience, write_all
+from armproof.verification.findings.finding import write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.arguments import read_layout
 from armproof.verification.functions.asked import read_asked
@@ -97,21 +98,27 @@ class Quantity:
     def _as_formula(self, function: Callable[..., Any]) -> str:
         """Return what is said of a function's result as a formula, in which slips are looked for entry by entry."""
         try:
-            layout = read_layout(self.loaded, function)
-            passed = [symbol for symbol in layout.lengths if symbol not in layout.defaults]
-
-            def call(function: Callable[..., Any], make: Callable[[str], Any]) -> Any:
-                positional, named = layout.arguments(make, passed)
-                return function(*positional, **named)
-
-            with Guard(SECONDS) as guard:
-                traced = guard.call(lambda: write_matrix(np.array(trace_function(function, call), dtype=object)))
-            if traced.error is not None:
-                return ""
-            feedback = self.claim.judge(traced.value)
+            feedback = self.claim.judge(self._written(function))
         except ArmproofError:
             return ""
         return "" if feedback.is_general or feedback.outcome is not Outcome.WRONG else feedback.message
+
+    def _written(self, answer: Any) -> str:
+        """Return an answer as LaTeX, of a function what it gives for letters."""
+        if not is_function(answer):
+            return as_latex(answer)
+        layout = read_layout(self.loaded, answer)
+        passed = [symbol for symbol in layout.lengths if symbol not in layout.defaults]
+
+        def call(function: Callable[..., Any], make: Callable[[str], Any]) -> Any:
+            positional, named = layout.arguments(make, passed)
+            return function(*positional, **named)
+
+        with Guard(SECONDS) as guard:
+            traced = guard.call(lambda: write_matrix(np.array(trace_function(answer, call), dtype=object)))
+        if traced.error is not None:
+            raise AnswerError("the answer has no values")
+        return str(traced.value)
 
     def _relation(self, answer: Any) -> str:
         """Return how an answer with no known slip relates to what is asked, in its letters and in values."""
@@ -133,6 +140,7 @@ class Quantity:
             yield letters_astray(asked, given, at)
             yield relation(true, obtained, self._factors(at))
             yield letters_astray_in_each(asked, given, at)
+            yield slips_by_value(self.claim, self._written(answer), at)
             yield letter_at_fault(asked, given, at)
 
     def _factors(self, at: Letters) -> Letters:
@@ -207,7 +215,7 @@ class Quantity:
         rows = tuple(Row(place(row.row, row.column), row.expected, row.obtained, row.unit) for row in check.table)
         is_wrong = check.verdict is FunctionVerdict.REFUTED
         findings = told(check.findings, check.entries) if is_wrong else check.findings
-        message = write_all(findings, Audience.STUDENT if is_wrong else Audience.REPORT)
+        message = said_of(findings) if is_wrong else write_all(findings)
         picture = None
         if not check.is_right and check.counterexample:
             picture = draw_answer(self.loaded, self.quantity, function, check.counterexample)

@@ -50,7 +50,7 @@ def letters_astray(asked: Values, given: Values, at: Letters) -> str:
         asked, given: what is asked and what is given, as functions of the letters.
         at: values of the letters.
     """
-    wrong = _wrong(asked(at), given(at))
+    wrong = wrong_entries(asked(at), given(at))
     words = _letter_astray(asked, given, at, wrong)
     (where, *others) = np.argwhere(wrong).tolist() or [[0, 0]]
     if not words or others or wrong.size == 1:
@@ -60,14 +60,14 @@ def letters_astray(asked: Values, given: Values, at: Letters) -> str:
 
 def letters_astray_in_each(asked: Values, given: Values, at: Letters) -> str:
     """Say of each wrong entry of a matrix which letters are exchanged in it, missing, or do not belong there."""
-    wrong = _wrong(asked(at), given(at))
+    wrong = wrong_entries(asked(at), given(at))
     told = {}
     for row, column in np.argwhere(wrong).tolist()[:MOST_PLACES]:
         only = np.zeros_like(wrong)
         only[row, column] = True
         if words := _letter_astray(asked, given, at, only):
             told[row, column] = words
-    return _by_places(told)
+    return by_places(told)
 
 
 def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray) -> str:
@@ -75,17 +75,17 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     if any(not np.nan_to_num(np.abs(side[:, wrong])).max(initial=0) > _TOLERANCE for side in (asked(at), obtained)):
         return ""  # that zero stands there, or belongs there, is said in its own words
     for one, other in combinations(few, 2):
-        if _same(asked({**at, one: at[other], other: at[one]})[:, wrong], obtained[:, wrong]):
+        if same(asked({**at, one: at[other], other: at[one]})[:, wrong], obtained[:, wrong]):
             return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
     angles = [name for name in at if _JOINT_ANGLE.match(name)]
     if len(angles) > 1:
         absolute = {name: at[name] - at[before] for before, name in pairwise(angles)}
-        if _same(asked({**at, **absolute})[:, wrong], obtained[:, wrong]):
+        if same(asked({**at, **absolute})[:, wrong], obtained[:, wrong]):
             return look_up("each angle is taken as absolute, from the base: sums of angles are missing")
     for name in few:
         moved = {**at, name: at[name] * _GROWN}
         shown = symbol_as_latex(name)
-        needed, used = (not _same(side(moved)[:, wrong], side(at)[:, wrong]) for side in (asked, given))
+        needed, used = (not same(side(moved)[:, wrong], side(at)[:, wrong]) for side in (asked, given))
         if needed and not used:
             return written("{name} is missing: what is asked depends on it, your answer does not", name=shown)
         if used and not needed:
@@ -96,15 +96,15 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
 def angle_astray(asked: Values, given: Values, at: Letters) -> str:
     """Say which angle is taken the other way, or counted from a direction a quarter or half a turn away; empty where none is."""
     obtained = given(at)
-    wrong = _wrong(asked(at), obtained)
+    wrong = wrong_entries(asked(at), obtained)
     for name in filter(ANGLE.match, at):
         shown = symbol_as_latex(name)
         turned = {turn: asked({**at, name: at[name] + turn * np.pi / 2})[:, wrong] for turn in (-1, 1, 2)}
-        if _same(asked({**at, name: -at[name]})[:, wrong], obtained[:, wrong]):
+        if same(asked({**at, name: -at[name]})[:, wrong], obtained[:, wrong]):
             return written("the sign of {name} is wrong: it is taken the other way", name=shown)
-        if _same(turned[2], obtained[:, wrong]):
+        if same(turned[2], obtained[:, wrong]):
             return written("{name} is counted from the opposite direction: half a turn away", name=shown)
-        if any(_same(sign * turned[turn], obtained[:, wrong]) for turn in (-1, 1) for sign in (1, -1)):
+        if any(same(sign * turned[turn], obtained[:, wrong]) for turn in (-1, 1) for sign in (1, -1)):
             return written("{name} is counted from another direction: a quarter turn away", name=shown)
     return ""
 
@@ -115,16 +115,16 @@ def transform_astray(true: np.ndarray, obtained: np.ndarray, origin_alone: bool)
     Args:
         origin_alone: whether to say so of the origin where the rotation is right.
     """
-    if true.shape[1:] != (4, 4) or obtained.shape != true.shape or not _same(true[:, 3], np.eye(4)[[3] * len(true)]):
+    if true.shape[1:] != (4, 4) or obtained.shape != true.shape or not same(true[:, 3], np.eye(4)[[3] * len(true)]):
         return ""
     other = np.linalg.inv(true)
     (R, p), (R_right, p_right), (R_other, p_other) = ((X[:, :3, :3], X[:, :3, 3]) for X in (obtained, true, other))
     rotation = look_up("the rotation is that of the inverse: it is still to be transposed")
-    if _same(R, R_right):
+    if same(R, R_right):
         rotation = ""
         if not origin_alone:
             return ""
-    elif not _same(R, R_other):
+    elif not same(R, R_other):
         return ""
     origins = {
         "": p_right,
@@ -135,24 +135,24 @@ def transform_astray(true: np.ndarray, obtained: np.ndarray, origin_alone: bool)
             R_other @ p_other[..., None]
         )[..., 0],
     }
-    origin = next((words for words, values in origins.items() if _same(p, values)), None)
+    origin = next((words for words, values in origins.items() if same(p, values)), None)
     return "" if origin is None else look_up("; ").join(filter(None, [rotation, origin]))
 
 
 def units_astray(asked: Values, given: Values, at: Letters, units: Sequence[Sequence[str]]) -> str:
     """Say if an answer is of another unit than what is asked, or adds terms of several; `units`: letters of one unit each."""
-    wrong = _wrong(asked(at), given(at))
+    wrong = wrong_entries(asked(at), given(at))
     return next(filter(None, (_units(asked, given, at, names, wrong) for names in units if names)), "")
 
 
 def letter_at_fault(asked: Values, given: Values, at: Letters) -> str:
     """Say for which letter an answer is right at zero: the mistake is in how that letter comes in."""
-    wrong = _wrong(asked(at), given(at))
+    wrong = wrong_entries(asked(at), given(at))
     few = list(at)[:_MOST_LETTERS]
     for names in [*((name,) for name in few), *combinations(few, 2)]:
         without = {**at, **{name: np.zeros_like(at[name]) for name in names}}
         true = asked(without)[:, wrong]
-        if _same(given(without)[:, wrong], true) and np.nanmax(np.abs(true)) > _TOLERANCE:
+        if same(given(without)[:, wrong], true) and np.nanmax(np.abs(true)) > _TOLERANCE:
             shown = [symbol_as_latex(name) for name in names]
             if len(names) == 1:
                 return written(
@@ -187,21 +187,21 @@ def _degree(side: Values, at: Letters, names: Sequence[str], wrong: np.ndarray) 
         return None
     ratio = after[good] / before[good]
     degree = round(float(np.log(np.abs(ratio[0])) / np.log(_GROWN)) * 2) / 2
-    return degree if _same(ratio, np.full_like(ratio, _GROWN**degree)) else None
+    return degree if same(ratio, np.full_like(ratio, _GROWN**degree)) else None
 
 
 def _told(true: np.ndarray, obtained: np.ndarray, words_of: Callable[[np.ndarray, np.ndarray], str]) -> str:
     """Return the words on all wrong entries, if they are the same, or on those that have some."""
-    places = np.argwhere(_wrong(true, obtained)).tolist()
+    places = np.argwhere(wrong_entries(true, obtained)).tolist()
     found = {(r, c): words_of(true[:, r, c], obtained[:, r, c]) for r, c in places}
     said = {at: words for at, words in found.items() if words}
     is_everywhere = len(found) == np.count_nonzero(np.nan_to_num(np.abs(true)).max(axis=0) > _TOLERANCE)
     if (len(found) > 1 and is_everywhere and len(set(found.values())) == 1) or true[0].size == 1:
         return next(iter(found.values()), "")
-    return _by_places(said)
+    return by_places(said)
 
 
-def _by_places(said: Mapping[tuple[int, int], str]) -> str:
+def by_places(said: Mapping[tuple[int, int], str]) -> str:
     """Return what is said of entries, each sentence once with its places."""
     places: dict[str, list[str]] = {}
     for (row, column), words in list(said.items())[:MOST_PLACES]:
@@ -229,21 +229,21 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
     if not np.abs(obtained).max() > _TOLERANCE:
         yield look_up("what is asked is not zero")
         return
-    if _same(obtained**2, true):
+    if same(obtained**2, true):
         yield look_up("your answer is the root: its square is asked")
-    if _same(obtained, true**2):
+    if same(obtained, true**2):
         yield look_up("your answer is the square of what is asked")
-    if _same(obtained * true, np.ones_like(true)):
+    if same(obtained * true, np.ones_like(true)):
         yield look_up("numerator and denominator are exchanged")
-    if _same(obtained**2 + true**2, np.ones_like(true)):
+    if same(obtained**2 + true**2, np.ones_like(true)):
         yield look_up("a sine stands where the cosine of the same angle belongs, or a cosine where its sine does")
     for function, name in ((np.cos, look_up("cosine")), (np.sin, look_up("sine"))):
-        if _same(function(obtained), true):
+        if same(function(obtained), true):
             yield written("your answer is the angle: its {function} is asked", function=name)
-    if _same(np.sin(obtained), np.tan(true)) or _same(np.cos(obtained), np.tan(true)):
+    if same(np.sin(obtained), np.tan(true)) or same(np.cos(obtained), np.tan(true)):
         yield look_up("the tangent of the angle is known: `atan2` belongs there, not `arcsin` or `arccos`")
-    if _same(np.sin(obtained), np.sin(true)):
-        if _same(np.cos(obtained), -np.cos(true)):
+    if same(np.sin(obtained), np.sin(true)):
+        if same(np.cos(obtained), -np.cos(true)):
             yield look_up("the sine of the angle is right, its cosine has the wrong sign")
         yield look_up("the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn")
     for of, name in (
@@ -251,24 +251,24 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
         (np.sin(true), look_up("sine")),
         (np.cos(true), look_up("cosine")),
     ):
-        if _same(of, obtained) and np.abs(true).max() > _SMALL:
+        if same(of, obtained) and np.abs(true).max() > _SMALL:
             yield written("your answer is the {function} of the angle: the angle itself is asked", function=name)
-    if _same(np.exp(1j * (obtained + true)), np.ones(len(true))) and not _same(obtained, -true):
+    if same(np.exp(1j * (obtained + true)), np.ones(len(true))) and not same(obtained, -true):
         yield look_up("the sign of the angle is wrong")
-    if _same(np.exp(1j * (obtained + true)), np.full(len(true), 1j)):
+    if same(np.exp(1j * (obtained + true)), np.full(len(true), 1j)):
         yield look_up("the arguments of `atan2` are exchanged: first the side across, then the side along")
-    if _same(np.exp(4j * (obtained - true)), np.ones(len(true))) and not _same(
+    if same(np.exp(4j * (obtained - true)), np.ones(len(true))) and not same(
         np.exp(2j * (obtained - true)), np.ones(len(true))
     ):
         yield look_up("right up to a quarter turn: the angle is counted from another direction")
     turns = (obtained - true) / np.pi
-    if _same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
+    if same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
         yield look_up("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")
-    if _same(np.exp(2j * (obtained + true)), np.full(len(true), -1 + 0j)):
+    if same(np.exp(2j * (obtained + true)), np.full(len(true), -1 + 0j)):
         yield look_up(
             "the quotient in the arctangent is upside down: the side across stands above; and `atan2` keeps the quadrant"
         )
-    if _same(np.abs(obtained), np.abs(true)) and np.ptp(np.sign(obtained * true)) > 0:
+    if same(np.abs(obtained), np.abs(true)) and np.ptp(np.sign(obtained * true)) > 0:
         yield look_up("right but for the sign, and for some values only: it must hold in all quadrants")
 
 
@@ -278,7 +278,7 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
     if good.sum() < ENOUGH:
         return ""
     ratio = obtained[good] / true[good]
-    if _same(ratio, np.full_like(ratio, ratio[0])):
+    if same(ratio, np.full_like(ratio, ratio[0])):
         return _by_number(float(ratio[0]), true[good], {name: values[good] for name, values in factors.items()})
     known = {name: values[good] for name, values in factors.items()}
     if times := _product(ratio, known):
@@ -298,7 +298,7 @@ def _product(values: np.ndarray, factors: Letters) -> str:
     powers, exactly = _powers(values, factors) or ({}, 0.0)
     number = Fraction(exactly).limit_denominator(_LARGEST)
     if (
-        not _same(np.array([exactly] * ENOUGH), np.array([float(number)] * ENOUGH))
+        not same(np.array([exactly] * ENOUGH), np.array([float(number)] * ENOUGH))
         or not 0 < len(powers) <= _MOST_FACTORS
     ):
         return ""
@@ -330,7 +330,7 @@ def _powers_of(values: np.ndarray, factors: Letters) -> tuple[dict[str, int], fl
         [each**power for each, power in zip(factors.values(), powers.tolist(), strict=True)], axis=0
     )
     number = float(np.median(rest))
-    if not _same(rest, np.full_like(rest, number)):
+    if not same(rest, np.full_like(rest, number)):
         return None
     return {name: power for name, power in zip(factors, powers.tolist(), strict=True) if power}, number
 
@@ -370,13 +370,14 @@ def _as_root(size: float) -> str:
     return f"√{square}" if is_root and square <= _LARGEST else ""
 
 
-def _wrong(true: np.ndarray, obtained: np.ndarray) -> np.ndarray:
+def wrong_entries(true: np.ndarray, obtained: np.ndarray) -> np.ndarray:
     """Return which entries differ at any sample, (rows, columns)."""
     good = np.isfinite(true) & np.isfinite(obtained)
     return np.asarray((good & (np.abs(true - obtained) > _TOLERANCE * (1 + np.abs(true)))).any(axis=0))
 
 
-def _same(one: np.ndarray, other: np.ndarray) -> bool:
+def same(one: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two arrays agree wherever both have a value, at samples enough."""
     good = np.isfinite(one) & np.isfinite(other)
     return bool(good.sum() >= ENOUGH and (np.abs(one - other) <= _TOLERANCE * (1 + np.abs(other)))[good].all())
 

@@ -18,8 +18,8 @@ from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.dh.table import read_table
-from armproof.models.errors import ArmproofError, written
-from armproof.models.language import look_up, spoken
+from armproof.models.errors import ArmproofError, counted, written
+from armproof.models.language import look_up, noted, spoken
 from armproof.models.loading.dh_plant import build_arm
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.check import check_document
@@ -41,6 +41,8 @@ TURN = 6.3  # rad: no constant angle of a table is larger
 _PLAIN = re.compile(r"\s*[-+]?\d+(?:\.\d+)?\s*")
 _POSES = 6  # at which two arms are compared
 _NEAR = 1e-9
+_EARLY = noted("{names} stands one row too early: every entry of the column belongs in the row below")
+_LATE = noted("{names} stands one row too late: every entry of the column belongs in the row above")
 ORDER = {"classic": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "d", "theta")}
 
 
@@ -86,7 +88,8 @@ class Table:
         if rows_in_numbers := [f.terms["number"] for f in record.findings if _wants_letter(f)]:
             return Feedback(Outcome.WRONG, written("row {row}: a letter is wanted for the length, not a number", row=rows_in_numbers[0]))  # fmt: skip
         if record.verdict is Verdict.REFUTED:
-            return Feedback(Outcome.WRONG, self._in_other_order(rows) or self._sentence(record))
+            told = self._in_other_order(rows) or self._misplaced(rows, record) or self._sentence(record)
+            return Feedback(Outcome.WRONG, told)
         return Feedback(Outcome.ERROR, record.message or look_up("the table cannot be read"))
 
     def show(self, task: str, answer: Any, at: Mapping[str, float]) -> Shown | Portrait:
@@ -178,15 +181,42 @@ class Table:
             return ""
         return look_up("this is a table of the classic convention, in its order; here the modified one is asked") if other == "classic" else look_up("this is a table of the modified convention, in its order; here the classic one is asked")  # fmt: skip
 
+    def _misplaced(self, rows: Sequence[Sequence[str]], record: Record) -> str:
+        """Say that two columns are exchanged, in some rows or in all, or that one stands a row too early or too late."""
+        order = ORDER[self.convention]
+        wrong = {order[(entry.column or 0) - 2] for entry in record.entries if entry.row and (entry.column or 0) > 1}
+        for one, other in (("a", "d"), ("alpha", "theta")):
+            if wrong and not wrong <= {one, other}:
+                continue
+            i, j = order.index(one), order.index(other)
+            changed = [[*row] for row in rows]
+            astray = [k for k, row in enumerate(rows) if not _is_zero(row[i]) or not _is_zero(row[j])]
+            for k in astray:
+                changed[k][i], changed[k][j] = rows[k][j], rows[k][i]
+            if len(astray) > 1 and self._record(changed).verdict is Verdict.PROVED:
+                return written("{one} and {other} are exchanged in all rows", one=one, other=other)
+        for names in (("a",), ("alpha",), ("a", "alpha")):
+            if wrong != {*names} or len(record.entries) < 2:
+                continue
+            places = [order.index(name) for name in names]
+            for later, words in ((1, _EARLY), (-1, _LATE)):
+                if self._record(_shifted(rows, places, later)).verdict is Verdict.PROVED:
+                    return written(look_up(words), names=list(names))
+        return ""
+
     def _sentence(self, record: Record) -> str:
-        """Name the row and the parameter that are wrong, not their values."""
+        """Name the rows and the parameter that are wrong, not their values; the same mistake of several rows once."""
         names = [*("i",), *ORDER[self.convention]]
+        rows: dict[str, list[int]] = {}
+        for entry in record.entries[:4]:
+            words = written("{name} is wrong", name=names[(entry.column or 1) - 1])
+            change = f"{words} ({entry.change})" if entry.change else words
+            rows.setdefault(change, []).append(entry.row or 0)
         told = [
-            written("row {row}: {name} is wrong", row=entry.row, name=names[(entry.column or 1) - 1])
-            + (f" ({entry.change})" if entry.change else "")
-            for entry in record.entries[:4]
+            counted("row {rows}: {words}", "rows {rows}: {words}", len(where), rows=where, words=words)
+            for words, where in rows.items()
         ]
-        return look_up("; ").join(dict.fromkeys(told)) or record.message
+        return look_up("; ").join(told) or record.message
 
     def _rows(self, answer: Any) -> list[tuple[str, ...]]:
         if isinstance(answer, str):
@@ -228,8 +258,7 @@ class Table:
             raise AnswerError("{place}: {cell} cannot be read: {reason}", place=place, cell=f"{cell!r:.40}", reason=str(error)) from None  # fmt: skip
         for name in n.walk(node):
             if isinstance(name, n.Name) and self._names.known_symbol(name.key) is None and name.key != "pi":
-                raise AnswerError("{place}: there is no letter {key}; the letters are {letters}",
-                    place=place, key=name.key, letters=list(self._letters))  # fmt: skip
+                raise no_such_letter(place, name.key, self._letters, self.loaded)
         return latex
 
     @cached_property
@@ -240,6 +269,19 @@ class Table:
     def _letters(self) -> tuple[str, ...]:
         arm = self.loaded
         return (*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles, *self.symbols)
+
+
+def _is_zero(cell: str) -> bool:
+    return cell.strip() == "0"
+
+
+def _shifted(rows: Sequence[Sequence[str]], places: Sequence[int], later: int) -> list[list[str]]:
+    """Return rows whose cells in some columns are moved to the next row, or to the one before."""
+    changed = [[*row] for row in rows]
+    for k, row in enumerate(changed):
+        for place in places:
+            row[place] = rows[k - later][place] if 0 <= k - later < len(rows) else "0"
+    return changed
 
 
 def _rows_of(text: str) -> list[list[str]]:
@@ -254,6 +296,17 @@ def _rows_of(text: str) -> list[list[str]]:
         rows = [row for row in rows if not set("".join(row)) <= set("-: ")]
     cells = [[cell.strip().strip("$").strip() for cell in row] for row in rows]
     return [row[-4:] for row in cells if not any("_i" in cell or "_{i" in cell for cell in row)]
+
+
+def no_such_letter(place: str, key: str, letters: Sequence[str], arm: Arm) -> AnswerError:
+    """Return what is to be said of a letter that the arm has not; of a slide's angle, or a turn's offset, why."""
+    for joint in arm.joints:
+        index = joint.symbol.partition("_")[2]
+        if index and key.replace("_", "") in (f"theta{index}", f"d{index}"):
+            if joint.kind == "prismatic":
+                return AnswerError("{place}: joint {index} slides: it has no angle {key}, its variable is {symbol}", place=place, index=index, key=key, symbol=joint.symbol)  # fmt: skip
+            return AnswerError("{place}: joint {index} turns: it has no variable offset {key}, its variable is {symbol}", place=place, index=index, key=key, symbol=joint.symbol)  # fmt: skip
+    return AnswerError("{place}: there is no letter {key}; the letters are {letters}", place=place, key=key, letters=list(letters))  # fmt: skip
 
 
 def _wants_letter(finding: Finding) -> bool:

@@ -183,7 +183,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     [(0, 0, "h", "theta_1"), ("pi/2", "e", 0, "theta_2"), ("-pi/2", 0, "d_3", 0)],
-                    "row 2: alpha is wrong",
+                    "rows 2, 3: alpha is wrong",
                 ),
                 Wrong(
                     [("-pi/2", "e", "h", "theta_1"), ("pi/2", 0, 0, "theta_2"), (0, 0, "d_3", 0)],

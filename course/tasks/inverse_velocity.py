@@ -614,6 +614,11 @@ LESSON = Lesson(
             wrong=(
                 Wrong(r"\frac{1}{\sigma}", "this is the gain without damping", own=True),
                 Wrong(
+                    r"\frac{1}{\sigma} + \frac{1}{\lambda}",
+                    "this is larger than the gain without damping, and grows without bound as σ goes to 0: damping is to prevent that",
+                    own=True,
+                ),
+                Wrong(
                     r"\frac{1}{\sigma^2 + \lambda^2}",
                     "a factor σ is missing: the first term is differentiated through σ times the rate",
                     own=True,

@@ -475,6 +475,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
+                    r"\frac{(q_f - q_0)(10 t^2 t_f^2 - 15 t^3 t_f + 6 t^4)}{t_f^5}",
+                    "the exponents are lowered, but they do not stand before the powers as factors: of t^3 the derivative is 3 t^2",
+                    own=True,
+                ),
+                Wrong(
                     r"\frac{60(q_f - q_0) t (t_f - t)(t_f - 2t)}{t_f^5}",
                     "this is the acceleration: differentiated once too often",
                     own=True,

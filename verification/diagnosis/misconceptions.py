@@ -11,6 +11,7 @@ from armproof.verification.diagnosis.brackets import missing_brackets, wide_brac
 from armproof.verification.diagnosis.slips import Change, Edit, is_trigonometric, on_all, products_of_functions
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 
 _ARCS = {"asin": "\\arcsin", "acos": "\\arccos", "atan": "\\arctan"}
 _MOST_PLACES = 6  # at which one mistake is mended at once
@@ -25,6 +26,8 @@ def misconceptions(root: n.Node) -> Iterator[Edit]:
         _upside_down,
         _squares_of_sums,
         _term_by_term,
+        _under_root,
+        _sums_of_quotients,
         missing_brackets,
         wide_brackets,
         _divisors,
@@ -44,6 +47,9 @@ def _throughout(root: n.Node) -> Iterator[Edit]:
     if joined is not root:
         yield Edit(joined, "function", say(Kind.PRODUCTS_OF_FUNCTIONS))
     terms = [term for node in n.walk(root) if isinstance(node, n.Sum) for _, term in node.terms]
+    arcs = {id(node): angle for node in n.walk(root) if (angle := _of_radius(node)) is not None}
+    if arcs:
+        yield Edit(n.substitute_each(root, arcs), "function", say(Kind.ARC_OF_RADIUS))
     quotients = [each for each in (root, *terms) if _quotient_of(each) is not None][:_MOST_PLACES]
     for some in ([quotients] if len(quotients) > 1 else []) + [[each] for each in quotients]:
         angles = {id(each): _angle(each) for each in some}
@@ -61,6 +67,55 @@ def _angle(node: n.Node) -> n.Node:
     quotient = _quotient_of(node)
     assert quotient is not None
     return n.Call("atan2", (quotient.numerator, quotient.denominator), "\\text{atan2}", "macro()", span=node.span)
+
+
+def _of_radius(node: n.Node) -> n.Node | None:
+    """Return the angle whose sine or cosine is a quotient of one side by the root of the sum of both squares; None of anything else."""
+    if not (
+        isinstance(node, n.Call)
+        and node.function in ("asin", "acos")
+        and isinstance(quotient := bare(node.arguments[0]), n.Quotient)
+    ):
+        return None
+    side, root = bare(quotient.numerator), bare(quotient.denominator)
+    if not (
+        isinstance(root, n.Call) and root.function == "sqrt" and isinstance(under := bare(root.arguments[0]), n.Sum)
+    ):
+        return None
+    bases = [bare(term.base) for _, term in under.terms if isinstance(term, n.Power) and term.exponent == _TWO]
+    others = [base for base in bases if not _alike(base, side)]
+    if len(bases) != 2 or len(under.terms) != 2 or len(others) != 1:
+        return None
+    arguments = (side, others[0]) if node.function == "asin" else (others[0], side)
+    return n.Call("atan2", arguments, "\\text{atan2}", "macro()", span=node.span)
+
+
+def _alike(one: n.Node, other: n.Node) -> bool:
+    return isinstance(one, n.Name) and isinstance(other, n.Name) and one.key == other.key
+
+
+def _under_root(node: n.Node) -> Iterator[Change]:
+    """√(a - b²) for √a - b: a term under the root that belongs outside, where it is squared."""
+    if not (
+        isinstance(node, n.Call) and node.function == "sqrt" and isinstance(under := bare(node.arguments[0]), n.Sum)
+    ):
+        return
+    for k, (sign, term) in enumerate(under.terms):
+        if len(under.terms) > 1 and isinstance(term, n.Power) and term.exponent == _TWO:
+            rest = n.Sum((*under.terms[:k], *under.terms[k + 1 :]))
+            root = replace(node, arguments=(rest,))
+            yield n.Group(n.Sum((("+", root), (sign, term.base)))), "function", say(Kind.UNDER_ROOT)
+
+
+def _sums_of_quotients(node: n.Node) -> Iterator[Change]:
+    """a/b + a/c for a/(b + c)."""
+    if not isinstance(node, n.Sum):
+        return
+    for k, ((sign, one), (next_sign, other)) in enumerate(pairwise(node.terms)):
+        if isinstance(one, n.Quotient) and isinstance(other, n.Quotient):
+            below = n.Sum((("+", one.denominator), ("+" if sign == next_sign else "-", other.denominator)))
+            terms = (*node.terms[:k], (sign, replace(one, denominator=below)), *node.terms[k + 2 :])
+            yield replace(node, terms=terms), "function", say(Kind.SUM_OF_QUOTIENTS)
 
 
 def _divisors(node: n.Node) -> Iterator[Change]:

@@ -12,7 +12,10 @@ from armproof.course.feedback.answer import as_latex
 from armproof.course.feedback.spelling import parts_of
 
 POSITION = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
-POLAR = Formula(r"\begin{bmatrix} u \cos\theta - r w \sin\theta \\ u \sin\theta + r w \cos\theta \end{bmatrix}", ("r", "theta", "u", "w"))
+POLAR = Formula(
+    r"\begin{bmatrix} u \cos\theta - r w \sin\theta \\ u \sin\theta + r w \cos\theta \end{bmatrix}",
+    ("r", "theta", "u", "w"),
+)
 COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
 ROOT = Formula(r"\sqrt{x^2 + y^2}", ("x", "y"))
 SPEED = Formula(r"\frac{15}{8 t_f}", ("t_f",))
@@ -65,7 +68,9 @@ def test_a_form_decides_nothing(asks: Any, right: Any, wrong: Any) -> None:
     assert asks.judge(wrong).outcome is Outcome.WRONG
 
 
-@pytest.mark.parametrize("text", [r"\text{atan2}(y, x)", r"a\,b", "[a, b]", r"\begin{bmatrix} a & b \end{bmatrix}", "a,", ""])
+@pytest.mark.parametrize(
+    "text", [r"\text{atan2}(y, x)", r"a\,b", "[a, b]", r"\begin{bmatrix} a & b \end{bmatrix}", "a,", ""]
+)
 def test_one_formula_is_not_taken_apart(text: str) -> None:
     assert parts_of(text) is None
 

@@ -91,7 +91,7 @@ def squared(answer: str) -> str:
         (AWAY, r"\operatorname{atan2}(-x, y)", "the arguments of atan2 are exchanged"),
         (BENT, lambda D: np.arcsin(np.sqrt(1 - D**2)), "the sine is right, the angle is not"),
         (BENT, lambda D: -np.arccos(D), "sign"),
-        (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "the mistake is in how l_1 comes in: for l_1 = 0 your answer is right"),
+        (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "a term stands under the root that belongs outside"),
         (LEAN, r"\arcsin\frac{l_1}{l_2}", "arcsin where arctan belongs"),
         (LEAN, lambda l_1, l_2: 2 * np.arcsin(l_1 / l_2) - np.arcsin(l_1 / l_2), "the tangent of the angle is known"),
         (HEIGHT, "l_1 S_1 + l_2 S_2 + l_3 S_3", "each angle is taken as absolute"),
@@ -178,7 +178,7 @@ def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answe
     ("asks", "answer"),
     [
         (COSINE, r"\frac{x^2 + y^2 - l_1^2 - l_1 l_2}{2 l_1 l_2} + \frac{x}{y}"),
-        (RADIUS, "x + 2 y"),
+        (RADIUS, "3 x + 2 y + x y^3 / y^3"),
         (RADIUS, lambda x, y: [1, 2, 3]),
         (RADIUS, lambda x, y: 1 / 0),
         (PLACE, [0.1, 0.37, -0.42]),

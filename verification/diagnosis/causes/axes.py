@@ -117,6 +117,9 @@ def _by_formula(way: Construction) -> Iterator[Candidate]:
     yield say(Kind.SIGN_OF_CROSS_PRODUCT), stacked(np.cross(z, p - end), z, z, prismatic)
     yield say(Kind.CROSS_OF_ORIGIN), stacked(np.cross(z, p), z, z, prismatic)
     yield say(Kind.CROSS_OF_END), stacked(np.cross(z, np.broadcast_to(end, p.shape)), z, z, prismatic)
+    first, following = way.poses[:, :1, :3, 3], way.origins(1)
+    yield say(Kind.CROSS_OF_LINKS_BEFORE), stacked(np.cross(z, following - first), z, z, prismatic)
+    yield say(Kind.CROSS_OF_OWN_LINK), stacked(np.cross(z, following - p), z, z, prismatic)
     yield say(Kind.NO_CROSS_PRODUCT), stacked(end - p, z, z, prismatic)
     if prismatic.any():
         yield say(Kind.PRISMATIC_AS_REVOLUTE), stacked(np.cross(z, end - p), z, z, np.zeros_like(prismatic))
