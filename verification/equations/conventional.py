@@ -28,6 +28,7 @@ from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import column_of_jacobian
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
@@ -209,7 +210,7 @@ class Conventions:
         """[x; y] = …: each entry that is a name by itself, by the entry that stands in its place."""
         value, rows = known[0].value if known else None, written_rows(member.node)
         blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) else None
-        if blocks is None or not isinstance(value, Matrix):
+        if blocks is None or not isinstance(value, Matrix) or stand_for_scalars(blocks, self.names):
             return member
         for block in blocks:
             cell = self.members.evaluate(block.cell)

@@ -10,11 +10,12 @@ from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.equations.alignment import Pair, is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.outcome import HOLDS, Outcome
+from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
-from armproof.verification.evaluation.blocks import partition, written_rows
-from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.evaluation.blocks import Block, partition, written_rows
+from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.names import Names
@@ -97,6 +98,8 @@ class Definitions:
         blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) else None
         if not isinstance(value, Matrix) or blocks is None:
             return None
+        if (unclear := self._rows_unclear(true, blocks)) is not None:
+            return Outcome(Verdict.UNCHECKED, (unclear,), equation, true, member)
         first: dict[str, Value] = {}  # what a name is where it stands first
         wrong: list[tuple[int, int]] = []
         unknown: EvaluationError | None = None
@@ -128,6 +131,14 @@ class Definitions:
             return Outcome(Verdict.UNCHECKED, (finding_of(unknown),), equation, true, member)
         said = say(Kind.DEFINES_ENTRIES, names=list(first))
         return Outcome(Verdict.DEFINED, (said,), equation, true, member, defines=tuple(first))
+
+    def _rows_unclear(self, true: Member, blocks: list[Block]) -> Finding | None:
+        """Say that a Jacobian of six rows stands beside two or three components: nothing tells which rows it is to have."""
+        named = (below for below in n.walk(true.node) if isinstance(below, n.Name))
+        jacobian = next((name for name in named if self.members.jacobian_name(name) is not None), None)
+        if jacobian is None or not stand_for_scalars(blocks, self.names):
+            return None
+        return say(Kind.ROWS_BY_COMPONENTS, name=jacobian.text, count=len(blocks))
 
     def label(self, brace: n.Labelled, equation: int) -> Iterator[Outcome]:
         """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim."""

@@ -10,6 +10,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.equations.alignment import square_rows
 from armproof.verification.equations.outcome import Outcome, hold
+from armproof.verification.equations.rates import rows_told
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -34,6 +35,10 @@ class RowsOfJacobians:
         for printed in [*self._printed(chain)]:
             if not shown[printed.key].printed or shown[printed.key].section != self.names.state.section:
                 del shown[printed.key]
+        rows = rows_told(chain, self.names)
+        for below in n.walk(chain) if rows is not None else ():
+            if self._is_open(below) and not isinstance(below, n.Group):
+                shown[replace(below, dots=0).key] = JacobianRows(rows, self.names.state.section, printed=False)  # type: ignore
         for below in [*n.walk(chain)]:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
             if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
