@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.equations.outcome import Outcome
@@ -15,32 +15,78 @@ from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Verdict
 
 _LETTERS = frozenset("FfM")  # N_x may be an entry of a rotation, m_x a mass
+_LOADS = frozenset("FfMNQW")  # behind J^T, or in F = (0, 0, -W), where they can be nothing else
 _COMPONENT = re.compile(r"\w*,?[xyz]")
 
 
 def heed_forces(names: Names, chain: n.Chain) -> None:
     """Take the components of a column for free symbols, until an equation says what they are: F_x = 10."""
     columns = [_components(cells_of(member)) for member in chain.members]
-    alone = [name for member, column in zip(chain.members, columns, strict=True) for name in column or _one(member)]
+    is_force = any(map(_is_force, chain.members))
+    columns = [
+        column or (_loads(member) if is_force else []) for member, column in zip(chain.members, columns, strict=True)
+    ]
+    alone = [
+        name for member, column in zip(chain.members, columns, strict=True) for name in column or _alone(member, names)
+    ]
     introduced = all(column or isinstance(bare(m), n.Name) for m, column in zip(chain.members, columns, strict=True))
     if alone and not (introduced and any(columns)):
         names.state.adopted.difference_update(name.key for name in alone)
         return
-    for below in (each for member in chain.members for each in n.walk(member)):
-        names.state.adopted |= {name.key for name in _components(cells_of(below)) if names.is_open(name)}
+    found = [name for below in _walked(chain) for name in (*_components(cells_of(below)), *_behind_transpose(below))]
+    found += [name for column in columns for name in column]
+    names.state.adopted |= {name.key for name in found if names.is_open(name)}
 
 
 def unless_left_out(outcome: Outcome, names: Names) -> Outcome:
     """Leave open what is refuted, and of which only one side holds a component: the other may hold its value."""
     if outcome.verdict is not Verdict.REFUTED or outcome.pair is None or not names.state.adopted:
         return outcome
-    one, other = ({*filter(_is_key, symbols_in(side.cells))} for side in (outcome.pair.true, outcome.pair.printed))
+    keys = [symbols_in(side.cells) for side in (outcome.pair.true, outcome.pair.printed)]
+    one, other = ({key for key in side if _is_key(key) or _is_load(key, names)} for side in keys)
     return outcome.left_open(say(Kind.FORCE_LEFT_OUT, names=sorted(one ^ other))) if one != other else outcome
+
+
+def _walked(chain: n.Chain) -> Iterator[n.Node]:
+    return (below for member in chain.members for below in n.walk(member))
 
 
 def _is_key(key: str) -> bool:
     base, _, sub = key.partition("_")
     return base in _LETTERS and _COMPONENT.fullmatch(sub) is not None
+
+
+def _is_load(key: str, names: Names) -> bool:
+    return key in names.state.adopted and key.partition("_")[0] in _LOADS
+
+
+def _is_force(node: n.Node) -> bool:
+    """Whether a side is the name of a force, F or f."""
+    name = bare(node)
+    return isinstance(name, n.Name) and name.base in ("F", "f") and not name.dots
+
+
+def _behind_transpose(node: n.Node) -> list[n.Name]:
+    """Return the components of the column that J^T multiplies, each a letter or a letter with a minus, zeros beside them."""
+    if not isinstance(node, n.Product) or len(node.factors) < 2:
+        return []
+    first, second = map(bare, node.factors[:2])
+    base = bare(first.base) if isinstance(first, n.Postfix) and first.operator == "T" else None
+    base = base.arguments[0] if isinstance(base, n.Call) and base.function == "name" else base
+    return _loads(second) if isinstance(base, n.Name) and base.base == "J" else []
+
+
+def _loads(node: n.Node) -> list[n.Name]:
+    """Return the letters of a column of such and of zeros, or nothing of another one."""
+    cells = [_unsigned(cell) for cell in cells_of(node)]
+    found = [cell for cell in cells if _is_plain(cell) and cell.base in _LOADS]  # type: ignore[attr-defined]
+    zeros = sum(isinstance(cell, n.Number) and cell.value == 0 for cell in cells)
+    return found if len(found) + zeros == len(cells) else []  # type: ignore[return-value]
+
+
+def _unsigned(node: n.Node) -> n.Node:
+    node = bare(node)
+    return bare(node.terms[0][1]) if isinstance(node, n.Sum) and len(node.terms) == 1 else node
 
 
 def _components(cells: Sequence[n.Node]) -> list[n.Name]:
@@ -53,6 +99,14 @@ def _components(cells: Sequence[n.Node]) -> list[n.Name]:
 def _one(node: n.Node) -> list[n.Name]:
     """Return a component that stands alone, in a list."""
     name = bare(node)
-    if not isinstance(name, n.Name) or name.dots or name.primes or name.sup or name.pre_sub or name.pre_sup:
-        return []
-    return [name] if _is_key(name.key) else []
+    return [name] if _is_plain(name) and _is_key(name.key) else []  # type: ignore[attr-defined, list-item]
+
+
+def _alone(node: n.Node, names: Names) -> list[n.Name]:
+    """Return a component that stands alone on a side: an equation says what it is."""
+    name = bare(node)
+    return _one(node) or ([name] if _is_plain(name) and _is_load(name.key, names) else [])  # type: ignore[attr-defined, list-item]
+
+
+def _is_plain(node: n.Node) -> bool:
+    return isinstance(node, n.Name) and not (node.dots or node.primes or node.sup or node.pre_sub or node.pre_sup)

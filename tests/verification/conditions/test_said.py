@@ -87,6 +87,23 @@ def test_the_values_of_the_text_hold_until_others_are_given(between: str, verdic
     assert verdicts_of(LENGTHS, "", AT, "", RIGHT, "", between, "", RIGHT)[-1] == verdict
 
 
+@pytest.mark.parametrize(
+    "said",
+    [
+        "for $\\theta_1=30°$, $\\theta_2=60°$ and $l_1 = 0.5$ m, $l_2 = 0.3$ m, we get",
+        "for $\\theta_1 = 30^{\\circ}$, $\\theta_2 = \\pi/3$ rad, $l_1 = 0.5\\,\\text{m}$ and $l_2 = 0.3\\,\\mathrm{m}$:",
+        "with $l_1 = .5$ m, $l_2=0.3$m and $\\theta = (30°, 60°)$",
+        "$(\\theta_1, \\theta_2) = (30°, 60°)$ with $l_1 = 0.5$, $l_2 = 0.3$ gives",
+        "at $q = [\\pi/6, \\pi/3]^T$ with $l_1 = 0.5$ and $l_2 = 0.3$",
+        "for $θ_1 = 30 °$ and $θ_2 = +60°$, $l_1 = 0.5$ m, $l_2 = 0.3$ m",
+    ],
+)
+def test_signs_and_units_may_stand_in_the_formulas_of_the_text(said: str) -> None:
+    assert verdicts_of(said, "", RIGHT) == ["confirmed"]
+    assert verdicts_of(said, "", P_2.format("0.433", "-0.55")) == ["refuted"]
+    assert verdicts_of(said, "", P_2.format("0.343", "0.65")) == ["unchecked"]
+
+
 def test_only_numbers_right_behind_the_values_are_refuted() -> None:
     wrong = P_2.format("0.433", "-0.55")
     assert verdicts_of(LENGTHS, "", AT, "", RIGHT, "", "With the other elbow", "", wrong) == ["confirmed", "unchecked"]
