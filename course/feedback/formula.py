@@ -18,8 +18,11 @@ from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
 from armproof.course.feedback.relation import (
     Letters,
+    Said,
     Values,
     angle_astray,
+    factors_astray,
+    first_said,
     letter_at_fault,
     letters_astray,
     letters_astray_in_each,
@@ -167,7 +170,7 @@ class Formula:
         try:
             bound = set(self.arguments) & set(self.given)
             words = relation(self._true[:FEW], self._values_of(answer), {}) if bound else ""
-            return words or next(filter(None, self._unbound._relations(answer)), "")
+            return words or first_said(self._unbound._relations(answer, self._drawn))
         except ArmproofError:
             return ""
 
@@ -177,7 +180,7 @@ class Formula:
         given = {name: value for name, value in self.given.items() if name not in self.arguments}
         return self if len(given) == len(self.given) else replace(self, given=given)
 
-    def _relations(self, answer: Any) -> Iterator[str]:
+    def _relations(self, answer: Any, bound: Letters) -> Iterator[Said]:
         at = random_values(self.arguments)
         asked = remembered(partial(self.claim.values_over, ASKED))
         given = remembered(
@@ -185,19 +188,19 @@ class Formula:
         )
         true, obtained = asked(at), given(at)
         if true.shape == obtained.shape:
-            yield letters_astray(asked, given, at)
-            yield relation(true, obtained, self._factors(at))
-            yield angle_astray(asked, given, at)
-            yield letters_astray_in_each(asked, given, at) if true[0].size > 1 else ""
-            yield units_astray(asked, given, at, self._units)
-            half = len(true) // 2  # where letters that are no angles are positive
-            yield relation(
-                true[:half], obtained[:half], {name: values[:half] for name, values in self._factors(at).items()}
-            )
-            latex = self._written(answer)
-            yield slips_by_value(self.claim, latex, at)
-            yield slips_by_value(self.claim, latex, {name: values[:half] for name, values in at.items()})
-            yield letter_at_fault(asked, given, at)
+            factors, half = self._factors(at), len(true) // 2  # in the half letters that are no angles are positive
+            positive = {name: values[:half] for name, values in factors.items()}
+            drawn = {name: values[: len(true)] for name, values in bound.items()}
+            yield partial(factors_astray, asked, given, at)
+            yield partial(letters_astray, asked, given, at)
+            yield partial(relation, true, obtained, factors)
+            yield partial(angle_astray, asked, given, at)
+            if true[0].size > 1:
+                yield partial(letters_astray_in_each, asked, given, at)
+            yield partial(units_astray, asked, given, at, self._units)
+            yield partial(relation, true[:half], obtained[:half], positive)
+            yield lambda: slips_by_value(self.claim, self._written(answer), at, drawn)
+            yield partial(letter_at_fault, asked, given, at)
 
     def _written(self, answer: Any) -> str:
         """Return an answer as LaTeX, of a function what it gives for letters."""
@@ -217,6 +220,11 @@ class Formula:
             return found.reshape(len(found), *self._true.shape[1:]) if found[0].size == self._true[0].size else found
 
         return values
+
+    @cached_property
+    def _drawn(self) -> dict[str, np.ndarray]:
+        """The values of the arguments at the samples where what is asked has a value; what is given binds them."""
+        return {name: self._values[name][self._with_value] for name in self.arguments}
 
     @cached_property
     def _units(self) -> tuple[tuple[str, ...], ...]:

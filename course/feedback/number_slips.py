@@ -77,8 +77,10 @@ def number_slip(
 def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
     """Yield what explains all wrong numbers at once."""
     wrong = ~np.isclose(given, right, rtol=_TOLERANCE)
-    if near(given, right) or all(map(_is_rounded, given.tolist(), right.tolist())):
+    if all(map(_is_rounded, given.tolist(), right.tolist())):
         yield look_up("right, but rounded: hand over the expression itself, such as `np.pi / 2`, or seven digits")
+        return
+    if near(given, right):  # of more digits than the right one has: nothing is told of it
         return
     if near(np.abs(given), np.abs(right)):
         yield look_up("the sign is wrong")
@@ -86,6 +88,13 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
         yield look_up("the numbers are right, their order is not")
     if near(np.sort(np.abs(given)), np.sort(np.abs(right))):
         yield look_up("the numbers are right, their order and signs are not")
+    if (
+        right.size > 1
+        and (kinds := sorted(set(right.tolist()))) in ([0, 1], [-1, 1])
+        and not set(given.tolist()) <= {*kinds}
+        and near(given, np.round(given))
+    ):
+        yield written("each of them is {one:g} or {other:g}", one=kinds[1], other=kinds[0])
     if near(given, 1000 * right):
         yield look_up("in millimetres? Metres are asked for")
     if near(given, 100 * right) and not near(right, np.round(right)):
@@ -108,10 +117,13 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
 
 
 def _is_rounded(given: float, right: float) -> bool:
-    """Whether a number is the right one to the decimals that it has, two digits at least."""
+    """Whether a number is the right one to the decimals that it has, two digits at least; or nearly one that has many digits."""
     decimals = repr(given).partition(".")[2]
     is_plain = decimals.isdigit() and abs(given) >= 10 ** (1 - len(decimals)) and decimals != "0"
-    return given == right or (is_plain and round(right, len(decimals)) == given)
+    if given == right or (is_plain and round(right, len(decimals)) == given):
+        return True
+    has_many = float(f"{right:.4g}") != right or float(f"{given:.4g}") != given
+    return bool(has_many and near(given, right) and np.isclose(given, right, rtol=_NEAR / 2))
 
 
 def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
@@ -185,6 +197,9 @@ def _of_stated(given: float, stated: Sequence[float]) -> str:
     for one, other in combinations(stated, 2):
         if close(np.hypot(one, other)):
             return written("this is the root of {one:g}² + {other:g}²", one=one, other=other)
+    for one, other, third in combinations(stated, 3):
+        if close(np.sqrt(one**2 + other**2 + third**2)):
+            return written("this is the root of {one:g}² + {other:g}² + {third:g}²", one=one, other=other, third=third)
     return ""
 
 

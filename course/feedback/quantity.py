@@ -18,6 +18,8 @@ from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Outco
 from armproof.course.feedback.picture import call_at, draw_answer
 from armproof.course.feedback.relation import (
     Letters,
+    Said,
+    first_said,
     letter_at_fault,
     letters_astray,
     letters_astray_in_each,
@@ -123,11 +125,11 @@ class Quantity:
     def _relation(self, answer: Any) -> str:
         """Return how an answer with no known slip relates to what is asked, in its letters and in values."""
         try:
-            return next(filter(None, self._relations(answer)), "")
+            return first_said(self._relations(answer))
         except ArmproofError:
             return ""
 
-    def _relations(self, answer: Any) -> Iterator[str]:
+    def _relations(self, answer: Any) -> Iterator[Said]:
         """Yield the relations; with lengths at random, since two of an arm's may be equal, or four times each other."""
         joints = {joint.symbol: q for joint, q in zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True)}
         at = {**joints, **random_values([*self.loaded.lengths], MANY)}
@@ -137,11 +139,11 @@ class Quantity:
         )
         true, obtained = asked(at), given(at)
         if true.shape == obtained.shape:
-            yield letters_astray(asked, given, at)
-            yield relation(true, obtained, self._factors(at))
-            yield letters_astray_in_each(asked, given, at)
-            yield slips_by_value(self.claim, self._written(answer), at)
-            yield letter_at_fault(asked, given, at)
+            yield partial(letters_astray, asked, given, at)
+            yield partial(relation, true, obtained, self._factors(at))
+            yield partial(letters_astray_in_each, asked, given, at)
+            yield lambda: slips_by_value(self.claim, self._written(answer), at)
+            yield partial(letter_at_fault, asked, given, at)
 
     def _factors(self, at: Letters) -> Letters:
         """Return what may be a factor too many: lengths, the way of a slide, sines and cosines of the joints' angles."""

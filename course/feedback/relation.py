@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations, pairwise
+from functools import reduce
+from itertools import combinations, pairwise, permutations
 
 import numpy as np
 
 from armproof.course.feedback.claim import ANGLE
 from armproof.course.feedback.outcome import MOST_PLACES, place
-from armproof.models.errors import counted, written
+from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up, number_text, separator
 from armproof.verification.latex.writer import symbol_as_latex
 
 Letters = Mapping[str, np.ndarray]  # each letter's values at the samples
 Values = Callable[[Letters], np.ndarray]  # what letters give, (samples, rows, columns)
+Said = Callable[[], str]  # looks for one relation; empty where it does not hold
 
 _JOINT_ANGLE = re.compile(r"theta_\d$")
 ENOUGH = 5  # samples at which both sides have a value, so that a chance agreement is none
@@ -27,7 +29,19 @@ _SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _LARGEST = 64  # denominator of a number in a product
 _GROWN = 1.5  # by which a letter, or all of one unit, is changed to see what follows it
 _MOST_LETTERS = 8
+_MOST_MATRICES = 4
 _DRAWN = 48  # values of each letter
+
+
+def first_said(relations: Iterable[Said]) -> str:
+    """Return the words of the first relation that holds; one that cannot be evaluated does not."""
+    for said in relations:
+        try:
+            if words := said():
+                return words
+        except ArmproofError:
+            continue
+    return ""
 
 
 def relation(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
@@ -137,6 +151,32 @@ def transform_astray(true: np.ndarray, obtained: np.ndarray, origin_alone: bool)
     }
     origin = next((words for words, values in origins.items() if same(p, values)), None)
     return "" if origin is None else look_up("; ").join(filter(None, [rotation, origin]))
+
+
+def factors_astray(asked: Values, given: Values, at: Letters) -> str:
+    """Say that the matrices of single letters are multiplied in another order, left out, added, or are too many; empty where they are not.
+
+    Each factor is what is asked with all other letters zero: R_z(φ), R_y(θ), R_x(ψ) of their product.
+    """
+    true, obtained, names = asked(at), given(at), list(at)
+    if true.shape != obtained.shape or true.shape[1] != true.shape[2] or not 1 < len(names) <= _MOST_MATRICES:
+        return ""
+    none = {name: np.zeros_like(at[name]) for name in names}
+    factors = {name: asked({**none, name: at[name]}) for name in names}
+    orders = [order for order in permutations(names) if same(reduce(np.matmul, map(factors.__getitem__, order)), true)]
+    if not orders:
+        return ""
+    if same(np.sum(list(factors.values()), axis=0), obtained):
+        return look_up("the factors are added: they are to be multiplied")
+    for order in permutations(names):
+        if order not in orders and same(reduce(np.matmul, map(factors.__getitem__, order)), obtained):
+            right, wrong = (", ".join(map(symbol_as_latex, each)) for each in (orders[0], order))
+            return written("the factors stand in the order {wrong}, not {right}", wrong=wrong, right=right)
+    for name in names:
+        rest = [factors[other] for other in orders[0] if other != name]
+        if same(reduce(np.matmul, rest), obtained):
+            return written("the factor with {name} is missing", name=symbol_as_latex(name))
+    return ""
 
 
 def units_astray(asked: Values, given: Values, at: Letters, units: Sequence[Sequence[str]]) -> str:

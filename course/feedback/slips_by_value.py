@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import chain, combinations, islice
+from copy import deepcopy
+from dataclasses import dataclass
+from itertools import chain, combinations, islice, product
+from typing import TypeVar
 
 import numpy as np
 
@@ -13,34 +16,67 @@ from armproof.course.feedback.relation import ENOUGH, Letters, by_places, same, 
 from armproof.models.errors import written
 from armproof.verification.diagnosis.diagnosis import find_cell
 from armproof.verification.diagnosis.misconceptions import misconceptions
-from armproof.verification.diagnosis.slips import Edit, function_pairs, renamed, sign_pairs, single_edits
+from armproof.verification.diagnosis.slips import (
+    Edit,
+    dropping_edits,
+    function_pairs,
+    is_scalar_product,
+    plain_edits,
+    renamed,
+    sign_pairs,
+    single_edits,
+)
 from armproof.verification.diagnosis.slips import Letters as Drawn
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.findings.finding import Audience, write
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.writer import symbol_as_latex
 
+Item = TypeVar("Item")
 Value = Callable[[n.Node], np.ndarray | None]
 
 _FIRST = 60  # changes from which a second one is tried
-_EVALUATED = 30_000  # nodes, in all pairs of changes that are tried
+_EVALUATED = 60_000  # nodes, in all changes that are tried for an answer
+_SINGLE, _PAIRS = 8_000, 8_000  # nodes in the changes that are tried of one tree, of one slip and of two
 _LONGEST = 60  # nodes of an entry in which two slips are sought
+_MOST_TERMS = 12  # of an entry whose brackets are multiplied out
 
 
-def slips_by_value(claim: Claim, latex: str, at: Letters) -> str:
-    """Return the slip, or the two slips, after whose mend an answer is what is asked; of each wrong entry of a matrix."""
-    node = claim.read(latex)
-    true, obtained = claim.values_over(ASKED, at), claim.values_over(latex, at)
-    if true.shape != obtained.shape:
-        return ""
-    value, letters = claim.evaluated_over(at), _letters(claim)
-    said: dict[tuple[int, int], str] = {}
-    for row, column in _places(true, obtained)[:MOST_PLACES]:
-        cell = find_cell(node, row, column) if true[0].size > 1 else node
-        found = _slips(cell, true[:, row, column], value, letters) if cell is not None else []
-        if found:
-            said[row, column] = _words(found)
-    return next(iter(said.values()), "") if true[0].size == 1 else by_places(said)
+@dataclass
+class _Budget:
+    """How many nodes may still be evaluated for an answer, over all its entries."""
+
+    left: int = _EVALUATED
+
+    def spent_on(self, tree: n.Node, changes: Iterator[Item], most: int) -> Iterator[Item]:
+        """Yield changes of a tree as long as there is something left, and no more than `most` nodes in all."""
+        nodes = sum(1 for _ in n.walk(tree))
+        for change in islice(changes, max(min(self.left, most) // nodes, 0)):
+            self.left -= nodes
+            yield change
+
+
+def slips_by_value(claim: Claim, latex: str, *samples: Letters) -> str:
+    """Return the slip, or the two slips, after whose mend an answer is what is asked; of each wrong entry of a matrix.
+
+    Args:
+        samples: values of the letters, one set after the other: at some an answer may have no value.
+    """
+    node, letters, budget = claim.read(latex), _letters(claim), _Budget()
+    sets = [(claim.values_over(ASKED, at), claim.values_over(latex, at), claim.evaluated_over(at)) for at in samples]
+    for search in (_one_slip, _two_slips):
+        for true, obtained, value in sets:
+            if true.shape != obtained.shape:
+                return ""
+            said: dict[tuple[int, int], str] = {}
+            for row, column in _places(true, obtained)[:MOST_PLACES]:
+                cell = find_cell(node, row, column) if true[0].size > 1 else node
+                if cell is not None and (found := search(cell, letters, _Target(value, true[:, row, column]), budget)):
+                    said[row, column] = _words(found)
+            if said:
+                return next(iter(said.values())) if true[0].size == 1 else by_places(said)
+    return ""
 
 
 def _places(true: np.ndarray, obtained: np.ndarray) -> list[tuple[int, int]]:
@@ -49,29 +85,52 @@ def _places(true: np.ndarray, obtained: np.ndarray) -> list[tuple[int, int]]:
     return [(int(row), int(column)) for row, column in np.argwhere(differs)]
 
 
-def _slips(cell: n.Node, target: np.ndarray, value: Value, letters: Drawn) -> list[Finding]:
-    """Return the one finding or the two whose changes give an entry the values that are asked; none where there are no such."""
-    first = [edit for edit in islice(_edits(cell, letters), 3 * _FIRST) if not _is_bare(edit.node)]
-    if one := next((edit for edit in first if _agrees(edit, target, value)), None):
-        return [one.finding]
-    if (nodes := sum(1 for _ in n.walk(cell))) > _LONGEST:
-        return []
-    pairs = ((one, other) for one in first[:_FIRST] for other in _edits(one.node, letters))
-    for one, other in islice(pairs, _EVALUATED // nodes):
-        if other.finding != one.finding and _agrees(other, target, value):
-            return [one.finding, other.finding]
+@dataclass(frozen=True)
+class _Target:
+    """The values that an entry is to have."""
+
+    value: Value
+    true: np.ndarray
+
+    def is_met(self, edit: Edit) -> bool:
+        """Whether a change gives the entry its values."""
+        found = self.value(edit.node)
+        return found is not None and same(found, self.true)
+
+
+def _one_slip(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
+    """Return the finding whose change mends an entry, as it stands or with its brackets multiplied out; none where none does."""
+    for tree in (cell, *expanded(cell)):
+        for edit in budget.spent_on(tree, _edits(tree, letters), _SINGLE):
+            if not _is_bare(edit.node) and target.is_met(edit):
+                return [edit.finding]
     return []
 
 
-def _agrees(edit: Edit, target: np.ndarray, value: Value) -> bool:
-    found = value(edit.node)
-    return found is not None and same(found, target)
+def _two_slips(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
+    """Return the two findings whose changes mend an entry, those that drop and add nothing first; none where none do."""
+    trees = [tree for tree in (cell, *expanded(cell)) if sum(1 for _ in n.walk(tree)) <= _LONGEST]
+    for edits in (plain_edits, dropping_edits, _any_edits):
+        for tree in trees:
+            first = [edit for edit in islice(edits(tree, letters), _FIRST) if not _is_bare(edit.node)]
+            pairs = ((one, other) for one in first for other in edits(one.node, letters))
+            for one, other in budget.spent_on(tree, pairs, _PAIRS):
+                if target.is_met(other):
+                    return [one.finding, other.finding]
+    return []
 
 
 def _edits(cell: n.Node, letters: Drawn) -> Iterator[Edit]:
     """Yield the changes of one slip, mistakes of a rule first."""
     return chain(
-        misconceptions(cell), _exchanged(cell), single_edits(cell, letters), sign_pairs(cell), function_pairs(cell)
+        misconceptions(cell), single_edits(cell, letters), sign_pairs(cell), function_pairs(cell), _exchanged(cell)
+    )
+
+
+def _any_edits(cell: n.Node, letters: Drawn) -> Iterator[Edit]:
+    """Yield the changes of one of two slips, letters exchanged first, mistakes of a rule last."""
+    return chain(
+        _exchanged(cell), single_edits(cell, letters), misconceptions(cell), sign_pairs(cell), function_pairs(cell)
     )
 
 
@@ -83,6 +142,38 @@ def _exchanged(cell: n.Node) -> Iterator[Edit]:
         yield Edit(changed, "length", say(Kind.SWAPPED_LENGTHS, one=one.text or one.key, other=other.text or other.key))
 
 
+def expanded(node: n.Node) -> Iterator[n.Node]:
+    """Yield a sum of products with its brackets multiplied out, where it has any: (a + b) C as a C + b C."""
+    terms = _terms(node)
+    if 1 < len(terms) <= _MOST_TERMS and (len(terms) > len(node.terms) if isinstance(node, n.Sum) else True):
+        yield n.Sum(
+            tuple((sign, factors[0] if len(factors) == 1 else n.Product(factors, ("",) * (len(factors) - 1))) for sign, factors in terms),
+            span=node.span,
+        )  # fmt: skip
+
+
+def _terms(node: n.Node) -> list[tuple[str, tuple[n.Node, ...]]]:
+    """Return the terms of a node, each with its sign and its factors."""
+    node = bare(node)
+    if isinstance(node, n.Sum) and all(sign in "+-" for sign, _ in node.terms):
+        return [(_times(sign, inner), factors) for sign, term in node.terms for inner, factors in _terms(term)]
+    if is_scalar_product(node):
+        parts = [_terms(factor) for factor in node.factors]
+        if np.prod([len(part) for part in parts]) <= _MOST_TERMS:
+            return [
+                (
+                    _times(*(sign for sign, _ in each)),
+                    tuple(deepcopy(factor) for _, factors in each for factor in factors),
+                )
+                for each in product(*parts)
+            ]
+    return [("+", (node,))]
+
+
+def _times(*signs: str) -> str:
+    return "-" if signs.count("-") % 2 else "+"
+
+
 def _is_bare(node: n.Node) -> bool:
     """Whether nothing but a letter or a number is left of an entry, from which two changes make anything."""
     return isinstance(node, n.Name | n.Number)
@@ -90,6 +181,8 @@ def _is_bare(node: n.Node) -> bool:
 
 def _words(findings: list[Finding]) -> str:
     one, *others = (write(finding, Audience.STUDENT) for finding in findings)
+    if others and others[0] == one:
+        return written("{slip}, in two places", slip=one)
     return written("two slips: {one}; {other}", one=one, other=others[0]) if others else one
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import textwrap
 import time
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any, Protocol
@@ -16,6 +16,7 @@ from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import WithSympy, as_latex, is_function, is_missing
 from armproof.course.feedback.choice import Number
 from armproof.course.feedback.derivation import Derivation
+from armproof.course.feedback.formula import Formula
 from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
@@ -212,9 +213,30 @@ class Task:
             return ""
         known = [(_signature_of(self.asks, wrong), wrong.words) for wrong in own]
         exact = next((words for signature, words in known if _are_equal(given, signature)), "")
-        if exact or not isinstance(self.asks, Number):
-            return exact
-        return next((words for signature, words in known if self.asks.is_like(given, signature)), "")
+        if not exact and isinstance(self.asks, Number):
+            exact = next((words for signature, words in known if self.asks.is_like(given, signature)), "")
+        return exact or self._several(given, known)
+
+    def _several(self, given: Any, known: Sequence[tuple[Any, str]]) -> str:
+        """Return the sentences of known wrong answers of which each is wrong elsewhere, and that together make this one."""
+        if (
+            not self.right
+            or not isinstance(given, np.ndarray)
+            or not isinstance(self.asks, Number | Formula | Quantity)
+        ):
+            return ""
+        right, given = _entries(_signature_of(self.asks, Wrong(self.right[0], ""))), _entries(given)
+        if right is None or given is None or right.shape != given.shape or right.shape[1] < 2:
+            return ""
+        left, told = _differing(given, right), []
+        for signature, words in known:
+            other = _entries(signature)
+            if other is not None and other.shape == given.shape:
+                wrong = _differing(other, right)
+                if wrong.any() and (wrong <= left).all() and not (wrong & _differing(given, other)).any():
+                    told.append(words)
+                    left = left & ~wrong
+        return look_up("; ").join(told) if told and not left.any() else ""
 
     def __repr__(self) -> str:
         return f"{self.title}\n\n{self.text}\n\nlesson.{self.name}.check(answer), .hint(), .solution()"
@@ -230,6 +252,18 @@ def _signature_of(asks: Question, wrong: Wrong) -> Any:
         return asks.signature(wrong.answer)
     except ArmproofError:
         return None
+
+
+def _entries(signature: Any) -> np.ndarray | None:
+    """Return the numbers of a signature, (samples, entries); None of a text."""
+    if not isinstance(signature, np.ndarray) or not signature.size:
+        return None
+    return signature.reshape(1 if signature.ndim == 1 else len(signature), -1)
+
+
+def _differing(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Return which entries differ at any sample."""
+    return np.asarray((~np.isclose(one, other, rtol=1e-8, atol=1e-9, equal_nan=True)).any(axis=0))
 
 
 def _are_equal(one: Any, other: Any) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, permutations
 
 from armproof.verification.diagnosis.slips import Change, is_scalar_product, with_items
 from armproof.verification.findings import Kind, say
@@ -61,11 +61,11 @@ def _product(node: n.Product, kept: slice) -> n.Node:
 
 
 def wide_brackets(node: n.Node) -> Iterator[Change]:
-    """Yield a (b + c) as a b + c: with the factor before a sum as that of some of its terms."""
-    if not is_scalar_product(node) or len(node.factors) != 2:
+    """Yield a (b + c) as a b + c: with a factor before a sum as that of some of its terms."""
+    if not is_scalar_product(node) or len(node.factors) > _MOST_TERMS:
         return
-    for place in (0, 1):
-        factor, group = node.factors[1 - place], node.factors[place]
+    for place, other in permutations(range(len(node.factors)), 2):
+        factor, group = node.factors[other], node.factors[place]
         inner = group.inner if isinstance(group, n.Group) else group
         if not isinstance(inner, n.Sum) or not 1 < len(inner.terms) <= _MOST_TERMS:
             continue
@@ -75,4 +75,30 @@ def wide_brackets(node: n.Node) -> Iterator[Change]:
                     (sign, n.Product((factor, term), ("",)) if k in kept else term)
                     for k, (sign, term) in enumerate(inner.terms)
                 )
-                yield n.Group(n.Sum(terms, span=node.span)), "term", say(Kind.WIDE_BRACKETS)
+                narrow = n.Group(n.Sum(terms, span=node.span))
+                rest = tuple(each for k, each in enumerate(node.factors) if k not in (place, other))
+                yield n.Product((*rest, narrow), ("",) * len(rest)) if rest else narrow, "term", say(Kind.WIDE_BRACKETS)
+
+
+def moved_brackets(node: n.Node) -> Iterator[Change]:
+    """Yield (h a + b) g as h (a + b g), and the other way round: brackets around the wrong parts of a product."""
+    if not is_scalar_product(node) or len(node.factors) < 2:
+        return
+    for place, group in enumerate(node.factors):
+        inner = group.inner if isinstance(group, n.Group) else group
+        if not isinstance(inner, n.Sum) or len(inner.terms) != 2:
+            continue
+        (sign, one), (next_sign, other) = inner.terms
+        before, behind = node.factors[:place], node.factors[place + 1 :]
+        if behind and is_scalar_product(one):
+            term = n.Product((other, behind[0]), ("",))
+            narrow = n.Group(n.Sum(((sign, _product(one, slice(1, None))), (next_sign, term)), span=node.span))
+            yield _of_factors(*before, one.factors[0], narrow, *behind[1:]), "term", say(Kind.MOVED_BRACKETS)
+        if before and is_scalar_product(other):
+            term = n.Product((before[-1], one), ("",))
+            wide = n.Group(n.Sum(((sign, term), (next_sign, _product(other, slice(None, -1)))), span=node.span))
+            yield _of_factors(*before[:-1], wide, other.factors[-1], *behind), "term", say(Kind.MOVED_BRACKETS)
+
+
+def _of_factors(*factors: n.Node) -> n.Node:
+    return factors[0] if len(factors) == 1 else n.Product(factors, ("",) * (len(factors) - 1))

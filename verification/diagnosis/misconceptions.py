@@ -7,8 +7,15 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-from armproof.verification.diagnosis.brackets import missing_brackets, wide_brackets
-from armproof.verification.diagnosis.slips import Change, Edit, is_trigonometric, on_all, products_of_functions
+from armproof.verification.diagnosis.brackets import missing_brackets, moved_brackets, wide_brackets
+from armproof.verification.diagnosis.slips import (
+    Change,
+    Edit,
+    is_scalar_product,
+    is_trigonometric,
+    on_all,
+    products_of_functions,
+)
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -27,9 +34,13 @@ def misconceptions(root: n.Node) -> Iterator[Edit]:
         _squares_of_sums,
         _term_by_term,
         _under_root,
+        _hypotenuses,
+        _coordinates,
+        _products_of_letters,
         _sums_of_quotients,
         missing_brackets,
         wide_brackets,
+        moved_brackets,
         _divisors,
     ):
         yield from on_all(root, rule)
@@ -101,10 +112,58 @@ def _under_root(node: n.Node) -> Iterator[Change]:
     ):
         return
     for k, (sign, term) in enumerate(under.terms):
-        if len(under.terms) > 1 and isinstance(term, n.Power) and term.exponent == _TWO:
-            rest = n.Sum((*under.terms[:k], *under.terms[k + 1 :]))
-            root = replace(node, arguments=(rest,))
-            yield n.Group(n.Sum((("+", root), (sign, term.base)))), "function", say(Kind.UNDER_ROOT)
+        if not (len(under.terms) > 1 and isinstance(term, n.Power) and term.exponent == _TWO):
+            continue
+        others, base = (*under.terms[:k], *under.terms[k + 1 :]), bare(term.base)
+        root = replace(node, arguments=(n.Sum(others),))
+        yield n.Group(n.Sum((("+", root), (sign, term.base)))), "function", say(Kind.UNDER_ROOT)
+        if sign == "+" and isinstance(base, n.Sum) and len(base.terms) == 2:
+            (_, kept), outside = base.terms
+            root = replace(node, arguments=(n.Sum((*others, ("+", _squared(kept)))),))
+            yield n.Group(n.Sum((("+", root), outside))), "function", say(Kind.UNDER_ROOT)
+
+
+def _hypotenuses(node: n.Node) -> Iterator[Change]:
+    """atan2(y, h) for atan2(y, √(h² - y²)), and atan2(y, √(x² + y²)) for atan2(y, x): the longest side is none of the two."""
+    if not (isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2):
+        return
+    y, h = node.arguments
+    finding = say(Kind.HYPOTENUSE)
+    yield replace(node, arguments=(y, _root(h, "-", y))), "function", finding
+    if (
+        isinstance(root := bare(h), n.Call)
+        and root.function == "sqrt"
+        and isinstance(under := bare(root.arguments[0]), n.Sum)
+    ):
+        for _, term in under.terms:
+            if isinstance(term, n.Power) and term.exponent == _TWO and not _alike(bare(term.base), bare(y)):
+                yield replace(node, arguments=(y, term.base)), "function", finding
+
+
+def _coordinates(node: n.Node) -> Iterator[Change]:
+    """atan2(a - b, c - d) for atan2(a, c) - atan2(b, d)."""
+    if not (isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2):
+        return
+    sums = [bare(argument) for argument in node.arguments]
+    if all(isinstance(each, n.Sum) and len(each.terms) == 2 and each.terms[0][0] == "+" for each in sums):
+        (first, (sign, second)), (third, (_, fourth)) = (each.terms for each in sums if isinstance(each, n.Sum))
+        parts = [replace(node, arguments=pair) for pair in ((first[1], third[1]), (second, fourth))]
+        yield n.Group(n.Sum((("+", parts[0]), (sign, parts[1])))), "function", say(Kind.COORDINATES_FOR_ANGLES)
+
+
+def _products_of_letters(node: n.Node) -> Iterator[Change]:
+    """a b for a + b."""
+    if not is_scalar_product(node):
+        return
+    for k, (one, other) in enumerate(pairwise(node.factors)):
+        if isinstance(one, n.Name) and isinstance(other, n.Name):
+            for sign in "+-":
+                summed = n.Group(n.Sum((("+", one), (sign, other))))
+                factors = (*node.factors[:k], summed, *node.factors[k + 2 :])
+                changed = (
+                    summed if len(factors) == 1 else n.Product(factors, ("",) * (len(factors) - 1), span=node.span)
+                )
+                yield changed, "term", say(Kind.PRODUCT_FOR_SUM)
 
 
 def _sums_of_quotients(node: n.Node) -> Iterator[Change]:
@@ -143,7 +202,11 @@ def _negative(node: n.Node) -> n.Node:
 
 
 def _arcs(node: n.Node) -> Iterator[Change]:
-    """Another of the arc functions."""
+    """Another of the arc functions, or a function where its arc function belongs."""
+    if isinstance(node, n.Call) and f"a{node.function}" in _ARCS and len(node.arguments) == 1:
+        head = _ARCS[f"a{node.function}"]
+        finding = say(Kind.ANOTHER_FUNCTION, printed=node.function, correct=head[1:])
+        yield replace(node, function=f"a{node.function}", head=head, style="macro()"), "function", finding
     if isinstance(node, n.Call) and node.function in _ARCS:
         for function, head in _ARCS.items():
             if function != node.function:

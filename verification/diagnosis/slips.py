@@ -46,13 +46,7 @@ _MOST_CALLS = 6  # sines and cosines of which two may be exchanged
 
 def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Yield every tree that one small change makes of `root`, the most likely slips first."""
-    yield Edit(_negated(root), "sign", say(Kind.WRONG_SIGN))
-    yield from on_all(root, _signs_of_angles)
-    yield from on_all(root, _factors_of_angles)
-    yield from on_all(root, _signs)
-    yield from on_all(root, _functions)
-    yield from _functions_throughout(root)
-    yield from on_all(root, lambda node: _indices(node, letters))
+    yield from plain_edits(root, letters)
     yield from on_all(root, lambda node: _names(node, letters))
     yield from swapped_lengths(root, letters)
     yield from on_all(root, _dropped_factors)
@@ -61,6 +55,24 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from _squares(root, letters)
     yield from on_all(root, _dropped_terms)
     yield from _added_factors(root, letters)
+
+
+def plain_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """Yield the trees with another sign, function or index: nothing is dropped, nothing added."""
+    yield Edit(_negated(root), "sign", say(Kind.WRONG_SIGN))
+    yield from on_all(root, _signs_of_angles)
+    yield from on_all(root, _factors_of_angles)
+    yield from on_all(root, _signs)
+    yield from on_all(root, _functions)
+    yield from _functions_throughout(root)
+    yield from on_all(root, lambda node: _indices(node, letters))
+
+
+def dropping_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
+    """Yield the trees with a factor or a term less, or another number."""
+    yield from on_all(root, _dropped_factors)
+    yield from on_all(root, _dropped_terms)
+    yield from _numbers(root)
 
 
 def sign_pairs(root: n.Node) -> Iterator[Edit]:
@@ -355,6 +367,7 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
     targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
     if not isinstance(root, n.Sum):
         targets.append(root)
+    targets += [node.denominator for node in _formulas(root) if isinstance(node, n.Quotient)]
     for target in targets:
         for factor, missing in factors:
             before = target.factors if is_scalar_product(target) else (target,)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from armproof.course.feedback import Formula, Outcome, Quantity, Table
+from armproof.course.feedback import Formula, Number, Outcome, Quantity, Table, Task, Wrong, open_lesson
 
 SWITCH = Formula(r"(1 - \sigma)\theta + \sigma d", ("sigma", "theta", "d"))
 OPPOSITE = Formula(r"\theta_1 + \theta_2 - \psi", ("theta_1", "theta_2", "psi"), unit="rad")
@@ -21,8 +21,27 @@ POLAR = Formula(
 )
 HARMONIC = Formula(r"\frac{1}{x + y}", ("x", "y"))
 TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
+FACING = Formula(r"\text{atan2}(y, x)", ("x", "y"), unit="rad", symbols={"rho": "free", "gamma": "free"},
+    given={"x": r"\rho\cos(3\gamma)", "y": r"\rho\sin(3\gamma)"})  # fmt: skip
+BACK = Formula("x - (d_6 + d_7) s", ("x", "d_6", "d_7", "s"))
+REACH = Formula("x (l_1 C_2 - l_2 S_3)", ("x", "l_1", "l_2", "theta_2", "theta_3"), arm="planar_3r")
+LINKS = Formula(
+    "l_1 C_1 + l_2 C_{12} + l_3 C_{123}", ("theta_1", "theta_2", "theta_3", "l_1", "l_2", "l_3"), arm="planar_3r"
+)
+RPY = Formula(
+    r"\mathrm{Rot}_z(\phi) \mathrm{Rot}_y(\theta) \mathrm{Rot}_x(\psi) \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+    ("phi", "theta", "psi"),
+)
 JACOBIAN = Quantity("planar_3r", {"jacobian": 3})
 CRANE = Table("planar_2r", "classic")
+
+
+def turn(angle: Any, axis: str) -> Any:
+    c, s = np.cos(angle), np.sin(angle)
+    i, j = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}[axis]
+    X = np.full((4, 4), 0 * angle) + np.eye(4)
+    X[i, i], X[i, j], X[j, i], X[j, j] = c, -s, s, c
+    return X
 
 
 def _of_links_before(q: Any, l_1: Any, l_2: Any, l_3: Any) -> Any:
@@ -41,8 +60,25 @@ def _of_links_before(q: Any, l_1: Any, l_2: Any, l_3: Any) -> Any:
         (TURNED, r"\arcsin\frac{x}{\sqrt{x^2 + y^2}} - \arcsin\frac{n}{\sqrt{m^2 + n^2}}", "atan2 of both sides"),
         (TURNED, r"\arccos\frac{y}{\sqrt{x^2 + y^2}} - \arccos\frac{m}{\sqrt{n^2 + m^2}}", "atan2 of both sides"),
         (OUT, r"\sqrt{x^2 + y^2 - l_1^2}", "stands under the root"),
+        (OUT, r"\sqrt{(x - l_1)^2 + y^2}", "stands under the root"),
+        (ELBOW, r"\text{atan2}(K, f) - \beta", "the longest side"),
+        (ELBOW, r"\sin\frac{K}{f} - \beta", "sin where arcsin belongs"),
+        (FACING, r"\text{atan2}(y, \sqrt{x^2 + y^2})", "the longest side"),
+        (TURNED, r"\text{atan2}(x - n, y - m)", "the coordinates are subtracted"),
+        (BACK, "x - d_6 d_7 s", "a product stands where a sum belongs"),
+        (BACK, "(x - d_6 + d_7) s", "two slips"),
+        (open_lesson("rx90_and_wrist").wrist_centre.asks, "[(C_1 a_3 C_2 - d_3) S_{23}, (S_1 a_3 C_2 - d_3) S_{23}, a_3 S_2 + d_3 C_{23}]", "around the wrong parts of a product"),
+        (REACH, r"x l_1 (C_2 - l_2 S_3)", "brackets that are too wide"),
+        (REACH, r"x (l_1 C_2 - l_2 C_3)", "cosine for sine"),
+        (LINKS, "l_1 C_1 + 2 l_2 C_{12} + 3 l_3 C_{123}", "the first factor does not belong, in two places"),
+        (RPY, lambda phi, theta, psi: turn(phi, "z") @ turn(psi, "x") @ turn(theta, "y"), r"in the order \phi, \psi, \theta, not \phi, \theta, \psi"),
+        (RPY, lambda phi, theta, psi: turn(phi, "z") + turn(theta, "y") + turn(psi, "x"), "are added"),
+        (RPY, lambda phi, theta, psi: turn(phi, "z") @ turn(psi, "x"), r"theta is missing"),
+        (Number((0.0, 0.0, 0.0, 1.0)), [0, 0, 0, 4], "each of them is 1 or 0"),
+        (Number((1.0, -1.0)), [0, 0], "each of them is 1 or -1"),
+        (Number(0.7, "m").told_in("at 0.3 m, 0.4 m and 1.2 m"), 1.3, "the root of 0.3² + 0.4² + 1.2²"),
         (HARMONIC, r"\frac{1}{x} + \frac{1}{y}", "below the line is taken term by term"),
-        (TOOL, r"\begin{bmatrix} (l_1 + l_2) C_{12} \\ (l_1 + l_2) S_{12} \end{bmatrix}", "brackets that are too wide"),
+        (TOOL, r"\begin{bmatrix} (l_1 + l_2) C_{12} \\ (l_1 + l_2) S_{12} \end{bmatrix}", "index 2 does not belong"),
         (TOOL, r"[l_1 C_1 + l_2 C_2, l_1 S_1 - l_2 S_{12}]", "entry (1, 1): index 1 is missing; entry (2, 1): wrong sign of term 2"),
         (TOOL, r"[l_1 C_1 + l_2 C_2, l_1 S_1 + l_2 S_1]", "entry (2, 1)"),
         (POLAR, r"[u \cos\theta + r w \sin\theta, u \sin\theta - r w \cos\theta]", "entries (1, 1), (2, 1): wrong sign of term 2"),
@@ -81,3 +117,11 @@ def test_nothing_is_made_up(asks: Any, answer: str) -> None:
 )
 def test_what_is_right_is_no_slip(asks: Any, answer: str) -> None:
     assert asks.judge(answer).is_right
+
+
+def test_known_mistakes_in_different_entries_are_said_together() -> None:
+    known = (Wrong([6, -1], "two columns are equal", own=True), Wrong([5, 1], "they turn the same way", own=True))
+    task = Task("aligned", "Title", "Text", Number((5.0, -1.0)), ("nudge",), ((5, -1),), known)
+    assert task.check([6, 1]).message == "two columns are equal; they turn the same way"
+    assert "two columns" not in task.check([4, -1]).message
+    assert task.check([5, -1]).is_right
