@@ -427,7 +427,8 @@ class DocumentChecker:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
         result = outcome.result(record.line)
         if self.inferred.arm is not None:
-            result = replace(result, links=links_of(outcome, self.checker.members, self.inferred.arm.source))
+            source, told_by = self.inferred.arm.source, self.inferred.arm.told_by
+            result = replace(result, links=links_of(outcome, self.checker.members, source, told_by))
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:

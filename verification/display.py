@@ -22,7 +22,7 @@ from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
-from armproof.verification.equations.readings import counted, side_by_side
+from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.series import written_out
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -442,6 +442,11 @@ class Statements:
         return outcomes
 
     def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if (plain := without_count(chain, self.names)) is not None:
+            outcomes = self._clear_chain(plain, equation, line, False)
+            if outcomes and all(outcome.verdict in HOLDS for outcome in outcomes):
+                outcomes[0].also(say(Kind.COUNTS_SOLUTIONS))
+                return outcomes
         if (said := self._stated(chain, equation, line, define)) is not None:
             return [said, *self._numbers_behind(chain, said, equation, line)]
         if any(relation != "=" for relation in chain.relations):

@@ -271,6 +271,7 @@ class TakenArm:
         products: those of them where a product shows its factors.
         several_tools: whether the table shows more end effectors than this arm's.
         is_part: whether the document speaks of joints behind its last one.
+        told_by: the joint whose equation must hold before anything is refuted for it, where a law of cosines gave it.
     """
 
     name: str
@@ -284,6 +285,7 @@ class TakenArm:
     products: frozenset[tuple[int | None, int]] = frozenset()
     several_tools: bool = False
     is_part: bool = False
+    told_by: str = ""
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""

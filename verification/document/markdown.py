@@ -28,7 +28,9 @@ from armproof.verification.document.units import with_unit
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
-_ENVIRONMENT = re.compile(r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?)\}")
+_ENVIRONMENT = re.compile(
+    r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?|(?:align|gather)ed|split)\}"
+)
 _BAR = re.compile(r"(?<!\\)\|")
 _BLANK = re.compile(r"[\s>]*")
 _OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")

@@ -89,10 +89,22 @@ class Conventions:
             members = BySize(self.members, self.doubts).read(members)
             known = [member for member in members if member.known]
         if not known:
+            members, known = self._as_shown(members)
+        if not known:
             members, known = self._of_letters(members)
         if not known:
             known = [member for member in members if isinstance(member.problem, OutsideAlgebra)]
         return [self._bound(member, known) for member in members]
+
+    def _as_shown(self, members: list[Member]) -> tuple[list[Member], list[Member]]:
+        """h = WC: a name alone beside nothing that is known is what an equation under this heading has shown it to be."""
+        for place, member in enumerate(members):
+            name = _plain(member.node)
+            usual = self._usual(name.key) if name is not None and isinstance(member.problem, UnboundName) else None
+            if name is not None and usual is not None and self.names.is_open(name):
+                shown = self._tried(member.node, name, usual)
+                return [*members[:place], shown, *members[place + 1 :]], [shown]
+        return members, []
 
     def _of_letters(self, members: list[Member]) -> tuple[list[Member], list[Member]]:
         """p = (X, Y, 0)^T: a usual name beside nothing but letters and numbers, of its size, is what it usually is."""

@@ -249,6 +249,8 @@ class Redefinitions:
             del definitions[key]
             return check(chain)
         second = say(Kind.SECOND_MEANING, name=key, line=definition.line)
+        if (anew := self._anew(chain, key, definition, check)) is not None:
+            return anew
         self.names.leave_open(key, second)
         definitions[key] = replace(definitions[key], has_two_meanings=True)
         rest = (
@@ -262,6 +264,20 @@ class Redefinitions:
             Outcome(Verdict.UNCHECKED, (second,), first.equation, first.true, first.printed, role=Role.DEFINITION),
             *rest,
         ]
+
+    def _anew(self, chain: n.Chain, key: str, definition: Definition, check: Check) -> list[Outcome] | None:
+        """D = … once more, another formula of the arm: what then holds was meant so, and what fails is left open."""
+        definitions = self.names.state.definitions
+        if definition.has_two_meanings or definition.node is None or not definition.line:
+            return None
+        del definitions[key]
+        outcomes = check(chain)
+        if all(outcome.verdict is Verdict.DEFINED for outcome in outcomes) and key in definitions:
+            definitions[key] = replace(definitions[key], has_two_meanings=True, is_doubted=True)
+            outcomes[0].also(say(Kind.SECOND_MEANING, name=key, line=definition.line))
+            return outcomes
+        definitions[key] = definition
+        return None
 
 
 def _is_another_meaning(outcome: Outcome) -> bool:

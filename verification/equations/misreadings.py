@@ -8,7 +8,8 @@ from itertools import pairwise
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.alignment import is_near
+from armproof.verification.equations.alignment import is_constant, is_near
+from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.stated_rates import are_rates, is_rate
@@ -34,7 +35,7 @@ def without_misreading(
     An erratum is said to be more than a slip; where `is_closed`, each letter is known to have one meaning.
     """
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
-    reason = reason or _numbered_twice(chain)
+    reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _of_itself(chain)
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:
@@ -68,6 +69,42 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
     quantity = names.quantity(name) if isinstance(name, n.Name) and is_matrix else None
     is_jacobian = quantity is not None and quantity.kind == "jacobian" and name.key not in names.quantities  # type: ignore[attr-defined]
     return say(Kind.DETERMINANT_MEANT, name=name.text) if is_jacobian else None  # type: ignore[attr-defined]
+
+
+def _of_itself(chain: n.Chain) -> Finding | None:
+    """x = (x, y, z), the one in bold: a vector of the letter that one of its components has."""
+    keys = {key for member in chain.members if (key := bare_key(member)) is not None}
+    alone = (keys & keys_alone(_upright(member)) for member in chain.members)
+    return next((say(Kind.VECTOR_HERE, name=min(both)) for both in alone if both), None)
+
+
+def _upright(node: n.Node) -> n.Node:
+    node = bare(node)
+    return node.base if isinstance(node, n.Postfix) and node.operator == "T" else node
+
+
+def _turned_tool(outcome: Outcome, names: Names) -> Finding | None:
+    """A second {}^0T_G = {}^0T_G R, with quarter turns R: the axes of a tool may be placed in several ways."""
+    name = bare(outcome.true.node) if outcome.true is not None else None
+    values = [side.value for side in (outcome.true, outcome.printed) if side is not None]
+    if not isinstance(name, n.Name) or names.added_frame(name) is None or len(values) < 2:
+        return None
+    true, printed = map(as_matrix, values)
+    if true.shape != printed.shape or true.shape[0] < 3 or not _differ_by_quarter_turns(true, printed):
+        return None
+    return say(Kind.TURNED_TOOL, name=name.text)
+
+
+def _differ_by_quarter_turns(true: Matrix, printed: Matrix) -> bool:
+    """Whether two poses or rotations of a frame have one origin, and axes that quarter turns bring upon each other."""
+    rotation = range(3)
+    turn = true.block(rotation, rotation).transpose @ printed.block(rotation, rotation)
+    beside = [(true.rows[r][c], printed.rows[r][c]) for r, c in true.places if r > 2 or c > 2]
+    if not is_constant(turn) or not all(is_zero(one - other) for one, other in beside):
+        return False
+    numbers = [[cell.as_fraction() for cell in row] for row in turn.rows]
+    permutes = all(sorted(map(abs, row)) == [0, 0, 1] for row in [*numbers, *zip(*numbers, strict=True)])
+    return permutes and turn.determinant().as_fraction() == 1
 
 
 def _gives_rates(outcome: Outcome) -> Finding | None:

@@ -22,6 +22,7 @@ from armproof.verification.naming.quantities import ANGULAR, LINEAR, leads_outwa
 from armproof.verification.verdict import Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
+_COUNT = re.compile(r"\(?(?:[+-]|pm|mp|[ivIV]+|\d)\)?")
 _PART = re.compile(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
 
 
@@ -220,6 +221,36 @@ def counted(chain: n.Chain, names: Names) -> Finding | None:
             if isinstance(exponent, n.Group) or one or bare(member) is below:
                 return say(Kind.INDEX_OR_POWER)
     return None
+
+
+def without_count(chain: n.Chain, names: Names) -> n.Chain | None:
+    """Return a chain without the script above its joint variables that counts solutions: θ_2^{(1)} = …, q_1^+ = ….
+
+    None where there is none, where several are told apart, or where the script may be a power.
+    """
+    below = [each for member in chain.members for each in n.walk(member)]
+    found = [(node, mark) for node in below if (mark := _count(node, names)) is not None]
+    alone = {id(bare(member)) for member in chain.members}
+    told = any(id(node) in alone or not mark.isdigit() for node, mark in found)
+    if len({mark for _, mark in found}) != 1 or not told:
+        return None
+    plain = {id(node): replace(node, sup="") if isinstance(node, n.Name) else node.base for node, _ in found}  # type: ignore[attr-defined]
+    return replace(chain, members=tuple(n.substitute_each(member, plain) for member in chain.members))
+
+
+def _count(node: n.Node, names: Names) -> str | None:
+    """Return the script above a joint variable that may count solutions, one in brackets with them."""
+    if isinstance(node, n.Name):
+        plain = replace(node, sup="")
+        return node.sup if _COUNT.fullmatch(node.sup) and _is_joint(plain, names) else None
+    if isinstance(node, n.Postfix) and node.operator in ("+", "-") and _is_joint(node.base, names):
+        return node.operator
+    if not isinstance(node, n.Power) or not _is_joint(node.base, names):
+        return None
+    number = bare(node.exponent)
+    brackets = isinstance(node.exponent, n.Group)
+    is_count = isinstance(number, n.Number) and number.text.isdigit()
+    return (f"({number.text})" if brackets else number.text) if is_count else None  # type: ignore[attr-defined]
 
 
 def side_by_side(chain: n.Chain) -> tuple[n.Chain, ...]:

@@ -39,11 +39,8 @@ class SecondRoute:
     def confirm(self, outcome: Outcome, branches: bool) -> Outcome:
         """Evaluate a proved equation on the double plant as well: the second route must agree."""
         ring = self.exact.ring
-        if not (
-            self.enabled
-            or ring.signs_chosen
-            or _holds_arcs(outcome)
-            or (not self.weighs and self._coordinates(outcome))
+        if self.weighs or not (
+            self.enabled or ring.signs_chosen or _holds_arcs(outcome) or self._coordinates(outcome)
         ):  # signs and branches are decided by the samples alone
             return outcome
         errors = self.sampled_errors(outcome, branches)
@@ -72,6 +69,8 @@ class SecondRoute:
             leaves_open(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in outcome.wrong
         ):
             return outcome
+        if self.weighs:
+            return outcome.left_open(say(Kind.NOT_SAMPLED))
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
             return outcome

@@ -31,7 +31,11 @@ class ArmAlgebra(OfArm):
         self._cache: dict[Quantity, Value] = {}
 
     def quantity(self, quantity: Quantity) -> Value:
-        """Return a quantity of the arm: a Matrix, or a scalar where one component is meant."""
+        """Return a quantity of the arm: a Matrix, or a scalar where one component is meant; raises EvaluationError."""
+        if (
+            self.arm is None and quantity.kind != "link"
+        ):  # a definition of an arm's document, in a statement of any link
+            raise EvaluationError(say(Kind.NO_ARM_TO_COMPARE))
         if quantity not in self._cache:
             whole = self.whole(quantity)
             self._cache[quantity] = whole.rows[0][0] if whole.shape == (1, 1) else _select(quantity, whole)

@@ -37,7 +37,8 @@ LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC".split())
 
 def is_usual(name: n.Name) -> bool:
     """Whether a name is so common for a quantity of the arm that another value for it is worth a word."""
-    return (name.base in USUAL and name.sub not in PERHAPS_END) or "to" in name.sub or _is_entry(name)
+    is_point = name.base in ("t", "o", "O") and name.sup == "0" and name.sub.isdigit()  # t_2^0, seen from the base
+    return (name.base in USUAL and name.sub not in PERHAPS_END) or "to" in name.sub or _is_entry(name) or is_point
 
 
 def reads_as_length(letter: str) -> bool:

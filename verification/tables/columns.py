@@ -23,6 +23,7 @@ _LENGTH_UNIT = re.compile(r"\s*(?:[(\[].*[)\]]|,\s*\w+|\sin\s+\w+)$")
 CONVENTIONS = ("classic", "modified")
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋", "0123456789ij-")
 _SCRIPTS = re.compile("[₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋]+")
+_HTML_SCRIPTS = re.compile(r"<(sub|sup)>\s*([^<>{}]*?)\s*</\1>", re.IGNORECASE)
 
 # a unit in a header: in brackets, or after "in"
 _UNITS = {
@@ -115,6 +116,7 @@ class Columns:
 def plain(text: str) -> str:
     """Return a cell without dollars, emphasis, styles and spacing commands, its Unicode letters spelt in LaTeX."""
     text = _SCRIPTS.sub(lambda found: "_{" + found.group().translate(_SUBSCRIPTS) + "}", text)
+    text = _HTML_SCRIPTS.sub(lambda found: f"{'_' if found[1].lower() == 'sub' else '^'}{{{found[2]}}}", text)
     text = normalise_unicode(text.replace("$", " ")).replace("\\(", " ").replace("\\)", " ")
     text = re.sub(r"\*\*|__", "", text)
     text = re.sub(

@@ -143,3 +143,11 @@ def test_rows_of_an_arm_may_be_written_in_latex(rows: str):
         "refuted",
         "refuted",
     ]
+
+
+@pytest.mark.parametrize("name", ["aligned", "gathered", "split"])
+def test_an_inner_environment_alone_is_a_display(name: str):
+    body = f"\\begin{{{name}}}\nx &= l_1 c_1 {{}} l_2 c_{{12}}\n\\end{{{name}}}\n"
+    front = "---\narm: planar_2r\n---\n\n"
+    found = [verify_text(front + body.replace("{}", sign)).equations for sign in "+-"]
+    assert [[record.verdict.value for record in each] for each in found] == [["proved"], ["refuted"]]

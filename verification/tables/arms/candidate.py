@@ -30,6 +30,7 @@ class Candidate:
         quantities: names of the document that are usually something else.
         products: where matrices stand that a product shows factor by factor: all of such a display is data.
         several_tools: whether the table shows more end effectors than the one of the last row.
+        told_by: the joint of which an equation must hold, where nothing else could tell that this arm is meant.
     """
 
     source: str
@@ -44,6 +45,7 @@ class Candidate:
     quantities: Mapping[str, Any] = field(default_factory=dict)
     products: tuple[tuple[int | None, int], ...] = ()
     several_tools: bool = False
+    told_by: str = ""
 
     @property
     def lines(self) -> frozenset[tuple[int | None, int]]:

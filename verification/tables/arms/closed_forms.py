@@ -37,9 +37,16 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
     with algebra.budget.of(SECONDS):
         found: Found = {}
         meant = _meanings(document, names, algebra)
+        points: dict[str, int] = {}  # the number of the point whose coordinate was found: x_1, before x_2 = x_1 + …
         for display in document.displays:
-            for axis, value in _coordinates(display, names, algebra, letters) if "=" in display.latex else ():
-                found.setdefault(axis, (_with_meanings(value, meant), display))
+            for axis, key, value in _coordinates(display, names, algebra, letters) if "=" in display.latex else ():
+                value = _with_meanings(value, meant)
+                number = int(key[2:]) if key[2:].isdigit() else 0
+                before = found[axis][0] if axis in found and points[axis] else None
+                is_next = before is not None and number > points[axis] and _goes_on_from(value, before)
+                if axis not in found or is_next or (before is not None and not number):
+                    found[axis], points[axis] = (value, display), number
+                meant = {**meant, key: value} if number else meant
         if not {"x", "y"} <= found.keys():
             return None
         form = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, _rates(document))
@@ -73,6 +80,12 @@ def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[s
     return {key: values.pop() for key, values in found.items() if len(values) == 1}
 
 
+def _goes_on_from(value: Scalar, before: Scalar) -> bool:
+    """Whether a coordinate is one before it and more: that of the next point of a chain, and not of the middle of a link."""
+    counts = [len(tuple(each.ring.terms(each.normal().numerator))) for each in (value, before, value - before)]
+    return counts[2] == counts[0] - counts[1]
+
+
 def _with_meanings(value: Scalar, meant: Mapping[str, Scalar]) -> Scalar:
     """Return a coordinate with letters for what the document says they are."""
     used = {key: meant[key] for key in symbols_in([value]) if key in meant}
@@ -84,27 +97,30 @@ def _with_meanings(value: Scalar, meant: Mapping[str, Scalar]) -> Scalar:
 
 def _coordinates(
     display: Display, names: Names, algebra: ExactAlgebra, letters: dict[str, n.Name]
-) -> Iterator[tuple[str, Scalar]]:
-    """Yield the coordinates that a display gives: x = …, [x; y] = …, p = …; one that is a number or a bare length tells nothing."""
+) -> Iterator[tuple[str, str, Scalar]]:
+    """Yield axis, name and value of the coordinates that a display gives: x = …, [x; y] = …, p = ….
+
+    One that is a number or a bare length tells nothing.
+    """
     for chain in equations_of(display, names):
-        for axis, node in _given(chain):
+        for axis, key, node in _given(chain):
             evaluated = value_in_letters(node, names, algebra)
             if evaluated is None or not isinstance(evaluated[0], Scalar):
                 continue
             value = evaluated[0].normal()
             if axis == "z" or angles_in(value) or any(map(_SLIDE.fullmatch, symbols_in([value]))):
                 letters.update({name.key: name for name in evaluated[1]})
-                yield axis, value
+                yield axis, key, value
 
 
-def _given(chain: n.Chain) -> Iterator[tuple[str, n.Node]]:
-    """Yield the axes with what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
+def _given(chain: n.Chain) -> Iterator[tuple[str, str, n.Node]]:
+    """Yield the axes with a name and what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
     name, *others = map(unapplied, chain.members)
     match = _COORDINATE.fullmatch(bare_key(name) or "") if len(others) == 1 else None
     if match is not None:
-        yield (match[1] or match[2]).lower(), others[0]
+        yield (match[1] or match[2]).lower(), match[0], others[0]
     column = next((cells for other in others if (cells := _column(name, other))), ())
-    yield from zip("xyz", column, strict=False)
+    yield from ((axis, axis, cell) for axis, cell in zip("xyz", column, strict=False))
 
 
 def _column(name: n.Node, printed: n.Node) -> tuple[n.Node, ...]:

@@ -17,6 +17,7 @@ from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.general_link import shown_convention
+from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
 from armproof.verification.tables.arms.matrices import candidate_of_matrices
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
@@ -48,9 +49,15 @@ def infer_arm(document: Document) -> Inference:
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
     if found is None and of_table.problem is None:
-        found = candidate_of_closed_form(document, plain_names(document))
+        found = _of_formulas(document, plain_names(document))
     settled = _settle(document, [found]) if found is not None else of_table
     return settled if settled.arm is not None else of_table
+
+
+def _of_formulas(document: Document, names: Names) -> Candidate | None:
+    """Return the arm that a document's formulas pin: its tool's coordinates, else a law of cosines."""
+    found = candidate_of_closed_form(document, names)
+    return with_point_of_law(found, document, names) if found is not None else candidate_of_law(document, names)
 
 
 def _of_tables(document: Document) -> Inference:
@@ -103,12 +110,15 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     line = found[0].line
     more, count = found[0].lacks(joints_used(document.displays)), sum(map(bool, found[0].joints))
     missing = say(Kind.JOINTS_MISSING, count=count, index=more)
-    if more and (found[0].source != "table" or more <= found[0].last):
+    is_told = bool(found[0].told_by)
+    if more and not is_told and (found[0].source != "table" or more <= found[0].last):
         return Inference(document, None, missing, line)
     try:
         best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)])
     except ArmproofError as error:
         return Inference(document, problem=say(Kind.NO_ARM_IN_TABLE, reason=finding_of(error)), line=line)
+    if is_told:
+        return _taken(document, found[0], best, bool(more)) if found[0].told_by in best.joints else Inference(document)
     rivals = _rivals(best, others)
     is_shown = (rivals or not best.held) and (shown := shown_convention(document, plain_names(document))) != ""
     if is_shown:  # by the link matrix that it prints for any link
@@ -176,5 +186,6 @@ def _taken(document: Document, candidate: Candidate, reading: Reading, is_part: 
         frozenset(candidate.products),
         candidate.several_tools,
         is_part,
+        candidate.told_by,
     )
     return Inference(replace(document, front=dict(reading.front)), arm)

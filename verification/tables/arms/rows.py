@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Table
+from armproof.verification.equations.decimals import is_number
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
@@ -44,6 +45,7 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
     if not in_metres:
         columns = replace(columns, headers=tuple(replace(each, unit=_of_angle(each.unit)) for each in columns.headers))
     rows = [_read_row(names, table, columns, number, in_metres) for number in range(1, len(table.rows) + 1)]
+    rows = _with_fixed_tool(rows, columns.theta)
     labels = [row.label for row in rows]
     letters = [node for row in rows for cell in row.cells.values() for node in _names_in(cell) if node.key != "pi"]
     keys = {node.key for node in letters}
@@ -64,6 +66,17 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
         if not any(joints):
             raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=1))
         yield from (replace(found, frames=frames) for frames in _frames(labels, joints, ends))
+
+
+def _with_fixed_tool(rows: list[_Row], theta: int) -> list[_Row]:
+    """Return the rows, the last one without a joint where it alone gives its angle a number: θ_7 = 0."""
+    *others, last = [_is_given(row.cells[theta]) for row in rows]
+    return [*rows[:-1], replace(rows[-1], kind="fixed")] if last and others and not any(others) else rows
+
+
+def _is_given(cell: Cell) -> bool:
+    """Whether a cell says that its letter is a number: θ_7 = 0."""
+    return "=" in cell.text and len(cell.trees) == 2 and isinstance(cell.trees[0], n.Name) and is_number(cell.trees[1])
 
 
 def _frames(labels: Sequence[str], joints: Sequence[str], ends: tuple[int, str] | None) -> Iterator[tuple[str, ...]]:
@@ -133,6 +146,8 @@ def _value(names: Names, algebra: ExactAlgebra, columns: Columns, column: int, p
     value, *others = cell.values(names, algebra)
     if others and set(symbols_of(value)) & set(symbols_of(others[-1])):
         value = others[-1]  # θ_2 = θ_2 - π/2
+    if others and row.kind == "fixed" and parameter == "theta":
+        value = others[-1]  # θ_7 = 0
     if parameter in ANGLES:
         return to_radians(value, unit)[0]
     return value * SCALES.get(unit, 1) if value.as_fraction() is not None and not cell.has_unit else value

@@ -14,6 +14,7 @@ from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare_key
 from armproof.verification.verdict import EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
@@ -27,15 +28,19 @@ class Inference:
     line: int | None = None  # of what gives no arm, or not one
 
 
-FRAMES, ORDER = 0, -1  # beside its links: where a chain's frames lie, and which of its joints comes first
+# beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
+FRAMES, ORDER, TOLD = 0, -1, -2
 
 
-def links_of(outcome: Outcome, members: Members, source: str = "") -> frozenset[int]:
+def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str = "") -> frozenset[int]:
     """Return the links of the arm that an equation tells of: those that its quantities span, beside a formula without any.
 
     One that is wrong of an angle of the table tells of that row. A closed form leaves open the frames of the arm, and the
-    order of joints without numbers.
+    order of joints without numbers; a law of cosines leaves open the joint before the one whose cosine it is.
     """
+    sides = (side for side in (outcome.true, outcome.printed) if side is not None)
+    if told_by and any(bare_key(side.node) == told_by for side in sides):
+        return frozenset({TOLD})
     if outcome.conditions:  # where det J = 0 holds of many arms: that confirms none of its links
         nodes = outcome.conditions if outcome.verdict is Verdict.REFUTED else ()
         return _links([each for node in nodes for each in _quantities(node, members)], members, source)
@@ -106,7 +111,14 @@ def _symbols(value: Matrix) -> set[str]:
 
 
 def _quantities(side: n.Node, members: Members) -> list[Quantity]:
-    return [quantity for node in n.walk(side) if (quantity := members.quantity_of(node)) is not None]
+    found = (members.quantity_of(node) or _up_to_the_arm(node, members) for node in n.walk(side))
+    return [quantity for quantity in found if quantity is not None]
+
+
+def _up_to_the_arm(node: n.Node, members: Members) -> Quantity | None:
+    """Return the pose of the arm's frame within one of a frame that the document fixed on it: {}^0T_6 of {}^0T_G."""
+    added = members.names.added_frame(node) if isinstance(node, n.Name) else None
+    return Quantity("pose", added[1], added[0]) if added is not None else None
 
 
 def _span(quantity: Quantity, members: Members) -> Iterable[int]:
@@ -208,7 +220,7 @@ class _Settled:
             return result if result.links <= self.confirmed else self._data(result.index)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
         doubtful = links - self.confirmed
-        is_of_links = len(doubtful) == 1 and not doubtful & {FRAMES, ORDER}
+        is_of_links = len(doubtful) == 1 and not doubtful & {FRAMES, ORDER, TOLD}
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
             links = self.confirmed  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
@@ -216,6 +228,7 @@ class _Settled:
             bool(links) or has_entry or result.role is Role.CONDITION
         )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_sure = has_sides and (self.taken.source == "matrices" or links <= self.confirmed)
+        is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or is_sure or record.erratum:
             return result
         doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)

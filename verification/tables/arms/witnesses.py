@@ -16,11 +16,13 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import side_by_side
 from armproof.verification.errors import NotSampled
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.support import links_of
 from armproof.verification.verdict import Verdict
@@ -35,6 +37,7 @@ class Reading:
     """A way to read a document: the front matter that it amounts to, and how many of its equations then hold or fail.
 
     `entries` counts those of the equations that hold: where as many hold in two ways, a pose tells more than a height.
+    `joints` are the names alone, as in θ_1 = …, of which an equation may hold.
     """
 
     front: Mapping[str, Any]
@@ -42,6 +45,7 @@ class Reading:
     held: int = 0
     failed: int = 0
     entries: int = 0
+    joints: frozenset[str] = frozenset()
 
     @property
     def counts(self) -> tuple[int, int, int]:
@@ -69,6 +73,7 @@ class _Trial:
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), _no_samples)
         self.checker.confirm, self.checker.route.weighs = False, True
         self.held = self.failed = self.entries = 0
+        self.joints: set[str] = set()
 
     def take(self, latex: str, line: int) -> None:
         """Count which equations of a display that rest on the arm hold."""
@@ -85,6 +90,8 @@ class _Trial:
         outcomes = self.checker.check(chain, 1, line, define=not (parts := side_by_side(chain)))
         if parts and not all(outcome.verdict is Verdict.PROVED for outcome in outcomes):
             outcomes = [outcome for part in parts for outcome in self.checker.check(part, 1, line)]
+        if outcomes and _may_hold(outcomes[0]) and (key := bare_key(chain.members[0])):
+            self.joints.add(key)
         for outcome in outcomes:
             tells = bool(links_of(outcome, self.checker.members))
             self.held += tells and outcome.verdict is Verdict.PROVED
@@ -94,7 +101,7 @@ class _Trial:
 
     @property
     def reading(self) -> Reading:
-        return Reading(self.front, self.name, self.held, self.failed, self.entries)
+        return Reading(self.front, self.name, self.held, self.failed, self.entries, frozenset(self.joints))
 
 
 def weigh(document: Document, fronts: Sequence[Mapping[str, Any]]) -> list[Reading]:
@@ -129,6 +136,12 @@ def _trials(document: Document, fronts: Sequence[Mapping[str, Any]]) -> Iterator
         yield trial
     if not found and problem is not None:
         raise problem
+
+
+def _may_hold(outcome: Outcome) -> bool:
+    """Whether an equation holds, or but for signs that samples decide."""
+    is_open = any(finding.kind is Kind.NOT_SAMPLED for finding in outcome.findings)
+    return outcome.verdict is Verdict.PROVED or (outcome.verdict is Verdict.UNCHECKED and is_open)
 
 
 def _no_samples() -> NoReturn:

@@ -201,3 +201,22 @@ def test_a_table_with_as_many_joints_is_that_of_the_closed_form_above_it() -> No
     )
     assert [arm.source for arm in result.arms] == ["table"]
     assert [record.verdict.value for record in result.equations] == ["proved"] * 3
+
+
+POINTS = r"""
+$$ x_1 = l_1 \cos\theta_1, \quad y_1 = l_1 \sin\theta_1 $$
+
+$$ x_2 = x_1 + l_2 \cos(\theta_1 + \theta_2), \quad y_2 = y_1 + l_2 \sin(\theta_1 + \theta_2) $$
+
+"""
+
+
+def test_the_last_point_of_a_chain_is_the_tool() -> None:
+    assert verdicts(POINTS + JACOBIAN.replace("LAST", "l_2 c_{12}")) == ["proved"] * 3
+    assert verdicts(POINTS + JACOBIAN.replace("LAST", "l_1 c_{12}"))[-1] == "refuted"
+
+
+def test_points_in_the_middle_of_links_are_no_chain() -> None:
+    masses = POINTS.replace(r"l_1 \cos\theta_1, \quad y_1 = l_1", r"r_1 \cos\theta_1, \quad y_1 = r_1")
+    masses = masses.replace("x_1 +", r"l_1 \cos\theta_1 +").replace("y_1 +", r"l_1 \sin\theta_1 +")
+    assert not verify_text(masses + JACOBIAN.replace("LAST", "l_2 c_{12}")).arms

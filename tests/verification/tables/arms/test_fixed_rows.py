@@ -126,3 +126,22 @@ def test_what_does_not_say_of_which_end_effector_it_is_is_not_refuted(wrong: str
 def test_tools_one_behind_the_other_are_steps_of_one_arm() -> None:
     table = HEAD + ROWS + "| 2→F | $b_1$ | 0 | 0 | 0 |\n| F→E | $b_2$ | 0 | 0 | 0 |\n\n"
     assert "b_2" in verify_text(table + TWO).arms[0].front_matter
+
+
+@pytest.mark.parametrize(("angle", "joints"), [("$\\theta_3 = 0$", 2), ("$\\theta_3$", 3)])
+def test_a_last_row_that_alone_gives_its_angle_a_number_has_no_joint(angle: str, joints: int) -> None:
+    last = f"| 3 | 0 | 0 | $l_3$ | {angle} |\n\n"
+    (arm,) = verify_text(HEAD + ROWS + last + TWO).arms
+    assert len(arm.front["arm"]["joints"]) == joints
+
+
+def test_angles_that_all_have_numbers_are_those_of_a_posture() -> None:
+    rows = ROWS.replace("\\theta_1$", "\\theta_1 = 0$").replace("\\theta_2$", "\\theta_2 = 0$")
+    (arm,) = verify_text(HEAD + rows + "\n" + TWO).arms
+    assert arm.front["arm"]["joints"] == ["theta_1", "theta_2"]
+
+
+def test_indices_in_html_are_indices() -> None:
+    rows = ROWS.replace("$l_1$", "l<sub>1</sub>").replace("$\\theta_2$", "θ<sub>2</sub>")
+    right, wrong = (HEAD + rows + "\n" + text for text in (TWO, TWO.replace("l_2 s_{12}", "l_1 s_{12}")))
+    assert verdict(right) == "proved" != verdict(wrong)
