@@ -16,6 +16,7 @@ from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.decimals import is_number
+from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
@@ -375,8 +376,13 @@ class Statements:
         return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]
 
     def _unless_doubted(self, outcome: Outcome) -> Outcome:
-        """Leave open what a definition that may be a mistake decides: it proves nothing, and may be the mistake itself."""
+        """Leave open what a definition that may be a mistake decides: it proves nothing, and may be the mistake itself.
+
+        The last of two meanings is no mistake where a joint or a quantity of the arm is what it then says.
+        """
         doubted = self.names.state.doubted()
+        if outcome.verdict is Verdict.REFUTED or not is_of_arm(outcome, self.names):
+            doubted = doubted or self.names.state.with_two_meanings()
         if not doubted or outcome.verdict not in DECIDED:
             return outcome
         kind = Kind.RESTS_ON_DOUBT if outcome.verdict is Verdict.REFUTED else Kind.FOLLOWS_FROM_DOUBT

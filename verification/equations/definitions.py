@@ -273,7 +273,7 @@ class Redefinitions:
         del definitions[key]
         outcomes = check(chain)
         if all(outcome.verdict is Verdict.DEFINED for outcome in outcomes) and key in definitions:
-            definitions[key] = replace(definitions[key], has_two_meanings=True, is_doubted=True)
+            definitions[key] = replace(definitions[key], has_two_meanings=True)
             outcomes[0].also(say(Kind.SECOND_MEANING, name=key, line=definition.line))
             return outcomes
         definitions[key] = definition

@@ -8,6 +8,8 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Verdict
 
@@ -42,6 +44,15 @@ class Doubts:
         quantity = self.names.state.inferred.get(key)
         self.names.state.forget_usual(self.weak)
         return outcome.left_open(_unusual(key, quantity) if quantity is not None else say(Kind.NOT_BOUND, name=key))
+
+
+def is_of_arm(outcome: Outcome, names: Names) -> bool:
+    """Whether one side of an equation is a joint or a quantity of the arm, alone."""
+    alone = [each for node in outcome.nodes if isinstance(each := bare(node), n.Name)]
+    joints = {joint.symbol for joint in names.arm.joints} if names.arm is not None else set()
+    return any(
+        names.known_symbol(name.key) in joints or names.quantity(replace(name, dots=0)) is not None for name in alone
+    )
 
 
 def _unusual(key: str, quantity: Quantity) -> Finding:

@@ -234,6 +234,10 @@ class DocumentState:
             if each.is_doubted or (each.is_given and each.section != self.section)
         )
 
+    def with_two_meanings(self) -> list[Key]:
+        """Return the names consulted whose section gives them two meanings, each with the line of the last."""
+        return sorted((key, each.line) for key, each in self._met() if each.has_two_meanings)
+
     def _met(self) -> set[tuple[str, Definition]]:
         """Return the names consulted that the document defines, each with its definition."""
         return {(key, self.definitions[key]) for key, _ in self.consulted if key in self.definitions}
