@@ -258,9 +258,14 @@ def test_the_pose_of_a_frame_that_is_fixed_on_the_last_confirms_the_links() -> N
 
 
 def test_a_tool_whose_axes_are_turned_is_no_mistake() -> None:
-    tool = turn("9").replace("c_9", "1").replace("s_9", "0").replace("-0", "0")
-    text = link(1, "T_1^0") + link(2, "T_2^1") + f"$$ T_G^2 = {tool} $$\n\n" + whole("T_G^0")
-    turned = "$$ T_G^0 = \\begin{bmatrix} -s_{12} & -c_{12} & 0 & l_1 c_1 + l_2 c_{12} \\\\ c_{12} & -s_{12} & 0 & l_1 s_1 + l_2 s_{12} \\\\ 0 & 0 & 1 & 0 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$\n\n"
+    tool = "\\begin{bmatrix} 1 & 0 & 0 & 0 \\\\ 0 & 1 & 0 & 0 \\\\ 0 & 0 & 1 & 0.3 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix}"
+    text = (
+        link(1, "T_1^0")
+        + link(2, "T_2^1")
+        + f"$$ T_G^2 = {tool} $$\n\n"
+        + whole("T_G^0").replace("0 & 0 & 1 & 0", "0 & 0 & 1 & 0.3")
+    )
+    turned = "$$ T_G^0 = \\begin{bmatrix} -s_{12} & -c_{12} & 0 & l_1 c_1 + l_2 c_{12} \\\\ c_{12} & -s_{12} & 0 & l_1 s_1 + l_2 s_{12} \\\\ 0 & 0 & 1 & 0.3 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$\n\n"
     found = verify_text(text + turned).equations[-1]
     assert found.verdict == "unchecked" and "turned_tool" in [finding.kind for finding in found.findings]
     mirrored = turned.replace("-c_{12} & 0 &", "c_{12} & 0 &").replace("-s_{12} & 0 & l_1 s_1", "s_{12} & 0 & l_1 s_1")
