@@ -452,6 +452,7 @@ class Statements:
             outcomes = self._clear_chain(plain, equation, line, False)
             if outcomes and all(outcome.verdict in HOLDS for outcome in outcomes):
                 outcomes[0].also(say(Kind.COUNTS_SOLUTIONS))
+                self._claimed(chain, equation, line, define)  # what is said of that solution from here on
                 return outcomes
         if (said := self._stated(chain, equation, line, define)) is not None:
             return [said, *self._numbers_behind(chain, said, equation, line)]

@@ -268,12 +268,12 @@ class Redefinitions:
     def _anew(self, chain: n.Chain, key: str, definition: Definition, check: Check) -> list[Outcome] | None:
         """D = … once more, another formula of the arm: what then holds was meant so, and what fails is left open."""
         definitions = self.names.state.definitions
-        if definition.has_two_meanings or definition.node is None or not definition.line:
+        if len(chain.members) > 2 or definition.has_two_meanings or definition.node is None:
             return None
         del definitions[key]
         outcomes = check(chain)
         if all(outcome.verdict is Verdict.DEFINED for outcome in outcomes) and key in definitions:
-            definitions[key] = replace(definitions[key], has_two_meanings=True)
+            definitions[key] = replace(definitions[key], has_two_meanings=True, is_last=True)
             outcomes[0].also(say(Kind.SECOND_MEANING, name=key, line=definition.line))
             return outcomes
         definitions[key] = definition

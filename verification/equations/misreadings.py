@@ -73,7 +73,8 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
 
 def _of_itself(chain: n.Chain) -> Finding | None:
     """x = (x, y, z), the one in bold: a vector of the letter that one of its components has."""
-    keys = {key for member in chain.members if (key := bare_key(member)) is not None}
+    names = (bare(member) for member in chain.members)
+    keys = {name.key for name in names if isinstance(name, n.Name) and not name.sub}
     alone = (keys & keys_alone(_upright(member)) for member in chain.members)
     return next((say(Kind.VECTOR_HERE, name=min(both)) for both in alone if both), None)
 

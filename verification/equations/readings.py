@@ -226,7 +226,7 @@ def counted(chain: n.Chain, names: Names) -> Finding | None:
 def without_count(chain: n.Chain, names: Names) -> n.Chain | None:
     """Return a chain without the script above its joint variables that counts solutions: θ_2^{(1)} = …, q_1^+ = ….
 
-    None where there is none, where several are told apart, or where the script may be a power.
+    None where there is none, where several are told apart or one from the variable, or where the script may be a power.
     """
     below = [each for member in chain.members for each in n.walk(member)]
     found = [(node, mark) for node in below if (mark := _count(node, names)) is not None]
@@ -235,6 +235,13 @@ def without_count(chain: n.Chain, names: Names) -> n.Chain | None:
     if len({mark for _, mark in found}) != 1 or not told:
         return None
     plain = {id(node): replace(node, sup="") if isinstance(node, n.Name) else node.base for node, _ in found}  # type: ignore[attr-defined]
+    inside = {id(each) for node, _ in found for each in n.walk(node)}
+    keys = {bare_key(each) for each in plain.values()}
+    if any(isinstance(each, n.Name) and each.key in keys for each in below if id(each) not in inside):
+        return None
+    is_new = any(id(node) in alone and bare_key(node) not in names.state.definitions for node, _ in found)
+    if not is_new and any(bare_key(node) in names.state.definitions for node, _ in found):
+        return None  # a solution that has a name is that one
     return replace(chain, members=tuple(n.substitute_each(member, plain) for member in chain.members))
 
 

@@ -45,6 +45,7 @@ class Definition:
     exercise: str = ""  # empty in the document's head, which holds for all of them
     has_two_meanings: bool = False  # a second equation of its section says that it is something else
     in_text: bool = False  # what the text between displays says: a display that gives the name a meaning goes before
+    is_last: bool = False  # the last of two meanings that its section gives
     is_doubted: bool = False  # its equation is unchecked, for a usual name that it equates to something else
     is_given: bool = False  # a usual name that is equated to a number: what is to be reached under this heading
     by_table: bool = False  # the number in a row of the DH table, which its author never named
@@ -235,8 +236,8 @@ class DocumentState:
         )
 
     def with_two_meanings(self) -> list[Key]:
-        """Return the names consulted whose section gives them two meanings, each with the line of the last."""
-        return sorted((key, each.line) for key, each in self._met() if each.has_two_meanings)
+        """Return the names consulted that have the last of two meanings, each with its line."""
+        return sorted((key, each.line) for key, each in self._met() if each.is_last)
 
     def _met(self) -> set[tuple[str, Definition]]:
         """Return the names consulted that the document defines, each with its definition."""
