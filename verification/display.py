@@ -22,6 +22,7 @@ from armproof.verification.equations.general_links import GeneralStatements, is_
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import without_misreading
+from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.series import written_out
@@ -326,6 +327,7 @@ class Statements:
         self._begin()
         outcomes = self._read_chain(chain, equation, line, define)
         again = partial(self._read_chain, chain, equation, line, False)
+        outcomes = unless_of_a_sign(self.names, outcomes, again)
         if self.names.offset_joints:
             outcomes = self.checker.angles.settled(chain, outcomes, define, again)
         of_jacobian = self.checker.members.speaks_of_jacobian(chain)

@@ -84,13 +84,14 @@ def _of_chain(checker: ChainChecker, chain: n.Chain) -> list[System]:
 def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> Iterator[System]:
     if len(chain.members) == 1:
         raise Undecided(say(Kind.CONDITION_IS_EQUATION))
-    if chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence):
-        for item in chain.members[1].items:
-            yield _fixed(checker, chain.members[0], item, evaluator)
+    if chain.relations in (("∈",), ("∉",)):
+        yield from _of_set(checker, chain, evaluator)
         return
     *first, last = chain.members
     if len(first) != 1:
-        if set(chain.relations) != {"="} or not all(map(checker.members.is_symbol, first)):
+        if (other := next((relation for relation in chain.relations if relation != "="), None)) is not None:
+            raise Undecided(say(Kind.RELATION_IS_NONE, relation=other))
+        if not all(map(checker.members.is_symbol, first)):
             raise Undecided(say(Kind.CHAIN_FOR_CONDITION))
         parts = [_fixed(checker, node, last, evaluator) for node in first]  # θ_1 = θ_2 = 0
         yield reduce(System.and_, parts)
@@ -106,6 +107,18 @@ def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> I
         )
     else:
         raise Undecided(say(Kind.RELATION_IS_NONE, relation=relation))
+
+
+def _of_set(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> Iterator[System]:
+    """θ ∈ {α, β} are alternatives, θ ∉ {α, β} is θ ≠ α and θ ≠ β; an interval (α, β) is no condition that is decided."""
+    angle, values = chain.members
+    if not isinstance(values, n.Sequence) or values.brackets != "{}":
+        raise Undecided(say(Kind.RELATION_IS_NONE, relation=chain.relations[0]))
+    systems = [_fixed(checker, angle, item, evaluator) for item in values.items]
+    if chain.relations == ("∈",):
+        yield from systems
+    else:
+        yield reduce(System.and_, [System((), (system.zero,)) for system in systems])
 
 
 def _fixed(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> System:

@@ -264,7 +264,8 @@ def named_sign(chain: n.Chain) -> str | None:
     if chain.relations == ("=",) and _sign(right) == 0:
         return key
     right = bare(right)
-    if chain.relations == ("∈",) and isinstance(right, n.Sequence) and sorted(map(_value, right.items)) == [-1, 1]:
+    is_set = isinstance(right, n.Sequence) and right.brackets == "{}"  # [-1, 1] is an interval
+    if chain.relations == ("∈",) and is_set and sorted(map(_value, right.items)) == [-1, 1]:  # type: ignore[attr-defined]
         return key
     return None
 

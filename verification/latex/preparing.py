@@ -14,7 +14,7 @@ _LENGTH = r"\s*=?\s*[-+]?(?:\d+\.?\d*|\.\d+)\s*(?:pt|em|ex|mu|mm|cm|in|\\[A-Za-z
 _OVERLAY = r"<[\d\s+,.|:a-z-]*>"
 _ESCAPES = r"_*^()[]+="  # of Markdown: in a formula their backslash means nothing
 _SILENT = re.compile(
-    rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))|(?P<unequal>\\not\s*=)"
+    rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))|(?P<unequal>\\not\s*(?:=|\\in(?![A-Za-z])))"
     r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z]))|(?P<differential>\\dd(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
     rf"|\\(?:setlength|addtolength|settowidth|settoheight|settodepth){_COMMAND}{_ARGUMENT}|\\setcounter{_ARGUMENT}{_ARGUMENT}"
     rf"|\\(?:re|provide)?newcommand\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"
@@ -58,7 +58,7 @@ def _plain(found: re.Match[str]) -> str:
     if found["kept"]:
         return found.group()
     if found["unequal"]:
-        return "\\ne".ljust(len(found.group()))
+        return ("\\ne" if found.group().endswith("=") else "\\notin").ljust(len(found.group()))
     if found["degree"]:
         return "^\\circ".ljust(len(found.group()))
     if found["differential"]:
