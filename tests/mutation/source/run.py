@@ -11,7 +11,6 @@ import importlib.machinery
 import math
 import os
 import resource
-import signal
 import sys
 import time
 from collections.abc import Sequence, Set
@@ -67,9 +66,6 @@ def main(arguments: Sequence[str]) -> int:
     """Run the selection with the mutant in place; return whether it survived."""
     file, index, seconds = arguments
     allow(int(seconds))
-    signal.signal(
-        signal.SIGINT, signal.default_int_handler
-    )  # what runs in the background ignores it, and tests send it
     try:
         if int(index) != UNCHANGED:
             put_in_place(file, int(index))
