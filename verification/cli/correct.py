@@ -82,7 +82,7 @@ def _write(text: str) -> None:
 def _what_remains(copy: CorrectedCopy) -> list[str]:
     from armproof.verification.report.text import describe_place
 
-    notebook = copy.path.suffix == ".ipynb"
+    notebook = copy.path.suffix.lower() == ".ipynb"
     messages = []
     for record in copy.remaining:
         place = f"{copy.path}: {describe_place(record)}:" if notebook else f"{copy.path}:{record.line}:"

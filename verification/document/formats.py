@@ -53,7 +53,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if format and f".{format}" not in _READERS:
         formats = ", ".join(suffix.removeprefix(".") for suffix in SUFFIXES)
         raise DocumentError(say(Kind.UNKNOWN_FORMAT, format=format, formats=formats), path=path)
-    suffix = f".{format}" if format else path.suffix
+    suffix = f".{format}" if format else path.suffix.lower()
     document = _READERS.get(suffix, read_markdown_file)(path, text)
     if suffix != ".tex" and any(_DEFINES.search(display.latex) for display in document.displays):
         from armproof.verification.document.markdown_macros import with_macros
@@ -129,7 +129,7 @@ def find_documents(paths: list[Path]) -> list[Path]:
             found.extend(documents)
         elif not path.exists():
             raise DocumentError(say(Kind.NO_FILE_OR_FOLDER), path=path)
-        elif path.suffix not in SUFFIXES:
+        elif path.suffix.lower() not in SUFFIXES:
             raise DocumentError(say(Kind.UNKNOWN_SUFFIX, suffix=path.suffix, suffixes=list(SUFFIXES)), path=path)
         else:
             found.append(path)
@@ -141,7 +141,7 @@ def _files_below(folder: Path) -> list[Path]:
     return [
         child
         for child in sorted(folder.rglob("*"))
-        if child.suffix in SUFFIXES
+        if child.suffix.lower() in SUFFIXES
         and child.is_file()
         and not any(part.startswith(".") for part in child.relative_to(folder).parts)
     ]
@@ -151,8 +151,8 @@ def _is_document(path: Path) -> bool:
     try:
         text, _ = read_any_text(path)
     except DocumentError:
-        return path.suffix != ".py"
-    return _has_displays(path.suffix, text) or _names_an_arm(text)
+        return path.suffix.lower() != ".py"
+    return _has_displays(path.suffix.lower(), text) or _names_an_arm(text)
 
 
 def _has_displays(suffix: str, text: str) -> bool:

@@ -22,7 +22,7 @@ def with_front_matter(document: Document, text: str, block: str) -> str:
     mark = "\ufeff" if text.startswith("\ufeff") else ""
     ends = "\r\n" if "\r\n" in text else "\n"
     plain = text.removeprefix(mark).replace("\r\n", "\n")
-    made = _INSERT.get(document.path.suffix, _into_markdown)(plain, block.rstrip("\n").split("\n"))
+    made = _INSERT.get(document.path.suffix.lower(), _into_markdown)(plain, block.rstrip("\n").split("\n"))
     if not _is_as_meant(document, made):
         raise DocumentError(say(Kind.NO_PLACE_FOR_FRONT), path=document.path)
     return mark + made.replace("\n", ends)

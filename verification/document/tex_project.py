@@ -96,7 +96,7 @@ class Project:
             if (
                 asked is None
                 or (path := asked.resolve()) in above
-                or path.suffix not in (".tex", ".sty", ".cls", ".ltx")
+                or path.suffix.lower() not in (".tex", ".sty", ".cls", ".ltx")
             ):
                 return None
             self.read.append(asked)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import symbol_of, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import is_constant, is_near
-from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.stated_rates import are_rates, is_rate
@@ -35,7 +35,7 @@ def without_misreading(
     An erratum is said to be more than a slip; where `is_closed`, each letter is known to have one meaning.
     """
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
-    reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _of_itself(chain)
+    reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome)
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:
@@ -69,19 +69,6 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
     quantity = names.quantity(name) if isinstance(name, n.Name) and is_matrix else None
     is_jacobian = quantity is not None and quantity.kind == "jacobian" and name.key not in names.quantities  # type: ignore[attr-defined]
     return say(Kind.DETERMINANT_MEANT, name=name.text) if is_jacobian else None  # type: ignore[attr-defined]
-
-
-def _of_itself(chain: n.Chain) -> Finding | None:
-    """x = (x, y, z), the one in bold: a vector of the letter that one of its components has."""
-    names = (bare(member) for member in chain.members)
-    keys = {name.key for name in names if isinstance(name, n.Name) and not name.sub}
-    alone = (keys & keys_alone(_upright(member)) for member in chain.members)
-    return next((say(Kind.VECTOR_HERE, name=min(both)) for both in alone if both), None)
-
-
-def _upright(node: n.Node) -> n.Node:
-    node = bare(node)
-    return node.base if isinstance(node, n.Postfix) and node.operator == "T" else node
 
 
 def _turned_tool(outcome: Outcome, names: Names) -> Finding | None:
@@ -131,6 +118,26 @@ def _numbered_twice(chain: n.Chain) -> Finding | None:
         if len(numbers) == 2 and len(set(numbers)) == 1 and numbers[0] and all(steps):
             return say(Kind.NUMBERED_TWICE, one=one.text, other=other.text)
     return None
+
+
+def _on_both_sides(outcome: Outcome) -> Finding | None:
+    """x = x + 1, θ = θ - 2π, sin θ = θ, 𝐱 = (x, y): a letter alone and on the other side too has a new value there, or means two things.
+
+    A matrix may be a product of itself and of others: J = J J^+ J claims something.
+    """
+    for alone, other in (outcome.nodes, outcome.nodes[::-1]) if len(outcome.nodes) == 2 else ():
+        name, meant = bare(alone), [side.value for side in (outcome.true, outcome.printed) if side is not None]
+        again = [below for below in n.walk(other) if isinstance(below, n.Name) and below == name]
+        is_equation = isinstance(bare(other), n.Sum | n.Call) and not any(isinstance(value, Matrix) for value in meant)
+        if again and (is_equation or any(bare(cell) == name for cell in _cells(other))):
+            return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
+    return None
+
+
+def _cells(node: n.Node) -> Iterator[n.Node]:
+    """Yield the entries of the matrices and the lists that are written out."""
+    for below in n.walk(node):
+        yield from below.cells if isinstance(below, n.Matrix) else below.items if isinstance(below, n.Sequence) else ()
 
 
 def _own_name(chain: n.Chain, names: Names) -> Finding | None:
@@ -209,6 +216,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     """
     if names.arm is not None or outcome.role is Role.LAW or _tells_sizes(outcome):
         return None
+    if _gives_letter(outcome, names):
+        return say(Kind.NO_ARM_TO_COMPARE)
     below = [each for member in chain.members for each in n.walk(member)]
     written = any(isinstance(b, n.Matrix) for b in below)
     if any(isinstance(b, n.Name) and ((b.pre_sup and not written) or b.key in names.quantities) for b in below):
@@ -230,6 +239,21 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
+
+
+def _gives_letter(outcome: Outcome, names: Names) -> bool:
+    """Whether a wrong entry is a letter that nothing binds and that the other side lacks: the equation says what it is."""
+    if outcome.pair is None or len(outcome.nodes) != 2:
+        return False
+    written = [{str(bare_key(cell)) for cell in _cells(side)} - set(names.state.definitions) for side in outcome.nodes]
+    values = (outcome.pair.true.cells, outcome.pair.printed.cells)
+    if not all(isinstance(cell, Scalar) for cells in values for cell in cells):
+        return False
+    alone = [{symbol_of(cell) for cell in cells} for cells in values]
+    return any(
+        (letters & own) - symbols_in(others)
+        for letters, own, others in zip(written, alone, reversed(values), strict=True)
+    )
 
 
 def _gives_name(outcome: Outcome, chain: n.Chain) -> bool:

@@ -208,6 +208,8 @@ def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
         return evaluator.scalar(node.base) / evaluator.algebra.rational(Fraction(UNITS[node.operator]))
     value = as_scalar(evaluator.evaluate(node.base))
     if isinstance(value, list):
+        if any(isinstance(item, Matrix | Identity | list) for item in value):
+            raise EvaluationError(say(Kind.LIST_OF_MATRICES))
         value = Matrix((tuple(value),))
     if isinstance(value, Identity):
         one = evaluator.algebra.rational(Fraction(1))

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from armproof.verification.algebra.matrix import Matrix, column, sized
+from armproof.verification.algebra.matrix import Matrix, as_matrix, column, sized
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, bare_key
 
 
 def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
@@ -22,6 +22,8 @@ def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
     variable, operand = node.variable, bare(node.operand)
     if evaluator.names.arm is None and isinstance(operand, n.Name) and _is_unknown(evaluator, operand, bare(variable)):
         raise UnboundName(operand.key)
+    if evaluator.names.arm is None and bare_key(variable) == "t" and _may_change(evaluator, value):
+        raise EvaluationError(say(Kind.RATE_WITHOUT_ARM))
     for _ in range(node.order):
         value = _differentiate(evaluator, value, variable)
     return value
@@ -31,6 +33,12 @@ def _is_unknown(evaluator: Evaluating, operand: n.Name, variable: n.Node) -> boo
     """Whether a letter that nothing binds may depend on any other."""
     names = evaluator.names
     return operand != variable and names.is_free(operand) and operand.key not in names.state.definitions
+
+
+def _may_change(evaluator: Evaluating, value: Value) -> bool:
+    """Whether an entry is of letters, and not of the time as a_0 + a_1 t is: they may be functions of it."""
+    letters = [evaluator.algebra.symbols(cell) for cell in as_matrix(value).cells]
+    return any(found and "t" not in found for found in letters)
 
 
 def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Value:

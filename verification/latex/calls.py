@@ -45,14 +45,15 @@ class CallReader(NameReader):
         return self.scripted(call, [script for script in item.scripts if script[0] != "SUB"], item.start)
 
     def application(self, node: n.Node, following: Item) -> n.Node | None:
-        """Read `J(q)` and `A_1(\\theta_1)` as names with arguments; `a_1(…)` stays a product."""
+        """Read `J(q)`, `A_1(\\theta_1)` and `f_1(x)` as names with arguments; `a_1(…)` of more than a letter stays a product."""
         if isinstance(node, n.Postfix) and isinstance(node.base, n.Name):  # J^T(q)
             applied = self.application(node.base, following) if not following.scripts else None
             return replace(node, base=applied) if applied is not None else None
         if not isinstance(node, n.Name):
             return None
         arguments = _arguments(following)
-        if not self._is_application(node, arguments):
+        one_letter = len(arguments) == 1 and isinstance(arguments[0], n.Name) and not following.scripts
+        if not (self._is_application(node, arguments) or (one_letter and self._may_be_function(node, arguments[0]))):
             return None
         head = self.text[node.span[0] : node.span[1]]
         named = n.Call("name", (node, *arguments), head, "name", span=(node.span[0], following.end))
@@ -81,6 +82,11 @@ class CallReader(NameReader):
             or (len(names) > 1 and (plain or letter in POINTS))
             or (letter == "S" and not node.sub and not plain)  # S(v), the skew matrix, unless the argument is an angle
         )
+
+    def _may_be_function(self, node: n.Name, argument: n.Node) -> bool:
+        """Whether f_s(x) may be read as a value at x: nobody puts one factor in brackets, but for a matrix beside another."""
+        letters = (node.base, argument.base) if isinstance(argument, n.Name) else (node.base,)
+        return not any(letter in MATRIX_LETTERS or letter in TRIG_LETTERS for letter in letters)
 
     def trig_letter(self, item: Item, following: Item | None) -> tuple[n.Node, int] | None:
         """c_1, C_{12}, s_{\\theta_1}, C\\theta_1, S(\\theta_1+\\theta_2): unless the document binds that name."""

@@ -35,7 +35,7 @@ class Parcel:
 def pack(path: Path) -> Parcel | None:
     """Return a document as it travels; None where it cannot: it is not readable, or one of its files is a link."""
     try:
-        inputs = inputs_of(path, read_any_text(path)[0]) if path.suffix == ".tex" else ()
+        inputs = inputs_of(path, read_any_text(path)[0]) if path.suffix.lower() == ".tex" else ()
         if any(file.resolve() != file for file in inputs):
             return None
         folder = path.parent.resolve()

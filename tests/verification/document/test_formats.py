@@ -322,6 +322,14 @@ def test_a_folder_holds_documents_of_every_format(tmp_path: Path) -> None:
     assert [path.name for path in find_documents([tmp_path])] == ["a.tex", "b.rst", "c.qmd", "d.md", "e.tex"]
 
 
+def test_the_name_of_a_format_may_be_in_capitals(tmp_path: Path) -> None:
+    path = tmp_path / "README.TEX"
+    path.write_text("% arm: planar_2r\n\\[ z_1 = (0, 0, 1)^T \\]\n")
+    assert find_documents([path]) == find_documents([tmp_path]) == [path]
+    [display] = read_document(path).displays
+    assert display.line == 2
+
+
 def test_an_unreadable_token_is_told_with_its_line_in_the_file() -> None:
     text = "x\n\\begin{equation} % the first\n  a = 1 + \n  2 } \n\\end{equation}\n"
     [record] = check_document(parse_document(Path("page.tex"), text)).equations

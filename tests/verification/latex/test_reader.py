@@ -171,7 +171,7 @@ def test_a_text_read_before_is_read_anew_where_its_names_or_its_spelling_are_oth
         assert isinstance(statement, n.Chain)
         return statement.members[0]
 
-    latex, bound, apart = r"f(x) = \varphi", Reader(lambda name: True), Reader()
+    latex, bound, apart = r"w(0, 0) = \varphi", Reader(lambda name: True), Reader()
     assert isinstance(first(Reader(), latex), n.Product)
     assert isinstance(first(bound, latex), n.Call)
     assert isinstance(first(Reader(), latex), n.Product)

@@ -98,7 +98,7 @@ a^{b + 1} a^b a^{1/2} (a)^b  ⟶  (a**(+ b + 1) a**b a**(1 / 2) (a)**b)
 \theta_1^* c^* x^* \quad \cos^*\theta_1  ⟶  (theta_1 c x^*); cos(theta_1)
 (x)_2 \quad x'{}_2 \quad 3_2 \quad \sqrt{x}_1 \quad (a)_{(0)}  ⟶  '(x)_2'; x'_2; '3_2'; '\\sqrt{x}_1'; (a)
 R{}^T \quad R{}^T \cdot p  ⟶  R^<T>; (R^<T> ⋅ p)
-[a b]^T \quad [a + b]^T \quad [a b] \quad [a \cdot b]^T \quad [-1 0]^T \quad [c_1 2 x]^T \quad (a b)^T \quad [a (b) c]^T \quad [a b]^{-1}  ⟶  [a, b]^<T>; [(+ a + b)]^<T>; [(a b)]; [(a ⋅ b)]^<T>; [(- (1 0))]^<T>; [cos(+1), 2, x]^<T>; ((a b))^<T>; [(a (b) c)]^<T>; [(a b)]^<-1>
+[a b]^T \quad [a + b]^T \quad [a b] \quad [a \cdot b]^T \quad [-1 0]^T \quad [c_1 2 x]^T \quad (a b)^T \quad [a (b + d) c]^T \quad [a b]^{-1}  ⟶  [a, b]^<T>; [(+ a + b)]^<T>; [(a b)]; [(a ⋅ b)]^<T>; [(- (1 0))]^<T>; [cos(+1), 2, x]^<T>; ((a b))^<T>; [(a ((+ b + d)) c)]^<T>; [(a b)]^<-1>
 """,
     "names": r"""
 T^0_1 T_1^0 {}^0T_1 {}^0_1T {}_1^0T ^0T_1 ^0_1T  ⟶  (T_1^0 T_1^0 {}^0T_1 {}^0_1T {}^0_1T {}^0T_1 {}^0_1T)
@@ -150,12 +150,12 @@ R_z(\theta_1) R_{z,\theta_1} R_{x, \alpha_1}^T R_{z;\theta} R_z(\theta)^{-1} R_{
 Rot_z(\theta_1) Rot_{z,\theta_1} Rot_{z,\theta_1}^T Rot(z, \theta_1) Trans_{x, a_1} Trans_x(a) Rot_z^T(\theta) Rot_{z}(\theta)^{-1}  ⟶  (Rot(z, theta_1) Rot(z, theta_1) Rot(z, theta_1)^<T> Rot(z, theta_1) Trans(x, a_1) Trans(x, a) Rot(z, theta)^<T> Rot(z, theta)^<-1>)
 T_x(a_1) T_x(\theta_1) D_z(d_1) R_w(x) R_{x}(a, b) {}^0R_z(\theta)  ⟶  (Trans(x, a_1) name(T_x, theta_1) Trans(z, d_1) name(R_w, x) name(R_x, a, b) name({}^0R_z, theta))
 R_{0,1} R_{ab} R_{x,a} R_{x, y\alpha}  ⟶  (R_0,1 R_ab R_x,a Rot3(x, (y alpha)))
-J(q) J(\theta_1, \theta_2) f(x) f(x, y) g(q, t) f_1(x) a_1(x) T(\theta) J^T(q) J(q)^T J^{-1}(\theta_1) J'(q)  ⟶  (name(J, q) name(J, theta_1, theta_2) f (x) f (x, y) name(g, q, t) f_1 (x) a_1 (x) name(T, theta) name(J, q)^<T> name(J, q)^<T> name(J, theta_1)^<-1> name(J', q))
+J(q) J(\theta_1, \theta_2) f(x) f(x, y) g(q, t) f_1(x) a_1(x) T(\theta) J^T(q) J(q)^T J^{-1}(\theta_1) J'(q)  ⟶  (name(J, q) name(J, theta_1, theta_2) name(f, x) f (x, y) name(g, q, t) name(f_1, x) name(a_1, x) name(T, theta) name(J, q)^<T> name(J, q)^<T> name(J, theta_1)^<-1> name(J', q))
 p(0) x(1) w(2)  ⟶  (p (0) x (1) w (2))
-p(0, 0) p_1(\theta_1) w(0, 0) x(t) x(y) p_x(q) h(a + b) K(x) K(a + b) d(t) p(x, y) a(x, y) a(q)  ⟶  (name(p, 0, 0) name(p_1, theta_1) w (0, 0) name(x, t) x (y) name(p_x, q) h ((+ a + b)) name(K, x) K ((+ a + b)) name(d, t) name(p, x, y) a (x, y) name(a, q))
+p(0, 0) p_1(\theta_1) w(0, 0) x(t) x(y) p_x(q) h(a + b) K(x) K(a + b) d(t) p(x, y) a(x, y) a(q)  ⟶  (name(p, 0, 0) name(p_1, theta_1) w (0, 0) name(x, t) name(x, y) name(p_x, q) h ((+ a + b)) name(K, x) K ((+ a + b)) name(d, t) name(p, x, y) a (x, y) name(a, q))
 S(v) S(\theta) S_1(v) C(v) R(\phi, \theta)  ⟶  (name(S, v) sin(theta) sin(+1) (v) C (v) name(R, phi, theta))
 A_1(0) A_1(90^\circ) T(1, 2) T(\pi/2) T(2 \theta_1) T(2\theta_1, 0) J(x_1, 0) l(2) \theta_1(0) J(2 l) T(30^{-1})  ⟶  (name(A_1, 0) name(A_1, 90^<deg>) name(T, 1, 2) name(T, (pi / 2)) T ((2 theta_1)) name(T, (2 theta_1), 0) J (x_1, 0) l (2) theta_1 (0) J ((2 l)) T (30^<-1>))
-{T_1^0}(\theta_1) {J}(q) {x_1}(y)  ⟶  (name(T_1^0, theta_1) name(J, q) x_1 (y))
+{T_1^0}(\theta_1) {J}(q) {x_1}(y)  ⟶  (name(T_1^0, theta_1) name(J, q) name(x_1, y))
 """,
     "derivatives": r"""
 \frac{\partial x}{\partial y} \frac{\partial}{\partial y} x \frac{\partial^2 x}{\partial y^2} \frac{\partial^3}{\partial y^3} x  ⟶  (d1(x)/d(y) d1(x)/d(y) d2(x)/d(y) d3(x)/d(y))
