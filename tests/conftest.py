@@ -142,7 +142,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator["Browser"]:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background ignores it, and tests send it
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in the background, and tests send it
     if hasattr(config, "workerinput"):  # not a pytest that a test starts: the code of its end is asked for
         atexit.register(os._exit, 0)  # the reports are sent: to take all that was loaded apart would take seconds
 
