@@ -128,7 +128,7 @@ def _on_both_sides(outcome: Outcome) -> Finding | None:
     for alone, other in (outcome.nodes, outcome.nodes[::-1]) if len(outcome.nodes) == 2 else ():
         name, meant = bare(alone), [side.value for side in (outcome.true, outcome.printed) if side is not None]
         again = [below for below in n.walk(other) if isinstance(below, n.Name) and below == name]
-        is_equation = isinstance(bare(other), n.Sum | n.Call) and not any(isinstance(value, Matrix) for value in meant)
+        is_equation = isinstance(bare(other), n.Sum | n.Call) and all(isinstance(value, Scalar) for value in meant)
         if again and (is_equation or any(bare(cell) == name for cell in _cells(other))):
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
     return None
