@@ -216,12 +216,12 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     """
     if names.arm is not None or outcome.role is Role.LAW or _tells_sizes(outcome):
         return None
-    if _gives_letter(outcome, names):
-        return say(Kind.NO_ARM_TO_COMPARE)
     below = [each for member in chain.members for each in n.walk(member)]
     written = any(isinstance(b, n.Matrix) for b in below)
     if any(isinstance(b, n.Name) and ((b.pre_sup and not written) or b.key in names.quantities) for b in below):
         return None  # a law of link matrices
+    if _gives_letter(outcome, names):
+        return say(Kind.NO_ARM_TO_COMPARE)
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
     first, *others = [_letters(member, names) for member in chain.members]
     defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
