@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
@@ -11,11 +11,13 @@ from armproof.models.errors import together
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.implication import Implication, connectives_among, find_implication
 from armproof.verification.conditions.implications import Implications, Judgement
+from armproof.verification.conditions.wording import is_alternative, is_concluded, left_open, tell_words_that_change
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.decimals import is_number
+from armproof.verification.equations.differentials import with_rates
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
@@ -35,10 +37,6 @@ from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import Told
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
-CHANGES = re.compile(
-    r"\b(?:not|never|cannot|no longer|except|unless|only if|otherwise|false|wrong|sauf|ne|n'|pas|jamais|faux|non|sinon)\b",
-    re.I,
-)
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
@@ -124,8 +122,8 @@ class Statements:
             self.ring.budget.check()
             self._take_next(display)
         self._heed_behind(display)
-        _tell_words_that_change(statements, display.outcomes)
-        for key in _left_open(display.outcomes) if define else ():
+        tell_words_that_change(statements, display.outcomes)
+        for key in left_open(display.outcomes) if define else ():
             self.names.doubt(key)
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
@@ -145,10 +143,10 @@ class Statements:
     def _take_chain(self, display: _Display, chain: n.Chain) -> None:
         statements, index = display.statements, display.index
         given = dict(self.names.state.configuration)
-        alternative = _is_alternative(statements, index)
+        alternative = is_alternative(statements, index)
         found = self._claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
-        if _is_concluded(statements, index):
+        if is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
         found = self._concluded_too(display, chain, found)
         if any(outcome.is_condition for outcome in found):
@@ -522,6 +520,10 @@ class Statements:
         frames = self.names.arm.frames if self.names.arm is not None else ()
         if undecided and outcomes and is_composition(chain, frames):
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
+        if undecided and (rates := with_rates(chain, self.names)) is not None:
+            tried = self.checker.check(rates, equation, line, False)
+            if all(outcome.verdict in HOLDS or outcome.is_slip for outcome in tried):
+                return tried
         if undecided and outcomes and holds_for_each_joint(self.checker, chain, equation, line):
             by_joint = (say(Kind.EACH_JOINT),)
             return [
@@ -554,37 +556,6 @@ def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
         return [statement]
     claim = replace(statement, members=tuple(first), relations=statement.relations[:-1])
     return [claim, replace(statement, members=(first[0], last), relations=("=",))]
-
-
-def _tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
-    """Beside "not", "except" or "unless" nothing is decided or defined."""
-    said = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words"]
-    words = [text for text in said if CHANGES.search(text) or text == "exists"]
-    for outcome in outcomes if words else ():
-        if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
-            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
-
-
-def _left_open(outcomes: list[Outcome]) -> Iterator[str]:
-    """Yield the names that undecided equations define: what follows from these is not decided either."""
-    return (key for outcome in outcomes if outcome.verdict is Verdict.UNCHECKED for key in outcome.defines)
-
-
-def _is_alternative(statements: list[n.Statement], index: int) -> bool:
-    """Whether an "or" stands beside a statement: A or B says of neither that it holds."""
-    beside = [*statements[max(index - 1, 0) : index], *statements[index + 1 : index + 2]]
-    return any(isinstance(each, n.Connective) and each.kind == "or" for each in beside)
-
-
-def _is_concluded(statements: list[n.Statement], index: int) -> bool:
-    """Whether a statement stands behind an arrow, perhaps joined to others by "and" or "or"."""
-    while index > 0 and isinstance(before := statements[index - 1], n.Connective):
-        if before.kind in ARROWS:
-            return True
-        if before.kind not in ("and", "or"):
-            return False
-        index -= 2
-    return False
 
 
 def _asked(statement: n.Statement) -> n.Statement:

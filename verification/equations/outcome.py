@@ -58,9 +58,14 @@ class Outcome:
         """Return the outcome, left open where it is refuted."""
         return self.left_open(reason) if self.verdict is Verdict.REFUTED else self
 
+    @property
+    def is_slip(self) -> bool:
+        """Whether it is refuted, and a slip away from what is true."""
+        return self.verdict is Verdict.REFUTED and self.pair is not None and is_near(self.pair)
+
     def unless_near(self, reason: Finding) -> Outcome:
         """Return the outcome, left open where it is refuted and more than a slip away."""
-        return self if self.pair is not None and is_near(self.pair) else self.unless_refuted(reason)
+        return self if self.is_slip else self.unless_refuted(reason)
 
     def result(self, line: int) -> EquationResult:
         """Return what the report keeps of it, for a display at a line."""

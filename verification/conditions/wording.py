@@ -1,0 +1,48 @@
+"""What the words between the statements of a display do to them: "not", "unless" and "or" leave them open."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.statements import ARROWS
+from armproof.verification.verdict import DECIDED, Role, Verdict
+
+CHANGES = re.compile(
+    r"\b(?:not|never|cannot|no longer|except|unless|only if|otherwise|false|wrong|sauf|ne|n'|pas|jamais|faux|non|sinon)\b",
+    re.I,
+)
+
+
+def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
+    """Beside "not", "except" or "unless" nothing is decided or defined."""
+    said = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words"]
+    words = [text for text in said if CHANGES.search(text) or text == "exists"]
+    for outcome in outcomes if words else ():
+        if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
+            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
+
+
+def left_open(outcomes: list[Outcome]) -> Iterator[str]:
+    """Yield the names that undecided equations define: what follows from these is not decided either."""
+    return (key for outcome in outcomes if outcome.verdict is Verdict.UNCHECKED for key in outcome.defines)
+
+
+def is_alternative(statements: list[n.Statement], index: int) -> bool:
+    """Whether an "or" stands beside a statement: A or B says of neither that it holds."""
+    beside = [*statements[max(index - 1, 0) : index], *statements[index + 1 : index + 2]]
+    return any(isinstance(each, n.Connective) and each.kind == "or" for each in beside)
+
+
+def is_concluded(statements: list[n.Statement], index: int) -> bool:
+    """Whether a statement stands behind an arrow, perhaps joined to others by "and" or "or"."""
+    while index > 0 and isinstance(before := statements[index - 1], n.Connective):
+        if before.kind in ARROWS:
+            return True
+        if before.kind not in ("and", "or"):
+            return False
+        index -= 2
+    return False
