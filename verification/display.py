@@ -20,6 +20,7 @@ from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.differentials import with_rates
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint
+from armproof.verification.equations.elementary import is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
@@ -518,7 +519,8 @@ class Statements:
         outcomes = self.checker.check(chain, equation, line, define)
         undecided = all(outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for outcome in outcomes)
         frames = self.names.arm.frames if self.names.arm is not None else ()
-        if undecided and outcomes and is_composition(chain, frames):
+        is_law = is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line)
+        if undecided and outcomes and is_law:
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
         if undecided and (rates := with_rates(chain, self.names)) is not None:
             tried = self.checker.check(rates, equation, line, False)

@@ -26,6 +26,7 @@ from armproof.verification.document.postures import postures
 from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
+ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(
@@ -68,7 +69,7 @@ def place_displays(displays: Sequence[Display], lines: Sequence[str], first: int
             continue
         if display.line - first > row:
             row, column = display.line - first, 0
-        mark = display.opening
+        mark = "$" if display.opening == ALONE else display.opening
         found = _find(display, lines, row, column, "" if mark == AMS else mark) if display.closed else None
         if found is None:
             placed.append(display)
@@ -368,6 +369,10 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
             latex = quoted[1] if quoted else child.content
             if quoted and len([each for each in children if each.content.strip()]) == 1:
                 yield Display(base, latex, erratum, cell, section, opening="$`")
+            elif _stands_alone(token) and _SAYS.search(latex) and not quoted:
+                at = token.content.find("$" + latex, cursor)
+                cursor = at + len(latex) + 2
+                yield Display(base + token.content.count("\n", 0, at), latex, erratum, cell, section, opening=ALONE)
             else:
                 text = with_unit(latex, behind.content if behind is not None and behind.type == "text" else "")
                 yield Display(base, text, cell=cell, section=section, opening=INLINE)
@@ -380,6 +385,12 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
             return
     for at, latex, alone in formulas_in_line(token.children or []):
         yield _of_picture(latex, base + at, erratum, cell, section, alone)
+
+
+def _stands_alone(token: Token) -> bool:
+    """Whether a paragraph holds formulas alone, a line each: $T_2^0 = T_1^0 T_2^1$, which many write for displays."""
+    kinds = {each.type for each in token.children or () if each.content.strip(" .,;") or each.type == "softbreak"}
+    return token.level == 1 and "math_inline" in kinds and kinds <= {"math_inline", "softbreak"}
 
 
 def _read_table(tokens: list[Token], start: int, first: int, erratum: bool, cell: int | None, section: str) -> Table:

@@ -26,6 +26,10 @@ _ERRATUM = re.compile(
 )
 _OPTION = re.compile(r"\s*:[\w-]+:")
 _ROLE = re.compile(r":math:`([^`]*)`")
+_ROLE_OR_SIGN = re.compile(r":math:`([^`]+)`|(=)")
+_ALONE = re.compile(
+    r"(?:\|\s+|\s{4,}|)(?:\\\s+)?:math:`[^`]+`(?:(?:\\\s)?\s*=\s*(?:\\\s)?:math:`[^`]+`)*(?:\\\s)?\s*[.,;]?\s*"
+)
 _RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
 
 
@@ -101,6 +105,9 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
             erratum = None
         yield from postures(line, row + 1, section)
+        if (alone := _alone(line, row, erratum is not None, section)) is not None:
+            yield alone
+            continue
         for role in _ROLE.finditer(line):
             latex = with_unit(role[1], line[role.end() :])
             yield Display(row + 1, latex, section=section, opening=INLINE)
@@ -113,6 +120,19 @@ def _displays(lines: list[str]) -> Iterator[Display]:
             hidden = indent
         elif row + 1 < len(lines) and not indent and _RULE.match(lines[row + 1]) and not _RULE.match(line):
             section = line.strip()
+
+
+def _alone(line: str, row: int, erratum: bool, section: str) -> Display | None:
+    """Return the equation of a line that holds nothing else, between roles or within one: :math:`r^2` = :math:`x^2 + y^2`."""
+    if _ALONE.fullmatch(line) is None or "=" not in line:
+        return None
+    latex, pieces = "", []
+    for part in _ROLE_OR_SIGN.finditer(line):
+        text, group = (part[1], 1) if part[1] is not None else (part[2], 2)
+        latex += " " * bool(latex)
+        pieces.append(Piece(len(latex), len(text), row + 1, part.start(group)))
+        latex += text
+    return Display(row + 1, latex, erratum, None, section, opening=":math:", pieces=tuple(pieces))
 
 
 def _block(lines: list[str], row: int, found: re.Match[str], erratum: bool, section: str) -> Iterator[Display]:

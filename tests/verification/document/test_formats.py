@@ -424,3 +424,13 @@ def test_what_may_hold_in_a_posture_that_the_text_names_is_not_refuted(
     page = SAID_IN[suffix].replace(r"\(%s\)", "%s").replace(":math:`%s`", "%s").replace("For $%s$", "For %s")
     document = parse_document(Path(f"page{suffix}"), page % (STATED, words.replace("$", ""), claim))
     assert check_document(document).equations[-1].verdict is verdict
+
+
+def test_a_line_of_rst_that_holds_an_equation_alone_is_a_display() -> None:
+    front = "..\n   arm: planar_2r\n\n"
+    body = "| :math:`p_x` = :math:`l_1 c_1 {} l_2 c_{{12}}`\n\n:math:`p_y = l_1 s_1 + l_2 s_{{12}}`.\n\nWords with :math:`l_1 = a`.\n"
+    found = [check_document(parse_document(Path("a.rst"), front + body.format(sign))).equations for sign in "+-"]
+    assert [[record.verdict.value for record in each] for each in found] == [
+        ["proved", "proved"],
+        ["refuted", "proved"],
+    ]

@@ -151,3 +151,14 @@ def test_an_inner_environment_alone_is_a_display(name: str):
     front = "---\narm: planar_2r\n---\n\n"
     found = [verify_text(front + body.replace("{}", sign)).equations for sign in "+-"]
     assert [[record.verdict.value for record in each] for each in found] == [["proved"], ["refuted"]]
+
+
+def test_formulas_alone_in_a_paragraph_are_displays():
+    front = "---\narm: planar_2r\n---\n\n"
+    body = "Words with $l_1 = a$ in them.\n\n$p_x = l_1 c_1 {} l_2 c_{{12}}$.\n$p_y = l_1 s_1 + l_2 s_{{12}}$\n\n- $l_1 = 2$\n\n$\\theta_1$\n"
+    found = [verify_text(front + body.format(sign)).equations for sign in "+-"]
+    assert [[record.verdict.value for record in each] for each in found] == [
+        ["proved", "proved"],
+        ["refuted", "proved"],
+    ]
+    assert [record.line for record in found[0]] == [7, 8]
