@@ -25,7 +25,7 @@ from armproof.verification.document import Display, Document
 from armproof.verification.errors import ReadError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
-from armproof.verification.findings import Finding, Kind
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.findings.finding import write_all
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, one_of
@@ -94,6 +94,8 @@ class Claim:
             words = said_of(findings)
             picture = self._picture(record) if at is record.counterexample else None
             return Feedback(outcome, words, rows, at, picture, findings=findings)
+        if record.says(Kind.NUMBERS_FOR_LENGTHS) and self.arm is None and self._has_its_letters(latex):
+            return Feedback(Outcome.WRONG, str(say(Kind.UNEQUAL)), findings=(say(Kind.UNEQUAL),))
         if record.says(Kind.NUMBERS_FOR_LENGTHS):
             return Feedback(
                 Outcome.WRONG, self._with_letters(look_up("numbers stand for lengths that are to stay letters"))
@@ -103,6 +105,10 @@ class Claim:
                 Outcome.ERROR, self._with_letters(look_up("the answer is made of names that mean nothing here"))
             )
         return Feedback(Outcome.ERROR, self._with_letters(write_all(without_asked(record.findings))))
+
+    def _has_its_letters(self, latex: str) -> bool:
+        """Whether all letters of the task stand in an answer, so that its numbers stand for none of them."""
+        return {*self.letters} <= {name.key for name in _names_in(self.read(latex))}
 
     @property
     def letters(self) -> tuple[str, ...]:

@@ -21,6 +21,7 @@ from armproof.course.feedback.relation import (
     Said,
     Values,
     angle_astray,
+    axis_astray,
     factors_astray,
     first_said,
     letter_at_fault,
@@ -158,10 +159,13 @@ class Formula:
     # -- relations -----------------------------------------------------------------------------------------------------
 
     def _of_inverse(self, answer: Any, origin_alone: bool) -> str:
-        """Return which parts of a homogeneous transform are those of its inverse: what entry by entry is many slips."""
+        """Return about which axis a rotation turns, or which parts of a transform are those of its inverse: what entry by entry is many slips."""
         try:
-            true, obtained = self._true[:FEW], self._values_of(answer) if self._true[0].size == 16 else np.zeros(0)
-            return transform_astray(true, obtained, origin_alone)
+            true, obtained = self._true[:FEW], self._values_of(answer) if self._true[0].size in (9, 16) else np.zeros(0)
+            if obtained.size != true.size:
+                return ""
+            obtained = obtained.reshape(true.shape)
+            return transform_astray(true, obtained, origin_alone) or axis_astray(true, obtained)
         except ArmproofError:
             return ""
 

@@ -90,6 +90,7 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
         yield look_up("the numbers are right, their order and signs are not")
     if (
         right.size > 1
+        and not (right.size == 3 and near(np.linalg.norm(right), 1))  # a direction
         and (kinds := sorted(set(right.tolist()))) in ([0, 1], [-1, 1])
         and not set(given.tolist()) <= {*kinds}
         and near(given, np.round(given))
@@ -101,6 +102,8 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
         yield look_up("in centimetres? Metres are asked for")
     if near(given, np.degrees(right)):
         yield look_up("in degrees? Radians are asked for")
+    if near(np.abs(given), np.degrees(np.abs(right))):
+        yield look_up("in degrees, where radians are asked for, and a sign is wrong")
     if factor := _common_factor(given[wrong], right[wrong]):
         yield written("wrong by a factor of {factor}", factor=factor)
     if right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)):
@@ -158,6 +161,8 @@ def _of_one(given: float, right: float, known: Mapping[str, float], count: int, 
         return look_up("it is not zero")
     if near(given, -right):
         return look_up("the sign is wrong")
+    if not is_count and np.isclose(given, np.degrees(right), rtol=_NEAR):
+        return look_up("in degrees? Radians are asked for")
     if words := _of_parts(given, right, known) or _of_parts(given, right, _pairs(known)):
         return words
     if near(given * right, 1) and not near(abs(right), 1):

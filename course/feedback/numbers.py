@@ -34,7 +34,10 @@ _RECKONING = re.compile(
     r"pi|sqrt|root|racine|sin|cos|tan|minus|moins|plus|times|fois|not|pas|or|ou|over|sur|frac|dfrac|half|demi|about|environ",
     re.I,
 )
-_KNOWN = sorted({unit for scales in _SCALES.values() for unit in scales} | {"kg", "N"}, key=len, reverse=True)
+_BETWEEN = ("and", "et", "to", "by", "à", "row", "is", "est")  # short words that are no units
+_KNOWN = sorted(
+    {unit for scales in _SCALES.values() for unit in scales} | {"kg", "N", "s", "rpm"}, key=len, reverse=True
+)
 _UNIT = re.compile(rf"(?<=[\d\])])\s*({'|'.join(map(re.escape, _KNOWN))})(?![\w/])")
 
 
@@ -107,7 +110,8 @@ def _among_words(text: str) -> np.ndarray | None:
     text = re.sub(r"(?<=\d)\s*[x×]\s*(?=\d)", " ", text)
     text = re.sub(r"(?<=\d)\s*[x×](?=\W|$)", " ", text)
     words = re.findall(r"[^\W\d_]{2,}", text)
-    if any(_RECKONING.fullmatch(word) for word in words):
+    behind = re.findall(r"\d\s*([^\W\d_]+)", text)  # 0.375 s has another unit
+    if any(map(_RECKONING.fullmatch, words)) or any(len(word) < 4 and word not in _BETWEEN for word in behind):
         return None
     rest = re.sub(r"\\?[^\W\d_]+(?:_\w+)?", " ", text)
     if not re.fullmatch(r"[\s,;:=.()\[\]°+\-\d]*", rest):

@@ -91,6 +91,14 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     for one, other in combinations(few, 2):
         if same(asked({**at, one: at[other], other: at[one]})[:, wrong], obtained[:, wrong]):
             return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
+    for three in combinations(few, 3):
+        for order in list(permutations(three))[1:]:
+            if same(
+                asked({**at, **{name: at[other] for name, other in zip(three, order, strict=True)}})[:, wrong],
+                obtained[:, wrong],
+            ):
+                letters = separator(three).join(map(symbol_as_latex, three))
+                return written("{letters} stand in each other's places", letters=letters)
     angles = [name for name in at if _JOINT_ANGLE.match(name)]
     if len(angles) > 1:
         absolute = {name: at[name] - at[before] for before, name in pairwise(angles)}
@@ -177,6 +185,27 @@ def factors_astray(asked: Values, given: Values, at: Letters) -> str:
         if same(reduce(np.matmul, rest), obtained):
             return written("the factor with {name} is missing", name=symbol_as_latex(name))
     return ""
+
+
+def axis_astray(true: np.ndarray, obtained: np.ndarray) -> str:
+    """Say that a rotation turns by the same angle about another axis of the frame; empty where it does not."""
+    if true.shape != obtained.shape or true.shape[1:] not in ((3, 3), (4, 4)):
+        return ""
+    sides = [side[:, :3, :3] for side in (true, obtained)]
+    asked, given = map(_axis_of, sides)
+    if not asked or not given or asked == given or not same(*(np.trace(R, axis1=1, axis2=2) for R in sides)):
+        return ""
+    return written("this turns about {given}, not about {asked}", given=given, asked=asked)
+
+
+def _axis_of(R: np.ndarray) -> str:
+    """Return the axis of the frame about which rotations turn; empty where there is none."""
+    identity = np.broadcast_to(np.eye(3), R.shape)
+    if not same(R @ R.transpose(0, 2, 1), identity) or not same(np.linalg.det(R), np.ones(len(R))):
+        return ""
+    turn = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1)
+    along = np.flatnonzero(np.abs(turn).max(axis=0) > _TOLERANCE)
+    return "xyz"[int(along[0])] if len(along) == 1 else ""
 
 
 def units_astray(asked: Values, given: Values, at: Letters, units: Sequence[Sequence[str]]) -> str:

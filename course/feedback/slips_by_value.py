@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import chain, combinations, islice, product
 from typing import TypeVar
 
@@ -38,7 +39,7 @@ Value = Callable[[n.Node], np.ndarray | None]
 
 _FIRST = 60  # changes from which a second one is tried
 _EVALUATED = 60_000  # nodes, in all changes that are tried for an answer
-_SINGLE, _PAIRS = 8_000, 8_000  # nodes in the changes that are tried of one tree, of one slip and of two
+_SINGLE, _PAIRS = 8_000, 12_000  # nodes in the changes that are tried of one tree, of one slip and of two
 _LONGEST = 60  # nodes of an entry in which two slips are sought
 _MOST_TERMS = 12  # of an entry whose brackets are multiplied out
 
@@ -101,7 +102,7 @@ class _Target:
 def _one_slip(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
     """Return the finding whose change mends an entry, as it stands or with its brackets multiplied out; none where none does."""
     for tree in (cell, *expanded(cell)):
-        for edit in budget.spent_on(tree, _edits(tree, letters), _SINGLE):
+        for edit in budget.spent_on(tree, chain(_edits(tree, letters), _added_terms(tree, letters)), _SINGLE):
             if not _is_bare(edit.node) and target.is_met(edit):
                 return [edit.finding]
     return []
@@ -110,7 +111,7 @@ def _one_slip(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) ->
 def _two_slips(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
     """Return the two findings whose changes mend an entry, those that drop and add nothing first; none where none do."""
     trees = [tree for tree in (cell, *expanded(cell)) if sum(1 for _ in n.walk(tree)) <= _LONGEST]
-    for edits in (plain_edits, dropping_edits, _any_edits):
+    for edits in (plain_edits, dropping_edits, _added_terms, _any_edits):
         for tree in trees:
             first = [edit for edit in islice(edits(tree, letters), _FIRST) if not _is_bare(edit.node)]
             pairs = ((one, other) for one in first for other in edits(one.node, letters))
@@ -132,6 +133,29 @@ def _any_edits(cell: n.Node, letters: Drawn) -> Iterator[Edit]:
     return chain(
         _exchanged(cell), single_edits(cell, letters), misconceptions(cell), sign_pairs(cell), function_pairs(cell)
     )
+
+
+def _added_terms(cell: n.Node, letters: Drawn) -> Iterator[Edit]:
+    """Yield the trees with a letter or its square added to a sum, under a root, below a line."""
+    two = n.Number(Fraction(2), "2")
+    of_squares = any(isinstance(node, n.Power) for node in n.walk(cell))
+    inner = [part for node in n.walk(cell) for part in _places_of_terms(node)]
+    for node, letter in product((cell, *inner), letters.lengths):
+        name = letter.text or letter.key
+        for shown, added in ((f"{name}^2", n.Power(letter, two)), (name, letter))[: 1 if of_squares else 2]:
+            for sign in "+-":
+                terms = (*(node.terms if isinstance(node, n.Sum) else (("+", node),)), (sign, added))
+                finding = say(Kind.MISSING_TERM, term=f"-{shown}" if sign == "-" else shown)
+                yield Edit(n.substitute(cell, node, n.Group(n.Sum(terms))), "term", finding)
+
+
+def _places_of_terms(node: n.Node) -> tuple[n.Node, ...]:
+    """Return the parts of a node at which a term may be missing."""
+    if isinstance(node, n.Quotient):
+        return (node.numerator, node.denominator)
+    if isinstance(node, n.Call) and node.function == "sqrt":
+        return (bare(node.arguments[0]),)
+    return (bare(node.base),) if isinstance(node, n.Power) and isinstance(bare(node.base), n.Sum) else ()
 
 
 def _exchanged(cell: n.Node) -> Iterator[Edit]:

@@ -21,6 +21,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
 _ARCS = {"asin": "\\arcsin", "acos": "\\arccos", "atan": "\\arctan"}
+_ANGLES = (*_ARCS, "atan2")
 _MOST_PLACES = 6  # at which one mistake is mended at once
 _TWO = n.Number(Fraction(2), "2")
 
@@ -36,7 +37,10 @@ def misconceptions(root: n.Node) -> Iterator[Edit]:
         _under_root,
         _hypotenuses,
         _coordinates,
-        _products_of_letters,
+        _products_for_sums,
+        _arguments_too_long,
+        _factors_at_other_terms,
+        _tangents,
         _sums_of_quotients,
         missing_brackets,
         wide_brackets,
@@ -151,19 +155,70 @@ def _coordinates(node: n.Node) -> Iterator[Change]:
         yield n.Group(n.Sum((("+", parts[0]), (sign, parts[1])))), "function", say(Kind.COORDINATES_FOR_ANGLES)
 
 
-def _products_of_letters(node: n.Node) -> Iterator[Change]:
-    """a b for a + b."""
+def _products_for_sums(node: n.Node) -> Iterator[Change]:
+    """a b for a + b or a² + b², and a / b for a - b: of letters, and of angles."""
+    if isinstance(node, n.Quotient) and isinstance(node.denominator, n.Name):
+        yield (
+            n.Group(n.Sum((("+", node.numerator), ("-", node.denominator)))),
+            "term",
+            say(Kind.QUOTIENT_FOR_DIFFERENCE),
+        )
     if not is_scalar_product(node):
         return
     for k, (one, other) in enumerate(pairwise(node.factors)):
-        if isinstance(one, n.Name) and isinstance(other, n.Name):
-            for sign in "+-":
-                summed = n.Group(n.Sum((("+", one), (sign, other))))
+        if all(
+            isinstance(each, n.Name) or (isinstance(each, n.Call) and each.function in _ANGLES) for each in (one, other)
+        ):
+            sums = [n.Sum((("+", one), (sign, other))) for sign in "+-"]
+            sums += [n.Sum((("+", _squared(one)), ("+", _squared(other))))] * (len(node.factors) == 2)
+            for summed in map(n.Group, sums):
                 factors = (*node.factors[:k], summed, *node.factors[k + 2 :])
                 changed = (
                     summed if len(factors) == 1 else n.Product(factors, ("",) * (len(factors) - 1), span=node.span)
                 )
                 yield changed, "term", say(Kind.PRODUCT_FOR_SUM)
+
+
+def _arguments_too_long(node: n.Node) -> Iterator[Change]:
+    """f(a - b) for f(a) - b, and arctan(a - b) for arctan(a) - arctan(b)."""
+    if not (
+        isinstance(node, n.Call) and len(node.arguments) == 1 and (is_trigonometric(node) or node.function in _ARCS)
+    ):
+        return
+    argument = bare(node.arguments[0])
+    if not isinstance(argument, n.Sum) or len(argument.terms) != 2 or argument.terms[0][0] != "+":
+        return
+    (_, first), (sign, second) = argument.terms
+    alone = replace(node, arguments=(first,))
+    yield n.Group(n.Sum((("+", alone), (sign, second)))), "function", say(Kind.ARGUMENT_TOO_LONG)
+    if node.function in _ARCS:
+        other = replace(node, arguments=(second,))
+        yield n.Group(n.Sum((("+", alone), (sign, other)))), "function", say(Kind.ARC_OF_SUM)
+
+
+def _factors_at_other_terms(node: n.Node) -> Iterator[Change]:
+    """a f - b - c for a - b f - c f: a factor at the first term that belongs at the others, or the other way round."""
+    if not isinstance(node, n.Sum) or len(node.terms) < 2:
+        return
+    sign, term = node.terms[0]
+    if is_scalar_product(term):
+        for k, factor in enumerate(term.factors):
+            rest = term.factors[:k] + term.factors[k + 1 :]
+            alone = rest[0] if len(rest) == 1 else n.Product(rest, ("",) * (len(rest) - 1))
+            others = tuple((each, n.Product((factor, other), ("",))) for each, other in node.terms[1:])
+            yield n.Group(n.Sum(((sign, alone), *others), span=node.span)), "term", say(Kind.FACTOR_AT_OTHER_TERM)
+
+
+def _tangents(node: n.Node) -> Iterator[Change]:
+    """A sine or a cosine for the tangent, and the other way round."""
+    if (
+        isinstance(node, n.Call)
+        and node.function in ("sin", "cos", "tan")
+        and not isinstance(node.arguments[0], n.JointAngles)
+    ):
+        for other in ("sin", "cos") if node.function == "tan" else ("tan",):
+            finding = say(Kind.ANOTHER_FUNCTION, printed=node.function, correct=other)
+            yield replace(node, function=other, head=f"\\{other}", style="macro()"), "function", finding
 
 
 def _sums_of_quotients(node: n.Node) -> Iterator[Change]:

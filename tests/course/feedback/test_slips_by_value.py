@@ -23,6 +23,14 @@ HARMONIC = Formula(r"\frac{1}{x + y}", ("x", "y"))
 TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
 FACING = Formula(r"\text{atan2}(y, x)", ("x", "y"), unit="rad", symbols={"rho": "free", "gamma": "free"},
     given={"x": r"\rho\cos(3\gamma)", "y": r"\rho\sin(3\gamma)"})  # fmt: skip
+ABOUT = Formula(
+    r"\begin{bmatrix} 1 & 0 & 0 \\ 0 & \cos\theta & -\sin\theta \\ 0 & \sin\theta & \cos\theta \end{bmatrix}",
+    ("theta",),
+)
+TANGENT = Formula(r"u + v \tan\theta", ("u", "v", "theta"))
+CIRCLE = Formula(r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta", ("l_1", "l_2", "theta"))
+RADIUS = Formula(r"\sqrt{x^2 + y^2}", ("x", "y"))
+SPEED = Formula(r"\frac{15}{8 t_f}", ("t_f",))
 BACK = Formula("x - (d_6 + d_7) s", ("x", "d_6", "d_7", "s"))
 REACH = Formula("x (l_1 C_2 - l_2 S_3)", ("x", "l_1", "l_2", "theta_2", "theta_3"), arm="planar_3r")
 LINKS = Formula(
@@ -75,6 +83,20 @@ def _of_links_before(q: Any, l_1: Any, l_2: Any, l_3: Any) -> Any:
         (RPY, lambda phi, theta, psi: turn(phi, "z") + turn(theta, "y") + turn(psi, "x"), "are added"),
         (RPY, lambda phi, theta, psi: turn(phi, "z") @ turn(psi, "x"), r"theta is missing"),
         (Number((0.0, 0.0, 0.0, 1.0)), [0, 0, 0, 4], "each of them is 1 or 0"),
+        (Number((np.pi / 2, 0.4), "rad"), [np.pi / 2, 22.9], "in degrees? Radians"),
+        (Number((np.pi / 2, 0.4), "rad"), [90, -22.918], "in degrees, where radians are asked for, and a sign is wrong"),
+        (Number(0.375, "m/s"), "0.375 s", "s is not the unit: m/s is asked for"),
+        (RPY, lambda phi, theta, psi: turn(psi, "z") @ turn(phi, "y") @ turn(theta, "x"), "stand in each other's places"),
+        (ABOUT, lambda theta: turn(theta, "z")[:3, :3], "this turns about z, not about x"),
+        (TURNED, r"\text{atan2}(x, y) \text{atan2}(n, m)", "a product stands where a sum belongs"),
+        (ELBOW, r"\arcsin(\frac{K}{f} - \beta)", "in the argument of a function"),
+        (ELBOW, r"\frac{\arcsin(K/f)}{\beta}", "a quotient stands where a difference belongs"),
+        (BACK, "x s - d_6 - d_7", "a factor stands at the wrong term"),
+        (TANGENT, r"u - v \sin\theta", "two slips: wrong sign of term 2; sin where tan belongs"),
+        (CIRCLE, r"2 l_1 l_2 \cos\theta", "two slips: the term l_1^2 is missing; the term l_2^2 is missing"),
+        (RADIUS, r"\sqrt{x y}", "a product stands where a sum belongs"),
+        (Quantity("planar_2r", {"jacobian": 2, "rows": [1, 2], "columns": [1]}), "[-l_2 S_{12}, l_2 C_{12}]", "the column of joint theta_2, not of theta_1"),
+        (SPEED, r"\frac{1.8}{t_f}", "times too small"),
         (Number((1.0, -1.0)), [0, 0], "each of them is 1 or -1"),
         (Number(0.7, "m").told_in("at 0.3 m, 0.4 m and 1.2 m"), 1.3, "the root of 0.3² + 0.4² + 1.2²"),
         (HARMONIC, r"\frac{1}{x} + \frac{1}{y}", "below the line is taken term by term"),

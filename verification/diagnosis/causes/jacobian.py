@@ -95,6 +95,14 @@ def _columns(case: Case, J: np.ndarray) -> Iterator[Candidate]:
         turned = changed(J, place, -J[place])
         yield say(Kind.COLUMN_THE_OTHER_WAY, number=k + 1, joint=joint.symbol), case.selected(turned)
         yield say(Kind.COLUMN_MISSING, number=k + 1), case.selected(changed(J, place, 0))
+    if (asked := case.quantity.columns) is not None and len(asked) == 1:
+        for k in range(n):
+            if k + 1 != asked[0]:
+                yield (
+                    say(Kind.OTHER_COLUMN, other=joints[k].symbol, joint=joints[asked[0] - 1].symbol),
+                    case.selected(J[:, :, [k] * n]),
+                )
+        return
     yield say(Kind.COLUMNS_REVERSED), case.selected(J[:, :, ::-1])
     for i in range(n):
         for j in range(i + 1, n):
