@@ -58,6 +58,8 @@ class GeneralStatements:
             return None
         self._general.confirm = self.checker.confirm
         heads = self._heads(chain)
+        if any(head is not None and _of_another_link(m) for head, m in zip(heads, chain.members, strict=True)):
+            return None
         named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
         # letters of both conventions: the one that is nearer is meant
         readings = [(convention, self._members(chain, heads, convention)) for convention in self._conventions(chain)]
@@ -201,6 +203,12 @@ def _is_printed(node: n.Node) -> bool:
     return isinstance(node, n.Matrix) or (
         isinstance(node, n.Product) and all(isinstance(bare(f), n.Matrix) for f in node.factors)
     )
+
+
+def _of_another_link(member: n.Node) -> bool:
+    """Whether a link matrix keeps an index of its own, T_k^{k-1} beside θ_i: what is told is of two links."""
+    names = (below for below in n.walk(member) if isinstance(below, n.Name))
+    return any({name.sub, name.sup, name.pre_sub, name.pre_sup} - {"i", "i-1", ""} for name in names)
 
 
 def _of_link_i(chain: n.Chain) -> n.Chain:

@@ -142,6 +142,7 @@ FRONTS = {
     "fenced.rst": "..\n  ---\n  arm: scara\n  quantities:\n    p_e: {origin: 4}\n  ---\n\n.. math:: 1 = 1\n",
     "fields.rst": ":arm: scara\n:quantities: {p_e: {origin: 4}}\n\n.. math:: 1 = 1\n",
     "titled.rst": "Title\n=====\n\n:arm: scara\n:quantities:\n    p_e: {origin: 4}\n\n.. math:: 1 = 1\n",
+    "ruled.rst": "=====\nTitle\n=====\n:arm: scara\n:quantities: {p_e: {origin: 4}}\n\n.. math:: 1 = 1\n",
     "page.qmd": "---\narm: scara\nquantities:\n  p_e: {origin: 4}\nexecute:\n  echo: false\n---\n$$ 1 = 1 $$\n",
 }  # fmt: skip
 

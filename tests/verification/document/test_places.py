@@ -28,6 +28,7 @@ def pieces(text: str, name: str = "page.md") -> list[list[tuple[int, int, int]]]
         ("$$ x $$ x $$ x $$\n", [[(1, 3, 1)], [(1, 13, 1)]]),  # what stands between two displays is no display
         ("$$ x = y $$\n\n$$\nx = y\n$$\n", [[(1, 3, 5)], [(4, 0, 5)]]),
         ("$$\nx\n= y\n$$\n", [[(2, 0, 1), (3, 0, 3)]]),
+        ("$$\n  x\n   = y\n$$\n", [[(2, 2, 1), (3, 3, 3)]]),
         ("> $$ x = y $$\n", [[(1, 5, 5)]]),
         ("x $$ x $$", [[(1, 5, 1)]]),
     ],

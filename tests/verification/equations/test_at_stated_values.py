@@ -31,6 +31,20 @@ def test_what_is_wrong_there_is_told_with_the_values_stated(judge: Judge) -> Non
     assert record.counterexample == pytest.approx({"l_1": 1, "l_2": 1, "theta_1": 0, "theta_2": 1.5707963})
 
 
+def test_a_slip_is_in_a_few_entries_and_another_configuration_in_more(judge: Judge) -> None:
+    rows = [["-1", "-1"], ["1", "0"]]
+
+    def verdict(changed: int) -> Verdict:
+        places = ((0, 0), (0, 1), (1, 0), (1, 1))
+        cells = [[f"{cell}5" if (r, c) in places[:changed] and cell != "0" else "3" if (r, c) in places[:changed] else cell
+                  for c, cell in enumerate(row)] for r, row in enumerate(rows)]  # fmt: skip
+        return judge(*STATED, r"J = \begin{bmatrix}" + r"\\".join("&".join(row) for row in cells) + r"\end{bmatrix}", **PLANAR).verdict
+
+    assert [verdict(changed) for changed in range(5)] == [
+        Verdict.CONFIRMED, Verdict.REFUTED, Verdict.REFUTED, Verdict.REFUTED, Verdict.UNCHECKED
+    ]  # fmt: skip
+
+
 def test_values_count_as_data_where_a_decided_claim_uses_them(check: Check) -> None:
     def verdicts(*displays: str) -> list[Verdict]:
         return [record.verdict for record in check(*displays, **PLANAR).equations]

@@ -109,6 +109,12 @@ def test_the_first_general_link_matrix_shows_which_index_is_the_reference(judge:
         assert judge(one, other, arm=None).verdict is Verdict.REFUTED
 
 
+def test_another_letter_is_the_index_of_a_link_unless_i_is_beside_it(judge: Judge) -> None:
+    assert judge(rf"T_k^{{k-1}} = {CLASSIC.replace('_i', '_k')}", arm=None).verdict is Verdict.PROVED
+    assert judge(rf"T_k^{{k-1}} = {CLASSIC}", arm=None).verdict is not Verdict.PROVED
+    assert judge(r"T_k^{k-1} = T_i^{i-1}", arm=None).verdict is Verdict.UNCHECKED
+
+
 def test_a_link_of_the_arm_is_not_a_general_one(judge: Judge) -> None:
     assert "link matrix" not in judge(r"A_1 = Rot(z, \theta_1) Trans(x, a_1)").message
 

@@ -90,7 +90,8 @@ def by_linear_algebra(q):
 def by_functions(q):
     return [np.tan(q[0]), np.arctan2(q[0], q[1]), atan2(q[1], 2), np.arccos(q[0] / 9), np.arcsin(q[1] / 9),
             math.atan(q[0]), np.sqrt(q[0] ** 2 + 1), (1 + q[1] ** 2) ** 0.5, abs(-q[0]), np.deg2rad(q[0]),
-            math.degrees(q[1]), q[0] ** -2, np.square(q[1]), np.power(q[0], 3), sum(q), np.hypot(q[0], q[1])]  # fmt: skip
+            math.degrees(q[1]), q[0] ** -2, np.square(q[1]), np.power(q[0], 3), sum(q), np.hypot(q[0], q[1]),
+            math.prod(q), math.prod([q[0], 3], start=0.5), math.dist([q[0], 1], [2, q[1]])]  # fmt: skip
 
 
 def with_an_import(q):

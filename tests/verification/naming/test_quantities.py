@@ -14,7 +14,8 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import KINDS, as_front_matter, as_line, is_planar
 from armproof.verification.errors import DocumentError
-from armproof.verification.naming.quantities import frame_name, read_quantity
+from armproof.verification.latex import nodes as n
+from armproof.verification.naming.quantities import frame_name, read_quantity, tells_frame
 from armproof.verification.naming.reading import read_names
 from armproof.verification.verdict import Verdict
 
@@ -331,6 +332,14 @@ def test_an_arm_that_turns_about_another_axis_than_z_is_not_planar(turn: str) ->
 
 def test_a_difference_is_rows_of_the_last_column_of_a_pose() -> None:
     assert KINDS["difference"].block(Quantity("difference", "2", rows=(2,))) == ([1], [3])
+
+
+def test_an_entry_of_a_matrix_says_where_it_stands_and_not_of_which_frame() -> None:
+    whole, rows = Quantity("jacobian", "3"), Quantity("jacobian", "3", rows=(1, 2))
+    entry = replace(rows, columns=(1,))
+    name = n.Name("J", "13")
+    assert [tells_frame(name, each) for each in (whole, rows, entry)] == [True, True, False]
+    assert tells_frame(n.Name("J", pre_sup="3"), entry) and not tells_frame(n.Name("J"), whole)
 
 
 def test_two_digits_are_two_frames_unless_a_link_has_that_number() -> None:

@@ -328,7 +328,7 @@ def test_swapped_headers_are_named(arm: str, one: int, other: int) -> None:
     record = judge(arm, with_header(right_table(arm), *header))
     assert record.verdict is Verdict.REFUTED
     assert "swapped: the headers" in record.message
-    assert {entry.printed for entry in record.entries} == {header[one], header[other]}
+    assert {(entry.equation, entry.printed) for entry in record.entries} == {(1, header[one]), (1, header[other])}
 
 
 def test_rows_of_the_other_convention_under_a_header_are_named() -> None:
