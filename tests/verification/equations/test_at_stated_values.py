@@ -38,7 +38,9 @@ def test_a_slip_is_in_a_few_entries_and_another_configuration_in_more(judge: Jud
         places = ((0, 0), (0, 1), (1, 0), (1, 1))
         cells = [[f"{cell}5" if (r, c) in places[:changed] and cell != "0" else "3" if (r, c) in places[:changed] else cell
                   for c, cell in enumerate(row)] for r, row in enumerate(rows)]  # fmt: skip
-        return judge(*STATED, r"J = \begin{bmatrix}" + r"\\".join("&".join(row) for row in cells) + r"\end{bmatrix}", **PLANAR).verdict
+        return judge(
+            *STATED, r"J = \begin{bmatrix}" + r"\\".join("&".join(row) for row in cells) + r"\end{bmatrix}", **PLANAR
+        ).verdict
 
     assert [verdict(changed) for changed in range(5)] == [
         Verdict.CONFIRMED, Verdict.REFUTED, Verdict.REFUTED, Verdict.REFUTED, Verdict.UNCHECKED
