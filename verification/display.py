@@ -28,7 +28,7 @@ from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side, without_count
-from armproof.verification.equations.series import written_out
+from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -149,6 +149,8 @@ class Statements:
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
         if is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
+        if "\\sum" in display.latex[slice(*chain.span)]:
+            found = [unless_added(outcome, self.checker.quantity_of) for outcome in found]
         found = self._concluded_too(display, chain, found)
         if any(outcome.is_condition for outcome in found):
             display.stated.append((len(display.outcomes), chain))

@@ -86,7 +86,8 @@ class ChainChecker:
         """Return one outcome an equation, numbered from `first_equation`."""
         self.names.state.signs.read.clear()
         before = self.names.state.definitions.copy()
-        placed = self.names.state.placed | {key: each.line for key, each in before.items() if each.by_place}
+        blocks = {key: (each.line, each.section) for key, each in before.items() if each.by_place}
+        placed = self.names.state.placed | blocks
         ended = self._ended_with_their_section(chain) if define else {}
         if define and self.names.arm is not None:
             heed_forces(self.names, chain)
@@ -184,7 +185,7 @@ class ChainChecker:
         if outcome.verdict is not Verdict.REFUTED or not ended:
             return outcome
         first = min(ended)
-        self.names.leave_unknown(ended, ended[first])
+        self.names.leave_unknown(ended, ended[first], Kind.OTHER_SECTION)
         return outcome.left_open(say(Kind.OTHER_SECTION, name=first, line=ended[first]))
 
     def _heed_places(self, members: list[Member], settled: Set[str], line: int) -> None:
@@ -193,17 +194,19 @@ class ChainChecker:
         cells = (bare_key(cell) for each in members for row in written_rows(each.node) for cell in row)
         for key in {key for key in cells if key is not None and key not in settled}:
             if key in state.inferred and key not in state.conventional and not state.inferred[key].scalar:
-                state.placed[key] = line
+                state.placed[key] = line, state.section
 
-    def _left_open_for_places(self, outcome: Outcome, placed: Mapping[str, int]) -> Outcome:
+    def _left_open_for_places(self, outcome: Outcome, placed: Mapping[str, tuple[int, str]]) -> Outcome:
         """Leave open what does not fit with what the places in another matrix told of a name; nobody knows any more what it is."""
         letters = letters_placed_before(outcome, placed)
         if not letters:
             return outcome
         first = min(letters)
+        line, section = placed[first]
         self.names.forget(letters)
-        self.names.leave_unknown(letters, placed[first])
-        return outcome.left_open(say(Kind.SECOND_MEANING, name=first, line=placed[first]))
+        kind = Kind.SECOND_MEANING if section in ("", self.names.state.section) else Kind.OTHER_SECTION
+        self.names.leave_unknown(letters, line, kind)
+        return outcome.left_open(say(kind, name=first, line=line))
 
     def _again(
         self, before: dict[str, Definition], first_equation: int, line: int, define: bool, chain: n.Chain

@@ -7,13 +7,17 @@ in the index's way (2i in a script) or a product holds a factor without its inde
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
+from armproof.verification.verdict import Verdict
 
 MOST_TERMS = 12
 MOST_READ = 200  # terms of a statement, with those of sums in sums
@@ -39,6 +43,24 @@ def written_out(statement: n.Statement, latex: str, names: Names) -> n.Statement
         return statement
     terms = _Terms(latex, names, [])
     return replace(statement, members=tuple(map(terms.of, statement.members)))
+
+
+def unless_added(outcome: Outcome, quantity_of: Callable[[n.Node], Quantity | None]) -> Outcome:
+    """Leave open p_n = Σ p_i and ω_n = Σ ω_i where they are refuted: their terms may be what one link or one joint adds."""
+    sides = outcome.nodes if outcome.verdict is Verdict.REFUTED else []
+    for whole, terms in (sides, sides[::-1]) if len(sides) == 2 else ():
+        meant = quantity_of(whole)
+        names = (below for below in n.walk(terms) if isinstance(below, n.Name))
+        name = next((each for each in names if meant is not None and _is_alike(quantity_of(each), meant)), None)
+        if name is not None:
+            return outcome.left_open(say(Kind.MAY_BE_ADDED, name=name.text))
+    return outcome
+
+
+def _is_alike(one: Quantity | None, other: Quantity) -> bool:
+    """Whether two quantities are of one kind and frame, and seen from one frame but for velocities."""
+    same = one is not None and (one.kind, one.frame) == (other.kind, other.frame)
+    return same and (other.kind == "velocity" or one.reference == other.reference)  # type: ignore[union-attr]
 
 
 @dataclass(frozen=True)

@@ -73,6 +73,7 @@ class Kind(MessageKind):
     FOLLOWS_FROM_DOUBT = "follows_from_doubt", "it follows from what line {line} says that {name} is, and that is not decided"
     RESTS_ON_DOUBT = "rests_on_doubt", "it, or what line {line} says that {name} is, is wrong"
     SECOND_MEANING = "second_meaning", "`{name}` means something else since line {line}: give it another name, or a section of its own"
+    MAY_BE_ADDED = "may_be_added", "`{name}` may be what one joint or link adds: write the terms out, or bind `{name}` in the front matter"
     OF_A_SIGN = "of_a_sign", "it holds for one value of `{name}` alone: that chooses the sign, and claims nothing of the arm"
     OTHER_SECTION = "other_section", "`{name}` is a block of a matrix in another section, at line {line}: say here what it is"
     ARM_OF_OTHER_EXERCISE = "arm_of_other_exercise", "that is not so of the arm that another exercise shows at line {line}: name this one's in the front matter, by section under arms"

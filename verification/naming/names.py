@@ -271,11 +271,11 @@ class Names:
             self.state.definitions.pop(key, None)
             self.state.conventional.discard(key)
 
-    def leave_unknown(self, keys: Iterable[str], line: int) -> None:
+    def leave_unknown(self, keys: Iterable[str], line: int, kind: Kind = Kind.SECOND_MEANING) -> None:
         """Let names without a meaning have none by convention either: a display of this section gave them one that is not known."""
         for key in keys:
             if key not in self.state.definitions and key not in self.state.inferred:
-                self.define(key, undecided(say(Kind.SECOND_MEANING, name=key, line=line)), line)
+                self.define(key, undecided(say(kind, name=key, line=line)), line)
                 self.state.definitions[key] = replace(self.state.definitions[key], has_two_meanings=True)
 
     def define(

@@ -150,7 +150,7 @@ class DocumentState:
         definitions: what names mean.
         inferred: names whose meaning the other side of an equation told.
         conventional: those of them that only convention binds.
-        placed: names of blocks that are what convention says, as their place in a matrix showed → the line of its display.
+        placed: names of blocks that are what convention says, as their place in a matrix showed → the line and the section of its display.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
@@ -176,7 +176,7 @@ class DocumentState:
     definitions: dict[str, Definition] = field(default_factory=dict)
     inferred: dict[str, Quantity] = field(default_factory=dict)
     conventional: set[str] = field(default_factory=set)
-    placed: dict[str, int] = field(default_factory=dict)
+    placed: dict[str, tuple[int, str]] = field(default_factory=dict)
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)

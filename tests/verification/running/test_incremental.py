@@ -43,7 +43,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "definitions": lambda state: state.definitions.update(a=Definition(float)),
     "inferred": lambda state: state.inferred.update(J=Quantity("jacobian", "2")),
     "conventional": lambda state: state.conventional.add("p_x"),
-    "placed": lambda state: state.placed.update(R=1),
+    "placed": lambda state: state.placed.update(R=(1, "")),
     "usual": lambda state: state.usual.update({("p_x", "A title"): Quantity("origin", "2")}),
     "used": lambda state: state.used.add("a"),
     "used_in_general": lambda state: state.used_in_general.add("a"),
