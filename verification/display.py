@@ -17,7 +17,7 @@ from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.decimals import is_number
-from armproof.verification.equations.differentials import with_rates
+from armproof.verification.equations.differentials import is_of_rates, with_rates
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.elementary import is_elementary_rotation
@@ -526,7 +526,9 @@ class Statements:
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
         if undecided and (rates := with_rates(chain, self.names)) is not None:
             tried = self.checker.check(rates, equation, line, False)
-            if all(outcome.verdict in HOLDS or outcome.is_slip for outcome in tried):
+            if all(
+                outcome.verdict in HOLDS or (outcome.is_slip and is_of_rates(rates, self.names)) for outcome in tried
+            ):
                 return tried
         if undecided and outcomes and holds_for_each_joint(self.checker, chain, equation, line):
             by_joint = (say(Kind.EACH_JOINT),)

@@ -42,7 +42,10 @@ def check_cases(checker: ChainChecker, chain: n.Chain, equation: int, line: int,
 def _check_case(checker: ChainChecker, case: Case, others: list[n.Node], equation: int, line: int) -> list[Outcome]:
     sides = [n.At(side, case.at, span=side.span) if case.at else side for side in (*others, case.value)]
     outcomes = checker.check(n.Chain(tuple(sides), ("=",) * len(others), span=case.value.span), equation, line, False)
-    if case.at or case.is_rest or hold(outcomes):
+    generic = any(isinstance(below, n.Call) and below.function == "rank" for side in sides for below in n.walk(side))
+    if case.at or (
+        not generic and (case.is_rest or hold(outcomes))
+    ):  # the rank of a generic configuration is not that of all
         return outcomes
     return [outcome.left_open(say(Kind.CASE_OPEN, text=case.text)) for outcome in outcomes]
 

@@ -22,6 +22,11 @@ def with_rates(chain: n.Chain, names: Names) -> n.Chain | None:
     return replace(chain, members=members) if told and not left and not of_joints_alone else None
 
 
+def is_of_rates(chain: n.Chain, names: Names) -> bool:
+    """Whether the rates of a side are those of joints alone: dx = dx_1 + dx_2 may be of parts that nobody names."""
+    return any(all(_is_joint(name, names) for name in _rates(member)) for member in chain.members)
+
+
 def _signs(node: n.Node) -> list[n.Name]:
     return [below for below in n.walk(node) if isinstance(below, n.Name) and below.key in _SIGNS]
 

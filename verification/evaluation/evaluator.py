@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar, sized
@@ -95,7 +96,7 @@ class Evaluator:
                 raise EvaluationError(say(Kind.NO_CONFIGURATION))
             key = left.key if isinstance(left, n.Name) else ""
             values[symbol] = self.names.variable_at(symbol, self.scalar(right), self.algebra, key)
-        return self.at_values(values, node.inner)
+        return self.at_values(values, _with_ranks_there(node))
 
     def _of_joints(self, left: n.Node, right: n.Node) -> Iterable[tuple[n.Node, n.Node]]:
         """q = 0 and q = (0, 0) give each joint variable its value."""
@@ -120,6 +121,13 @@ class Evaluator:
         if (moved := self.algebra.at(values)) is not None:
             return self.within(moved).evaluate(node)
         return self.algebra.substitute(sized(self.evaluate(node)), values)
+
+
+def _with_ranks_there(node: n.At) -> n.Node:
+    """Return an expression with each rank of the matrix as it is at the values: that of a generic configuration is another."""
+    ranks = [below for below in n.walk(node.inner) if isinstance(below, n.Call) and below.function == "rank"]
+    there = {id(each): tuple(n.At(a, node.values, span=a.span) for a in each.arguments) for each in ranks}
+    return n.substitute_each(node.inner, {id(each): replace(each, arguments=there[id(each)]) for each in ranks})
 
 
 _METHODS: dict[type[n.Node], Callable[[Evaluator, Any], Value]] = {
