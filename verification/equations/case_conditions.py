@@ -1,39 +1,48 @@
-r"""The conditions in a brace of cases: values (θ_1 = θ_2 = 0), all else ("otherwise"), or what is not decided."""
+r"""The conditions in a brace of cases: values (θ_1 = θ_2 = 0), signs (sin θ_5 < 0), all else ("otherwise"), or what is not decided."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.outcome import Outcome, hold
+from armproof.verification.equations.outcome import DECIDED, Outcome, hold
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
+from armproof.verification.verdict import Verdict
 
 REST = re.compile(
     r"(?:otherwise|else|elsewhere|in all other cases|sinon|autrement|ailleurs|sonst|andernfalls|altrimenti|si no)", re.I
 )
+COMPARISONS = frozenset("<>≤≥")
 CHANGES = re.compile(r"\b(?:not|unless|except|only|never|or|pas|sauf|ne|ou|jamais|nicht|außer|oder)\b", re.I)
+
+
+Comparison = tuple[n.Node, str, n.Node]
 
 
 @dataclass(frozen=True)
 class Case:
-    """A line of a brace: its value, the values of the names at which it holds, and whether it is for all else."""
+    """A line of a brace: its value, the values of the names at which it holds, and whether it is for all else.
+
+    `where` are comparisons that hold there; for all else those of the other lines, which do not.
+    """
 
     value: n.Node
     text: str
     at: tuple[tuple[n.Node, n.Node], ...] = ()
     is_rest: bool = False
+    where: tuple[Comparison, ...] = ()
 
 
 def check_cases(checker: ChainChecker, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
     """Check each case under its condition where that gives values; what is said for all else holds of everything."""
     cases = next(member for member in chain.members if isinstance(member, n.Cases))
     read = read_cases(cases, checker.names)
-    if not any(case.at for case in read):  # it may be a definition of its own
+    if not any(case.at or case.where for case in read):  # it may be a definition of its own
         return checker.check(chain, equation, line, define)
     others = [member for member in chain.members if member is not cases]
     return [outcome for case in read for outcome in _check_case(checker, case, others, equation, line)]
@@ -43,6 +52,8 @@ def _check_case(checker: ChainChecker, case: Case, others: list[n.Node], equatio
     sides = [n.At(side, case.at, span=side.span) if case.at else side for side in (*others, case.value)]
     outcomes = checker.check(n.Chain(tuple(sides), ("=",) * len(others), span=case.value.span), equation, line, False)
     generic = any(isinstance(below, n.Call) and below.function == "rank" for side in sides for below in n.walk(side))
+    if case.where and not generic and all(outcome.verdict is not Verdict.PROVED for outcome in outcomes):
+        return [_where(checker, case, outcome) for outcome in outcomes]
     if case.at or (
         not generic and (case.is_rest or hold(outcomes))
     ):  # the rank of a generic configuration is not that of all
@@ -50,12 +61,34 @@ def _check_case(checker: ChainChecker, case: Case, others: list[n.Node], equatio
     return [outcome.left_open(say(Kind.CASE_OPEN, text=case.text)) for outcome in outcomes]
 
 
+def _where(checker: ChainChecker, case: Case, outcome: Outcome) -> Outcome:
+    """Return an equation that samples confirm where the comparisons of its case hold; else it is open."""
+    left_open = outcome.left_open(say(Kind.CASE_OPEN, text=case.text))
+    if outcome.true is None or outcome.printed is None or outcome.verdict not in DECIDED:
+        return left_open
+    sampled = checker.sampled()
+    from armproof.verification.equations.sampled_relations import holds_where
+
+    sides = outcome.true.node, outcome.printed.node
+    with checker.exact.budget.paused():
+        count = holds_where(checker, sampled, sides, case.where, case.is_rest)
+    found = (say(Kind.HOLDS_WHERE, text=case.text, count=count),)
+    return replace(outcome, verdict=Verdict.CONFIRMED, findings=found, samples=count, wrong=[]) if count else left_open
+
+
 def read_cases(cases: n.Cases, names: Names) -> list[Case]:
     """Return the cases of a brace; "otherwise" is all else where the others are for values of joint variables."""
     read = [_read(value, condition, names) for value, condition in cases.branches]
     variables = {joint.symbol for joint in names.arm.joints} if names.arm is not None else set()
     at_joints = all(case.is_rest or (case.at and _keys(case, names) <= variables) for case in read)
-    return [Case(c.value, c.text, c.at, c.is_rest and at_joints) for c in read]
+    others = [case for case in read if not case.is_rest]
+    by_sign = len(others) == 1 and len(others[0].where) == 1  # what is not so is the other sign
+    return [
+        replace(
+            c, is_rest=c.is_rest and (at_joints or by_sign), where=others[0].where if c.is_rest and by_sign else c.where
+        )
+        for c in read
+    ]
 
 
 def _read(value: n.Node, condition: str, names: Names) -> Case:
@@ -69,6 +102,8 @@ def _read(value: n.Node, condition: str, names: Names) -> Case:
     chains = [each for each in statements if isinstance(each, n.Chain)]
     words = [each for each in statements if isinstance(each, n.Connective)]
     plain = all(each.kind in ("if", "and", "words") and not CHANGES.search(each.text) for each in words)
+    if plain and chains and all(len(c.members) == 2 and c.relations[0] in COMPARISONS for c in chains):
+        return Case(value, said, where=tuple((c.members[0], c.relations[0], c.members[1]) for c in chains))
     if not plain or not chains or any(set(chain.relations) != {"="} for chain in chains):
         return Case(value, said)
     at = tuple(pair for chain in chains for pair in _values(chain))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -11,6 +12,8 @@ from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import fewest_decimals
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sampled_errors import errors_between
+from armproof.verification.equations.second_route import TOLERANCE
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -43,6 +46,31 @@ def check_inequality(
         (Verdict.CONFIRMED, Kind.INEQUALITY_HOLDS) if good.all() else (Verdict.REFUTED, Kind.INEQUALITY_FAILS)
     )
     return replace(outcome, verdict=verdict, findings=(say(kind),), samples=int(good.size))
+
+
+def holds_where(
+    checker: ChainChecker,
+    sampled: SampledAlgebra,
+    sides: Sides,
+    where: Sequence[tuple[n.Node, str, n.Node]],
+    not_so: bool,
+) -> int:
+    """Return at how many configurations an equation holds, of all where comparisons do (or one does not); 0 where it fails."""
+    errors = errors_between(checker.names, sampled, *sides, None, False)
+    if errors is None:
+        return 0
+    try:
+        with np.errstate(all="ignore"):
+            at = errors.counted & errors.at_random
+            for left, relation, right in where:
+                evaluator = Evaluator(checker.names, sampled)
+                apart = as_scalar(evaluator.evaluate(left)) - as_scalar(evaluator.evaluate(right))
+                is_so = apart > 0 if relation in ">≥" else apart < 0
+                at &= (is_so != not_so) & (np.abs(apart) > 1e-6)
+    except (EvaluationError, TypeError):
+        return 0
+    good = (errors.scaled[..., at] <= TOLERANCE).all()
+    return int(at.sum()) if good and at.sum() >= ENOUGH else 0
 
 
 def check_approximation(

@@ -87,6 +87,7 @@ class Kind(MessageKind):
     ONE_OF_TWO = "one_of_two", "an equation beside 'or': which of them holds, and when, is not said; write each on its own, or a ±"
     ENTRY_BY_INDEX = "entry_by_index", "it does not hold with `{name}` for the number in its row of the table: say what it is, `{name} = …`"
     OWN_SUM = "own_sum", "the document says itself which angles {digits} adds, with a minus: what is said by it is not decided where it does not hold"
+    HOLDS_WHERE = "holds_where", "where {text}: at {count} configurations"
     COUNTS_SOLUTIONS = "counts_solutions", "the script above a joint variable counts solutions"
     INDEX_OR_POWER = "index_or_power", "a script above a joint variable may count it or be a power: which is not said"
     OWN_NAME = "own_name", "'{text}' is a sine or cosine elsewhere and may be a name of its own here"

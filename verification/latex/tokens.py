@@ -77,6 +77,7 @@ _FACTOR = re.compile(
     r"Rightarrow|implies|iff|to|therefore|Leftrightarrow|dots|ldots|cdots)(?![A-Za-z]))[A-Za-z{]|[A-Za-z({\[^])"
 )
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
+_SCRIPT_BEFORE = re.compile(r"(?:^|[=&\s}])\^\s*(?:\{\s*\w\s*\}|\w)\s*\Z")  # ^{0}\text{WC}
 _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
 _DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
@@ -469,7 +470,8 @@ class _Scanner:
         """Words are no product: a name where they stand as an operand does, else what is said between equations."""
         name = re.sub(r"[\W\d_]+", "", content)
         joins = {word.lower() for word in content.split()} & JOINING or not name
-        heads = self.previous in _BEGINS and _RELATION_NEXT.match(self.text, after)
+        begins = self.previous in _BEGINS or _SCRIPT_BEFORE.search(self.text, max(0, start - 12), start)
+        heads = begins and _RELATION_NEXT.match(self.text, after)
         alone = self.previous == "LBRACE" and self.text[after : after + 1] == "}"  # in a fraction
         if not joins and (
             heads or alone or self.previous in _BEFORE_OPERAND or _BEHIND_OPERAND.match(self.text, after)
