@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.outcome import DECIDED, Outcome, hold
+from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import DECIDED, Verdict
 
 REST = re.compile(
     r"(?:otherwise|else|elsewhere|in all other cases|sinon|autrement|ailleurs|sonst|andernfalls|altrimenti|si no)", re.I
