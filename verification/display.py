@@ -9,7 +9,13 @@ from functools import cached_property, partial
 
 from armproof.models.errors import together
 from armproof.verification.conditions.circumstances import Circumstances
-from armproof.verification.conditions.implication import Implication, connectives_among, find_implication
+from armproof.verification.conditions.implication import (
+    Implication,
+    connectives_among,
+    find_implication,
+    goes_on,
+    is_under_words,
+)
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, left_open, tell_words_that_change
 from armproof.verification.equations.at_stated_values import is_mostly_right
@@ -31,8 +37,8 @@ from armproof.verification.equations.readings import counted, side_by_side, with
 from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
-from armproof.verification.latex.statements import ARROWS, PREVIOUS
+from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import Told
@@ -147,6 +153,8 @@ class Statements:
         alternative = is_alternative(statements, index)
         found = self._claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
+        if is_under_words(statements, index):
+            found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
         if is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
         if "\\sum" in display.latex[slice(*chain.span)]:
@@ -180,6 +188,7 @@ class Statements:
     def _take_implication(self, display: _Display, implication: Implication) -> None:
         given = dict(self.names.state.configuration)
         implication = implication.with_each(self.checker.rows.choose)
+        self.checker.conventions.take_coordinates(implication.chains)
         premises = implication.premises
         self.checker.redefinitions.enabled = False
         steps = [self._chain(chain, display.equation, display.line, display.define) for chain in premises]
@@ -191,6 +200,9 @@ class Statements:
         if judged is None or judged[0].verdict is Verdict.UNCHECKED:
             of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
             judged = of_the_tool or judged
+        if judged is None or judged[0].verdict not in HOLDS:
+            there = self.circumstances.at_premised(implication, display.equation)
+            judged = (there, {}) if there is not None else judged
         if judged is not None:
             judged = self._unless_doubted(judged[0]), judged[1]
         if judged is not None and any(outcome.holds_there for outcome in premised):
@@ -212,10 +224,10 @@ class Statements:
         of_all = replace(outcome, role=Role.CONDITION, uses=self._consulted(), read_as=read_as, conditions=sides)
         display.outcomes.append(of_all)
         display.counterexample.update(counterexample)
-        goes_on = _goes_on(display.statements, implication)
-        display.links = [*display.links, implication] if goes_on else []
-        display.equation += sum(len(chain.relations) for chain in (premises if goes_on else implication.chains))
-        display.index = implication.behind_at if goes_on else implication.after
+        leads_on = goes_on(display.statements, implication)
+        display.links = [*display.links, implication] if leads_on else []
+        display.equation += sum(len(chain.relations) for chain in (premises if leads_on else implication.chains))
+        display.index = implication.behind_at if leads_on else implication.after
 
     def _without_numbers(self, step: list[Outcome]) -> list[Outcome]:
         """φ = 0 ⇒ …: a number is no meaning that a name has from there on; the equation is a condition."""
@@ -484,8 +496,15 @@ class Statements:
         if not self.given.is_condition(chain):
             return None
         if define:
-            self.circumstances.of_display(chain)
+            self._relate(chain, line)
         return Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
+
+    def _relate(self, chain: n.Chain, line: int) -> None:
+        """Keep what joints, or lengths, are said to be: l_1 = l_2, of which l may be the letter."""
+        related = self.given.related(chain)
+        self.circumstances.of_display(replace(chain, members=tuple(related), relations=("=",) * (len(related) - 1)))
+        for letter in (bare_key(each) for each in chain.members if each not in related):
+            self.names.define(str(letter), self.checker.members.meaning(related[0]), line, node=related[0])
 
     def _numbers_behind(self, chain: n.Chain, said: Outcome, equation: int, line: int) -> list[Outcome]:
         """θ_1 = atan2(1, 0) = 90°: the numbers of a value that is given are to be equal."""
@@ -569,12 +588,6 @@ def _asked(statement: n.Statement) -> n.Statement:
     if not isinstance(statement, n.Chain):
         return statement
     return replace(statement, relations=tuple("=" if r == ASKED else r for r in statement.relations))
-
-
-def _goes_on(statements: list[n.Statement], implication: Implication) -> bool:
-    """Whether another arrow follows what an implication concludes: A ⇒ B ⇒ C."""
-    behind = statements[implication.after] if implication.after < len(statements) else None
-    return isinstance(behind, n.Connective) and behind.kind in ARROWS
 
 
 def _is_label(chain: n.Chain) -> bool:

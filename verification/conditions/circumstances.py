@@ -12,9 +12,10 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import Kind, say
@@ -149,6 +150,28 @@ class Circumstances:
         if told.in_words and self._stands_still(outcome):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         return outcome
+
+    def at_premised(self, implication: Implication, equation: int) -> Outcome | None:
+        """θ_2 = 60°, l_1 = 1 ⇒ P_x = 0.5: numbers that follow from values alone are those there, as they are rounded."""
+        given, claims = implication.before, implication.behind
+        if implication.arrow == "⇐":
+            given, claims = claims, given
+        if implication.arrow == "⇔" or len(given) != 1 or len(claims) != 1 or not finest_decimals(claims[0]):
+            return None
+        values = [self.given.values_of(chain) for chain in given[0]]
+        if not all(values):
+            return None
+        before, state = self.names.state.copy(), self.names.state
+        lengths = {name: each for name, each in state.configuration.items() if name in self.given.lengths}
+        state.configuration = lengths | self.given.stated({k: v for each in values for k, v in (each or {}).items()})
+        outcomes = [each for chain in claims[0] for each in self.checker.check(chain, equation, 0, define=False)]
+        state.become(before)
+        nowhere = say(Kind.NUMBERS_OF_NOWHERE)
+        if any(nowhere in outcome.findings for outcome in outcomes):
+            return Outcome(Verdict.UNCHECKED, (nowhere,), equation)
+        if any(outcome.verdict not in HOLDS for outcome in outcomes):
+            return None
+        return Outcome(Verdict.CONFIRMED, (say(Kind.TO_DECIMALS_THERE),), equation, samples=1)
 
     def judge_before(self, outcome: Outcome, behind: Sequence[n.Chain]) -> Outcome:
         """Leave open what is refuted, and may be meant where the values that stand behind it in its display say."""

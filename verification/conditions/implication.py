@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from armproof.verification.equations.decimals import UNITS
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.statements import ARROWS
 
 WHOLE_NUMBERS = ("k", "n", "m")
 Alternatives = list[list[n.Chain]]  # "and" binds closer than "or"
@@ -117,9 +119,11 @@ def _comma(before: n.Chain | None, chain: n.Chain, given: bool) -> str:
 
 
 def _equates_names(chain: n.Chain) -> bool:
-    """Whether a chain equates names alone, perhaps with a sign: l_1 = l_2, θ_2 = −θ_1."""
-    sides = (side.terms[0][1] if isinstance(side, n.Sum) and len(side.terms) == 1 else side for side in chain.members)
-    return len(chain.members) > 1 and all(isinstance(side, n.Name) for side in sides)
+    """Whether a chain relates names of one letter alone: l_1 = l_2, θ_2 = −2 θ_1, θ_1 + θ_2 = θ_3."""
+    below = [each for side in chain.members for each in n.walk(side)]
+    letters = {each.base for each in below if isinstance(each, n.Name) and each.key != "pi"}
+    plain = n.Number | n.Sum | n.Product | n.Quotient | n.Group | n.Name
+    return len(chain.members) > 1 and len(letters) == 1 and all(isinstance(each, plain) for each in below)
 
 
 def _with_subject(chain: n.Chain, before: n.Chain | None, joined: str) -> n.Chain:
@@ -145,6 +149,7 @@ def is_condition(chain: n.Chain) -> bool:
 def _is_constant(node: n.Node) -> bool:
     return all(
         isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
+        or (isinstance(b, n.Postfix) and b.operator in UNITS)
         or (isinstance(b, n.Name) and b.key in ("pi", *WHOLE_NUMBERS))
         for b in n.walk(node)
     )
@@ -154,3 +159,16 @@ def connectives_among(statements: list[n.Statement], index: int, chains: int) ->
     """How many connectives stand among the next `chains` chains."""
     places = [place for place, each in enumerate(statements[index:]) if isinstance(each, n.Chain)]
     return places[chains - 1] - (chains - 1)
+
+
+def is_under_words(statements: list[n.Statement], index: int) -> bool:
+    """Whether "if" or "for" stands somewhere before a statement."""
+    return any(isinstance(each, n.Connective) and each.kind == "if" for each in statements[:index])
+
+
+
+
+def goes_on(statements: list[n.Statement], implication: Implication) -> bool:
+    """Whether another arrow follows what an implication concludes: A ⇒ B ⇒ C."""
+    behind = statements[implication.after] if implication.after < len(statements) else None
+    return isinstance(behind, n.Connective) and behind.kind in ARROWS

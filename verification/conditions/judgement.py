@@ -14,6 +14,7 @@ from armproof.verification.conditions.entailment import Entailment
 from armproof.verification.conditions.implication import Implication, is_condition
 from armproof.verification.conditions.system import System, read_condition
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -33,6 +34,8 @@ def check_implication(
     outcome, found = _follows(checker, implication, equation)
     if outcome.verdict is not Verdict.REFUTED:
         return outcome, found
+    if found and finest_decimals(implication.chains) and _nearly_holds(checker, implication, found):
+        return outcome.left_open(say(Kind.MADE_OF_ROUNDED)), {}
     rates = any(isinstance(b, n.Name) and b.dots for chain in implication.chains for b in n.walk(chain))
     signs = checker.exact.ring.signs_chosen and checker.names.state.compares_lengths
     if links and implication.arrow == "⇒":
@@ -40,6 +43,14 @@ def check_implication(
         together = _follows(checker, replace(implication, before=before), equation)[0]
         signs = signs or together.verdict is not Verdict.REFUTED
     return (Outcome(Verdict.UNCHECKED, (say(Kind.UNDER_MORE),), equation), {}) if rates or signs else (outcome, found)
+
+
+def _nearly_holds(checker: ChainChecker, implication: Implication, point: dict[str, float]) -> bool:
+    checker.sampled()  # raises where nothing may be drawn
+    with checker.exact.budget.paused():
+        from armproof.verification.conditions.rounded_there import nearly_holds
+
+    return nearly_holds(checker, implication, point)
 
 
 def states_condition(checker: ChainChecker, chain: n.Chain) -> bool:

@@ -68,6 +68,8 @@ class StatedValues:
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
         if not (one and other) and of_arm & (one | other):
             numbers = _sides(outcome)[bool(one)]
+            if any(isinstance(each, n.JointAngles) for each in n.walk(numbers.node)):
+                return None  # (1 - c_2)/(1 - c_2) is no number of a configuration
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
             return None if of_names else self._numbers(outcome, pairs, numbers.node)
         moves = set(filter(is_rate, one)) != set(filter(is_rate, other))

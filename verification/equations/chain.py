@@ -169,9 +169,21 @@ class ChainChecker:
         if any(outcome.verdict is Verdict.REFUTED for outcome in first) and self.members.speaks_of_jacobian(chain):
             outcomes = self.rows.with_fewer(chain, first, check)
         outcomes = self.readings.of_the_tool(chain, outcomes, settled, check)
+        if outcomes is first and any(outcome.verdict is Verdict.REFUTED for outcome in first):
+            outcomes = self._of_coordinates(chain, first, check)
         if outcomes is first:
             self.names.state.definitions = made
         return outcomes
+
+    def _of_coordinates(self, chain: n.Chain, first: list[Outcome], check: Check) -> list[Outcome]:
+        """Return the outcomes where x is a coordinate, and no vector as in an equation before, if none is refuted then."""
+        before = self.names.state.copy()
+        if self.conventions.take_coordinates(chain.members, beside=False):
+            tried = check(chain)
+            if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
+                return tried
+            self.names.state.become(before)
+        return first
 
     def _ended_with_their_section(self, chain: n.Chain) -> dict[str, int]:
         """Forget what blocks of another section are that a chain is about: they get a meaning anew. Return their lines."""

@@ -24,6 +24,7 @@ from armproof.verification.equations.alignment import (
     square_rows,
 )
 from armproof.verification.equations.by_size import BySize
+from armproof.verification.equations.coordinates import coordinates_among
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
@@ -71,8 +72,16 @@ class Conventions:
         self.names.state.forget_usual(known)  # a name that stands alone is asked anew
         for key in filter(self._usual, keys):
             self.names.state.definitions.pop(key, None)
+        self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
         return replace(chain, members=tuple(members)) if len(chain.members) > 1 else chain
+
+    def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:
+        """Take names for coordinates that were vectors before, where one may be, and say whether there are such."""
+        found = coordinates_among(self.names, nodes, beside=beside)
+        for key, quantity in found.items():
+            self.names.state.infer_usual(key, quantity)
+        return bool(found)
 
     @property
     def _base(self) -> str:

@@ -31,6 +31,7 @@ from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.verdict import Verdict
 
 
@@ -56,6 +57,8 @@ class Equality:
         try:
             pairs = list(align(true.value, printed.value, self.exact))
         except ShapeMismatch as mismatch:
+            if (determinant := self._jacobi_determinant(true)) is not None and isinstance(printed.value, Scalar):
+                return self._compare(determinant, printed, equation, branches)
             outcome.findings = (finding_of(mismatch),)
             return self._compare_blocks(true, printed, outcome)
         except EvaluationError as problem:
@@ -98,6 +101,14 @@ class Equality:
             return any(not pair.note and agree_exactly(pair) for pair in align(true, printed, self.exact))
         except EvaluationError:
             return False
+
+    def _jacobi_determinant(self, member: Member) -> Member | None:
+        """Return det J for ∂(x, y)/∂(θ_1, θ_2), which mostly means that beside a scalar."""
+        node = bare(member.node)
+        if not isinstance(node, n.Derivative) or not isinstance(bare(node.variable), n.Sequence):
+            return None
+        determinant = self.members.evaluate(n.Call("det", (node,), span=node.span))
+        return determinant if determinant.known else None
 
     def _compare_blocks(self, true: Member, printed: Member, outcome: Outcome) -> Outcome:
         """A printed matrix of blocks in which a 0 stands for a block of zeros: [z_2; 0] is 6×1."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import chain as chain_cells
+from itertools import pairwise
+from typing import TypeGuard
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
@@ -48,12 +50,43 @@ class GivenValues:
         return self.values(first, others[0]) if others and (len(others) == 1 or all(map(is_number, others))) else None
 
     def is_condition(self, chain: n.Chain) -> bool:
-        """Whether joints, or lengths, are said to be equal: θ_1 = θ_2."""
-        names = [member for member in chain.members if isinstance(member, n.Name)]
-        symbols = [self.names.known_symbol(name.key) for name in names]
-        if self.names.arm is None or len(names) < len(chain.members) or len({name.base for name in names}) > 1:
+        """Whether joints, lengths or rates are said to be related: θ_1 = θ_2, θ_2 = −2 θ_1, l_1 = 2 l_2, l_1 = l_2 = l."""
+        related = self.related(chain)
+        if len(related) < 2 or set(chain.relations) != {"="}:
             return False
-        return None not in symbols and len(set(symbols)) == len(symbols) > 1
+        named = [below for member in related for below in n.walk(member) if _is_letter(below)]
+        variables = {(self._variable(name), name.dots) for name in named}
+        if len({str(symbol)[0] for symbol, _ in variables}) > 1 or len(variables) < 2:
+            return False
+        values = [self.members.evaluate(member).value for member in chain.members if member in related]
+        scalars = [value for value in values if isinstance(value, Scalar)]
+        return len(scalars) == len(values) and all(not (a - b).is_zero() for a, b in pairwise(scalars))
+
+    def related(self, chain: n.Chain) -> list[n.Node]:
+        """Return the members of a chain that are sums of variables, where each other one is a letter by itself: l_1 = l_2 = l."""
+        if self.names.arm is None:
+            return []
+        sums = [each for each in chain.members if self._is_linear(each) and self._is_of_variables(each)]
+        alone = all(isinstance(each, n.Name) and not each.dots for each in chain.members if each not in sums)
+        return sums if alone and not any(self.members.evaluate(m).known for m in chain.members if m not in sums) else []
+
+    def _is_of_variables(self, node: n.Node) -> bool:
+        return all(self._variable(below) is not None for below in n.walk(node) if _is_letter(below))
+
+    def _variable(self, name: n.Name) -> str | None:
+        """Return the joint or length that a name stands for, by an equation of the document too: l of l = l_1."""
+        definition = self.names.state.definitions.get(name.key)
+        if definition is not None and isinstance(definition.node, n.Name):
+            name = definition.node
+        return self.names.known_symbol(replace(name, dots=0).key)
+
+    @staticmethod
+    def _is_linear(node: n.Node) -> bool:
+        """Whether a tree is a sum of names, each with a number, such as π/2 − 2 θ_1."""
+        if isinstance(node, n.Product | n.Quotient) and sum(_is_letter(below) for below in n.walk(node)) > 1:
+            return False
+        plain = n.Number | n.Sum | n.Product | n.Quotient | n.Group | n.Name
+        return isinstance(node, plain) and all(map(GivenValues._is_linear, n.children(node)))
 
     def remember(self, values: Mapping[str, n.Node], line: int) -> None:
         """Keep values; a joint that had one before begins another configuration, and that of the others is over."""
@@ -283,3 +316,7 @@ def _sign(node: n.Node) -> int | None:
         sign = {"+": 1, "-": -1}.get(mark, 0)
     node = bare(node)
     return sign if isinstance(node, n.Number) and node.value == 1 else None
+
+
+def _is_letter(node: n.Node) -> TypeGuard[n.Name]:
+    return isinstance(node, n.Name) and node.key != "pi"

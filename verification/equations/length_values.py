@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from armproof.models.exact.polynomial import Generator
-from armproof.verification.algebra.calculus import substitute
+from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
 
 
@@ -14,9 +14,10 @@ def length_values(differences: Iterable[Scalar], lengths: Mapping[str, float]) -
     """Return the values of lengths that follow from differences that are to vanish; None where no positive ones make them.
 
     `lengths` are the arm's own, for their signs alone. Every coefficient of what moves vanishes; one that is linear in a
-    single length gives it its value. What products of lengths leave open stays open.
+    single length gives it its value. What products of lengths, and lengths under roots, leave open stays open.
     """
-    equations = [each for difference in differences for each in _coefficients(difference, set(lengths))]
+    plain = [each for each in differences if not _is_hidden(each, set(lengths))]
+    equations = [each for difference in plain for each in _coefficients(difference, set(lengths))]
     found: dict[str, Fraction] = {}
     while True:
         solved = next((pair for each in equations if (pair := _solved(each, lengths)) is not None), None)
@@ -27,6 +28,14 @@ def length_values(differences: Iterable[Scalar], lengths: Mapping[str, float]) -
             return None
         found[name] = value
         equations = [rest for e in equations if not (rest := substitute(e, {name: e.ring.rational(value)})).is_zero()]
+
+
+def _is_hidden(difference: Scalar, lengths: set[str]) -> bool:
+    """Whether a length stands under a root, or in an arc function."""
+    ring = difference.ring
+    inner = [ring.radicand(name) for kind, name in difference.generators if kind == "radical"]
+    inner += [each for kind, name in difference.generators if kind == "arc" for each in ring.arcs[name]]
+    return not lengths.isdisjoint(symbols_in(inner))
 
 
 def _coefficients(difference: Scalar, lengths: set[str]) -> list[Scalar]:
