@@ -60,6 +60,7 @@ class _Display:
         above: the implications of the lines before.
         under: the implication whose conclusion stands before: what follows it on its line may be one more.
         stated: configurations and conditions, each with the count of the outcomes before it.
+        assumed: whether nothing is decided of the conditions before the arrow at hand.
     """
 
     statements: list[n.Statement]
@@ -74,6 +75,7 @@ class _Display:
     above: list[Implication] = field(default_factory=list)
     under: Implication | None = None
     stated: list[tuple[int, n.Chain]] = field(default_factory=list)
+    assumed: bool = False
 
     @cached_property
     def asked(self) -> list[n.Statement]:
@@ -157,6 +159,7 @@ class Statements:
             found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
         if is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
+            found = [each.unless_refuted(say(Kind.UNDER_MORE)) for each in found] if display.assumed else found
         if "\\sum" in display.latex[slice(*chain.span)]:
             found = [unless_added(outcome, self.checker.quantity_of) for outcome in found]
         found = self._concluded_too(display, chain, found)
@@ -209,7 +212,9 @@ class Statements:
             judged = self._unless_meant_there(display, implication, judged)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
-            for chain, found in zip(premises, map(self._without_numbers, steps), strict=True):
+            steps = [*map(self._without_numbers, steps)]
+            display.assumed = all(outcome.is_condition for found in steps for outcome in found)
+            for chain, found in zip(premises, steps, strict=True):
                 display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
             display.equation += sum(len(chain.relations) for chain in premises)
             display.links = []
@@ -502,6 +507,8 @@ class Statements:
     def _relate(self, chain: n.Chain, line: int) -> None:
         """Keep what joints, or lengths, are said to be: l_1 = l_2, of which l may be the letter."""
         related = self.given.related(chain)
+        if not related:
+            return
         self.circumstances.of_display(replace(chain, members=tuple(related), relations=("=",) * (len(related) - 1)))
         for letter in (bare_key(each) for each in chain.members if each not in related):
             self.names.define(str(letter), self.checker.members.meaning(related[0]), line, node=related[0])

@@ -166,8 +166,6 @@ def is_under_words(statements: list[n.Statement], index: int) -> bool:
     return any(isinstance(each, n.Connective) and each.kind == "if" for each in statements[:index])
 
 
-
-
 def goes_on(statements: list[n.Statement], implication: Implication) -> bool:
     """Whether another arrow follows what an implication concludes: A ⇒ B ⇒ C."""
     behind = statements[implication.after] if implication.after < len(statements) else None

@@ -91,9 +91,10 @@ def _of_branch(checker: ChainChecker, chain: n.Chain, evaluator: Evaluator) -> I
     if len(first) != 1:
         if (other := next((relation for relation in chain.relations if relation != "="), None)) is not None:
             raise Undecided(say(Kind.RELATION_IS_NONE, relation=other))
-        if not all(map(checker.members.is_symbol, first)):
-            raise Undecided(say(Kind.CHAIN_FOR_CONDITION))
-        parts = [_fixed(checker, node, last, evaluator) for node in first]  # θ_1 = θ_2 = 0
+        if all(map(checker.members.is_symbol, first)):
+            parts = [_fixed(checker, node, last, evaluator) for node in first]  # θ_1 = θ_2 = 0
+        else:
+            parts = [System(tuple(_equations(checker, node, last, evaluator))) for node in first]  # P_x = P_y = 0
         yield reduce(System.and_, parts)
         return
     (relation,) = chain.relations

@@ -326,17 +326,22 @@ class Conventions:
         return self.doubts.judge(outcome) if doubtful else outcome
 
     def restore(self, outcomes: Iterable[Outcome]) -> None:
-        """Let a name keep what it meant where a slip makes it look like the point of another frame, of which nothing is shown here."""
+        """Let a slip show nothing: where it looks like the point of another frame, the name keeps what it meant.
+
+        One that meant nothing yet may be asked anew, unless the slip looks like the tool's.
+        """
         state = self.names.state
         shown = {quantity.frame for (_, section), quantity in state.usual.items() if section == state.section}
         for outcome in outcomes:
-            name = (
-                _plain(outcome.true.node) if outcome.verdict is Verdict.REFUTED and outcome.true is not None else None
-            )
-            before = self.before.get(name.key) if name is not None else None
-            now = state.inferred.get(name.key) if name is not None else None
-            if name is not None and before is not None and now is not None and now.frame not in shown:
+            name = _plain(outcome.true.node) if outcome.verdict is Verdict.REFUTED and outcome.true else None
+            now = state.inferred.get(name.key) if name is not None and name.key in state.conventional else None
+            if name is None or now is None or self.names.arm is None or now.frame in shown:
+                continue
+            usual = next(iter(conventional(name, self.names.arm, self.names.transforms)), now)
+            if (before := self.before.get(name.key)) is not None:
                 state.infer_usual(name.key, before)
+            elif now != usual:
+                state.forget_usual({name.key})
 
     def _give(self, name: n.Name | None) -> None:
         """x = 0: where the tool is to be, and not what x is."""

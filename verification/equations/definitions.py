@@ -247,6 +247,7 @@ class Redefinitions:
         definitions = self.names.state.definitions
         if definition.section != self.names.state.section:
             del definitions[key]
+            self.names.state.consulted.discard((key, definition.line))  # nothing rests on it
             return check(chain)
         second = say(Kind.SECOND_MEANING, name=key, line=definition.line)
         if (anew := self._anew(chain, key, definition, check)) is not None:

@@ -51,8 +51,10 @@ class GivenValues:
 
     def is_condition(self, chain: n.Chain) -> bool:
         """Whether joints, lengths or rates are said to be related: θ_1 = θ_2, θ_2 = −2 θ_1, l_1 = 2 l_2, l_1 = l_2 = l."""
+        if self._is_course(chain):
+            return True
         related = self.related(chain)
-        if len(related) < 2 or set(chain.relations) != {"="}:
+        if len(related) < 2 or set(chain.relations) != {"="} or any(map(self._is_defined, chain.members)):
             return False
         named = [below for member in related for below in n.walk(member) if _is_letter(below)]
         variables = {(self._variable(name), name.dots) for name in named}
@@ -70,13 +72,22 @@ class GivenValues:
         alone = all(isinstance(each, n.Name) and not each.dots for each in chain.members if each not in sums)
         return sums if alone and not any(self.members.evaluate(m).known for m in chain.members if m not in sums) else []
 
+    def _is_course(self, chain: n.Chain) -> bool:
+        """θ_1 = 2 t: how a joint moves in time."""
+        first, *others = chain.members
+        time = any(isinstance(below, n.Name) and below.key == "t" for each in others for below in n.walk(each))
+        return time and self.members.is_symbol(first) and self.names.known_symbol("t") is None and len(others) == 1
+
+    def _is_defined(self, node: n.Node) -> bool:
+        return isinstance(node, n.Name) and node.key in self.names.state.definitions
+
     def _is_of_variables(self, node: n.Node) -> bool:
         return all(self._variable(below) is not None for below in n.walk(node) if _is_letter(below))
 
     def _variable(self, name: n.Name) -> str | None:
         """Return the joint or length that a name stands for, by an equation of the document too: l of l = l_1."""
         definition = self.names.state.definitions.get(name.key)
-        if definition is not None and isinstance(definition.node, n.Name):
+        if definition is not None and isinstance(definition.node, n.Name) and definition.node.base == name.base:
             name = definition.node
         return self.names.known_symbol(replace(name, dots=0).key)
 

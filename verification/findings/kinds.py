@@ -193,7 +193,6 @@ class Kind(MessageKind):
     ENTRY_OF_SCALAR = "entry_of_scalar", "an entry of a scalar"
     NO_CONDITION = "no_condition", "no equation stands where a condition is expected"
     CONDITION_IS_EQUATION = "condition_is_equation", "a condition is an equation"
-    CHAIN_FOR_CONDITION = "chain_for_condition", "a chain stands where one condition is expected"
     RELATION_IS_NONE = "relation_is_none", "'{relation}' is not an equation"
     MATRIX_FOR_CONDITION = "matrix_for_condition", "a matrix stands where a scalar condition is expected"
     RANK_OF_NO_MATRIX = "rank_of_no_matrix", "the rank of something that is no matrix"
