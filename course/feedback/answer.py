@@ -144,7 +144,7 @@ def _last_side(text: str) -> str:
     try:
         statements = Reader().read(latex)
     except ArmproofError:
-        return latex
+        return latex.partition("=")[2] if latex.count("=") == 1 else latex
     if len(statements) != 1 or not isinstance(statements[0], n.Chain):
         return latex
     chain = statements[0]

@@ -18,6 +18,19 @@ from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up, separator
 from armproof.verification.latex.greek import NAMES
 
+_ASIDE = (
+    "and",
+    "et",
+    "option",
+    "options",
+    "axis",
+    "axes",
+    "axe",
+    "answer",
+    "answers",
+    "réponse",
+    "réponses",
+)  # beside keys
 _TOLERANCE = 1e-6
 _FOUR_DIGITS = 1e-4
 
@@ -72,10 +85,10 @@ class Choice:
         if isinstance(items, str) and (key := self._said.get(items.strip().lower())) is not None:
             return [key]
         words = re.split(r"[,;\s]+", items) if isinstance(items, str) else [str(item).strip() for item in items]
-        words = [word for word in words if word and (word not in ("and", "et") or word in self.options)]
+        words = [word for word in words if word and (word.lower() not in _ASIDE or word in self.options)]
         known = {_bare(key): key for key in self.options}
         known = {**self._by_digit, **{_bare(words): key for words, key in self._said.items()}, **known}
-        words = [known.get(_bare(word), word) for word in words]
+        words = [known.get(_bare(word), known.get(_bare(word).replace("omega", "w"), word)) for word in words]
         if len(words) == 1 and words[0] not in self.options and set(words[0].lower()) <= set(known):
             return [known[letter] for letter in words[0].lower()]
         return words
@@ -170,7 +183,8 @@ def _to_its_digits(given: float, right: float) -> bool:
     """Whether a number is right to four digits, of one that has no fewer."""
     if abs(given - right) <= _TOLERANCE * (1 + abs(right)):
         return True
-    return float(f"{right:.4g}") != right and abs(given - right) <= _FOUR_DIGITS * abs(right)
+    rounded = float(f"{right:.4g}")
+    return rounded != right and (given == rounded or abs(given - right) <= _FOUR_DIGITS * abs(right))
 
 
 def _bare(word: str) -> str:

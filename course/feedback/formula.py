@@ -101,7 +101,10 @@ class Formula:
         feedback = (
             self._judge_function(answer)
             if is_function(answer)
-            else self._judge_latex(as_latex(answer), judge_formula(self.claim, answer))
+            else self._judge_latex(
+                self._as_latex(answer),
+                judge_formula(self.claim, self._as_latex(answer) if isinstance(answer, str) else answer),
+            )
         )
         if feedback.outcome is Outcome.WRONG and (words := self._of_inverse(answer, feedback.is_general)):
             feedback = replace(feedback, message=words, findings=())
@@ -110,6 +113,14 @@ class Formula:
         if feedback.at and set(self.given) & set(self.arguments):
             return replace(feedback, at=self._at_arguments(feedback.at))
         return feedback
+
+    def _as_latex(self, answer: Any) -> str:
+        """Return an answer as LaTeX; in a text typed as in Python px is p_x, where p x can be no product of the task's letters."""
+        if not isinstance(answer, str) or "\\" in answer:
+            return as_latex(answer)
+        bare = {name.replace("_", ""): name for name in self.arguments if "_" in name and not name[-1].isdigit()}
+        bare = {short: name for short, name in bare.items() if not {*short} <= {*self.arguments}}
+        return as_latex(re.sub(r"(?<![\w\\])[A-Za-z]+(?!\w)", lambda found: bare.get(found[0], found[0]), answer))
 
     def _judge_latex(self, latex: str, feedback: Feedback) -> Feedback:
         """Return what becomes of a formula: of angles, whole turns too many are no mistake, once they are taken away and it is proved."""
@@ -148,7 +159,7 @@ class Formula:
 
     def _values_of(self, answer: Any) -> np.ndarray:
         if not is_function(answer):
-            return self.claim.values(as_latex(answer))[:FEW]
+            return self.claim.values(self._as_latex(answer))[:FEW]
         answer = self._in_order(answer)
         with Guard(SECONDS) as guard:
             calls = [guard.call(lambda k=k: answer(*self._arguments(k))) for k in range(FEW)]  # type: ignore[misc]
@@ -188,7 +199,7 @@ class Formula:
         at = random_values(self.arguments)
         asked = remembered(partial(self.claim.values_over, ASKED))
         given = remembered(
-            self._called(answer) if is_function(answer) else partial(self.claim.values_over, as_latex(answer))
+            self._called(answer) if is_function(answer) else partial(self.claim.values_over, self._as_latex(answer))
         )
         true, obtained = asked(at), given(at)
         if true.shape == obtained.shape:
@@ -208,7 +219,7 @@ class Formula:
 
     def _written(self, answer: Any) -> str:
         """Return an answer as LaTeX, of a function what it gives for letters."""
-        return write_matrix(self._trace(self._in_order(answer))) if is_function(answer) else as_latex(answer)
+        return write_matrix(self._trace(self._in_order(answer))) if is_function(answer) else self._as_latex(answer)
 
     def _called(self, function: Callable[..., Any]) -> Values:
         """Return a function of single values as one of arrays."""

@@ -34,6 +34,8 @@ _RECKONING = re.compile(
     r"pi|sqrt|root|racine|sin|cos|tan|minus|moins|plus|times|fois|not|pas|or|ou|over|sur|frac|dfrac|half|demi|about|environ",
     re.I,
 )
+_TEXT = re.compile(r"\\(?:text|mathrm)\{([^{}]*)\}")
+_COMMAS = re.compile(r"[^,]*?(?:(?<![\d,])\d+,\d{1,2}(?!\d)|(?<![\d,])0,\d+)[^,]*(?:\d,\d[^,]*)*")
 _BETWEEN = ("and", "et", "to", "by", "à", "row", "is", "est")  # short words that are no units
 _KNOWN = sorted(
     {unit for scales in _SCALES.values() for unit in scales} | {"kg", "N", "s", "rpm"}, key=len, reverse=True
@@ -57,15 +59,27 @@ def numbers_in(answer: Any, unit: str = "–", count: int = 0) -> np.ndarray:
     if hasattr(answer, "tolist"):
         answer = answer.tolist()
     if isinstance(answer, list | tuple):
+        answer = _with_points(answer)
         return np.array([value for item in answer for value in numbers_in(item, unit, 1).tolist()], dtype=float)
     if isinstance(answer, str):
         return _of_text(answer, unit, count)
     return np.array([float(answer)])
 
 
+def _with_points(items: Any) -> Any:
+    """Return a list whose texts have decimal points, where one of them shows that its comma is a decimal one."""
+    texts = [item for item in items if isinstance(item, str)]
+    if not any(map(_ONE_DECIMAL_COMMA.fullmatch, texts)):
+        return items
+    return [re.sub(r"(?<=\d),(?=\d)", ".", item) if isinstance(item, str) else item for item in items]
+
+
 def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     """Return the numbers of a text: "[0, 2]", "0 2", "pi/2", "x = 250 mm"; of "0,05 ; 0,55", which is French, two."""
-    text = _NAMED.sub("", text.replace("−", "-").replace("·", "*").translate(_BLANKS))
+    text = _TEXT.sub(r" \1", text).replace("\\,", " ").replace("\\ ", " ")
+    text = _NAMED.sub(
+        "", re.sub(r"\b(?:minus|moins)\s+", "-", text).replace("−", "-").replace("·", "*").translate(_BLANKS)
+    )
     scales = [_scale(found, unit) for found in _UNIT.findall(text)]
     values = _of_bare(_UNIT.sub("", text), count)
     if scales and len(scales) not in (1, len(values)):
@@ -85,6 +99,8 @@ def _of_bare(text: str, count: int) -> np.ndarray:
     has_comma = _DECIMAL_COMMAS.fullmatch(text) and (";" in text or spoken() != ENGLISH)
     if has_comma or (count == 1 and _ONE_DECIMAL_COMMA.fullmatch(text)):
         text = text.replace(",", ".").replace(";", ",")
+    if count == 1 and _COMMAS.fullmatch(text):
+        text = re.sub(r"(?<=\d),(?=\d)", ".", text)
     if (number := _WORDS.get(text.strip(" .").lower())) is not None:
         return np.array([float(number)])
     plain = read_plain(_FRACTION.sub(_divided, text).replace("\\pi", "pi"))
@@ -109,6 +125,7 @@ def _among_words(text: str) -> np.ndarray | None:
     """Return the numbers of a text of words, "row 1, column 2" or "6×7, 7×1"; None where it may be a sum or a doubt."""
     text = re.sub(r"(?<=\d)\s*[x×]\s*(?=\d)", " ", text)
     text = re.sub(r"(?<=\d)\s*[x×](?=\W|$)", " ", text)
+    text = re.sub(r"[^\W\d_]+", lambda found: str(_WORDS.get(found.group().lower(), found.group())), text)
     words = re.findall(r"[^\W\d_]{2,}", text)
     behind = re.findall(r"\d\s*([^\W\d_]+)", text)  # 0.375 s has another unit
     if any(map(_RECKONING.fullmatch, words)) or any(len(word) < 4 and word not in _BETWEEN for word in behind):

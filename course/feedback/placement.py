@@ -218,8 +218,8 @@ class Placement:
         return found
 
     def _point(self, given: Any) -> Vector:
-        if isinstance(given, str) and given.strip() in self.scheme.points:
-            return self.scheme.points[given.strip()]
+        if isinstance(given, str) and given.strip().upper() in self.scheme.points:
+            return self.scheme.points[given.strip().upper()]
         return _triple(given)
 
     def _direction(self, given: Any) -> Vector:

@@ -19,6 +19,8 @@ POLAR = Formula(
 COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
 ROOT = Formula(r"\sqrt{x^2 + y^2}", ("x", "y"))
 SPEED = Formula(r"\frac{15}{8 t_f}", ("t_f",))
+DIRECTION = Formula(r"\text{atan2}(p_y, p_x)", ("p_x", "p_y"), unit="rad", symbols={"rho": "free", "gamma": "free"},
+    given={"p_x": r"\rho\cos(3\gamma)", "p_y": r"\rho\sin(3\gamma)"})  # fmt: skip
 SIZES = Number((6.0, 7.0, 7.0, 1.0))
 AXES = Choice({"z4": "axis 4", "z5": "axis 5", "z6": "axis 6"}, frozenset({"z4", "z5"}))
 STEP = Choice({"alpha_0": "the twist", "a_0": "the length"}, "alpha_0")
@@ -54,6 +56,18 @@ RAM = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": 0, "theta":
         (AXES, ("z_4", "(z5)"), ("z_4", "z_6")),
         (AXES, ["axis 4", "axis 5"], ["axis 4"]),
         (STEP, "α_0", "a_0"),
+        (STEP, "option alpha_0", "option a_0"),
+        (AXES, "axes 4 and 5", "axes 5 and 6"),
+        (Choice({"vx": "v", "wx": "ω"}, "wx"), "ω_x", "v_x"),
+        (DIRECTION, "np.arctan2(py, px)", "np.arctan2(px, py)"),
+        (DIRECTION, "theta_1 = atan2(p_y, p_x)", "theta_1 = atan2(p_x, p_y)"),
+        (Number((1.5, 1.196), "m"), ["1,5", "1,196"], ["1,5", "1,916"]),
+        (Number(500.0, "m"), "0,5 / 0,001", "0,5 / 0,01"),
+        (Number(500.0, "m"), r"500\,\text{m}", r"50\,\text{m}"),
+        (Number(-1.0), "minus one", "one"),
+        (Number((6.0, 5.0)), "six and five", "five and six"),
+        (Number(np.pi / 2, "rad"), 1.571, 1.58),
+        (SPEED, "v = 15/(8 t_f)", "v = 8/(15 t_f)"),
         (STEP, "the twist", "the length"),
         (RAM, lambda theta_1: [-np.sin(theta_1), np.cos(theta_1), 0], lambda theta_1: [np.cos(theta_1), np.sin(theta_1), 0]),
         (open_lesson("planar_dh").z_axes.asks, "z, z", "x, x"),
