@@ -220,7 +220,7 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     written = any(isinstance(b, n.Matrix) for b in below)
     if any(isinstance(b, n.Name) and ((b.pre_sup and not written) or b.key in names.quantities) for b in below):
         return None  # a law of link matrices
-    if _gives_letter(outcome, names):
+    if _gives_letter(outcome, names) or _is_to_vanish(outcome, names):
         return say(Kind.NO_ARM_TO_COMPARE)
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
     first, *others = [_letters(member, names) for member in chain.members]
@@ -256,6 +256,12 @@ def _gives_letter(outcome: Outcome, names: Names) -> bool:
     )
 
 
+def _is_to_vanish(outcome: Outcome, names: Names) -> bool:
+    """Whether what depends on letters is equated to 0: that is a condition on them."""
+    sides = [side for side in (outcome.true, outcome.printed) if side is not None]
+    return any(map(_is_nought, outcome.nodes)) and any(_letters_of(side, names) for side in sides)
+
+
 def _gives_name(outcome: Outcome, chain: n.Chain) -> bool:
     """Whether the equation begins with a name alone, which may be given another meaning here."""
     return bare_key(chain.members[0]) is not None and chain.members[0] in outcome.nodes
@@ -278,6 +284,8 @@ def _is_of_letters(node: n.Node) -> bool:
 
 
 def _is_nought(node: n.Node) -> bool:
+    if cells := tuple(_cells(node)):
+        return isinstance(bare(node), n.Matrix) and all(map(_is_nought, cells))
     return isinstance(node, n.Number) and node.value == 0
 
 
