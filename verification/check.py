@@ -26,6 +26,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
+from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.quantities import leads_outwards, tells_frame
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.state import DocumentState, Stated, settle_definitions
@@ -409,8 +410,9 @@ class DocumentChecker:
         return bool(indexed) and all(leads_outwards(name, self.arm, "lower") for name in indexed)
 
     def _is_of_any_tool(self, name: n.Name) -> bool:
-        """Whether a name stands for a quantity of the last frame without saying so."""
-        quantity = self.checker.quantity_of(name)
+        """Whether a name stands for a quantity of the last frame without saying so, or did until it was refuted."""
+        usual = conventional(name, self.arm, self.names.transforms) if self.arm is not None and is_usual(name) else ()
+        quantity = self.checker.quantity_of(name) or next(iter(usual), None)
         return quantity is not None and not tells_frame(name, quantity)
 
     def _is_other_variable(self, node: n.Name) -> bool:
