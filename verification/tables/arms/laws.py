@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from itertools import permutations
+from itertools import permutations, product
 
-from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
+from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -32,6 +32,8 @@ class _Law:
     Attributes:
         point: the names of the coordinates of the second link's end, in the plane of the links or in space.
         height: that of the first link's beginning, in space.
+        hand: the length of a third link behind the point, where the document tells one.
+        tool: the names of that link's end and direction.
     """
 
     joint: str
@@ -39,13 +41,17 @@ class _Law:
     point: tuple[str, ...]
     height: Scalar
     display: Display
+    hand: str = ""
+    tool: tuple[str, ...] = ()
 
 
 def candidate_of_law(document: Document, names: Names) -> Candidate | None:
     """Return the arm of the first law of cosines for one of a document's joints, or None."""
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
-        law = next(_Reader(document, names, algebra).laws(), None)
+        reader = _Reader(document, names, algebra)
+        law = next(reader.laws(), None)
+        law = reader.with_hand(law) if law is not None else None
     return _arm(law) if law is not None else None
 
 
@@ -74,20 +80,25 @@ def _arm(law: _Law) -> Candidate | None:
     first = int(number) - (2 if in_space else 1)
     if first < 0:
         return None
-    joints = [f"{letter}_{first + k}" for k in range(3 if in_space else 2)]
+    joints = [f"{letter}_{first + k}" for k in range(3 if in_space or law.hand else 2)]
     turned = [{**_FLAT, "d": entry_text(law.height), "alpha": "pi/2"}] if in_space else []
-    bodies = [*turned, *({**_FLAT, "a": symbol_of(link)} for link in law.links)]
+    links = [*law.links, *filter(None, [law.hand])]
+    bodies = [*turned, *({**_FLAT, "a": symbol_of(link)} for link in links)]
     rows = tuple({**body, "theta": joint} for body, joint in zip(bodies, joints, strict=True))
-    named = {
-        key: {"origin": max(first, 1) - 1 + len(rows), "component": axis}
-        for key, axis in zip(law.point, "xyz", strict=False)
+    last = max(first, 1) - 1 + len(rows)
+    placed = [(key, axis, last - bool(law.hand)) for key, axis in zip(law.point, "xyz", strict=False)]
+    placed += [(key, axis, last) for key, axis in zip(law.tool[:2], "xy", strict=False)]
+    named: dict[str, dict[str, object]] = {
+        key: {"origin": frame, "component": axis}
+        for key, axis, frame in placed
         if key not in _PLAIN or key[-1].lower() != axis
     }
-    letters = [n.Name(base, sub, text=link) for link in law.links for base, _, sub in [link.partition("_")]]
+    named |= {key: {"angle": last} for key in law.tool[2:]}
+    letters = [n.Name(base, sub, text=link) for link in links for base, _, sub in [link.partition("_")]]
     place = (law.display.cell, law.display.line)
     return Candidate(
         "closed form", place[1], place[0], rows, tuple(joints), renamed(letters), ("classic",), (place,), (), named,
-        told_by=joints[-2],
+        told_by=joints[1 if in_space else 0],
     )  # fmt: skip
 
 
@@ -98,6 +109,7 @@ class _Reader:
     Attributes:
         squares, letters: r² = x² + y², and s = z − d_1, by r and s.
         cosines: D → the joint that an equation gives by it.
+        given: what equations say of names alone, joints and coordinates among them.
     """
 
     document: Document
@@ -106,6 +118,30 @@ class _Reader:
     squares: dict[str, Scalar] = field(default_factory=dict)
     letters: dict[str, Scalar] = field(default_factory=dict)
     cosines: dict[str, str] = field(default_factory=dict)
+    given: dict[str, list[Scalar]] = field(default_factory=dict)
+
+    def with_hand(self, law: _Law) -> _Law:
+        """Return a law in a plane with the link behind its point: x_w = x - l_3 cos φ, y_w = y - l_3 sin φ, θ_3 = φ - θ_1 - θ_2."""
+        letter, number = law.joint.split("_")
+        joints = [self.algebra.ring.symbol(f"{letter}_{int(number) + k}") for k in (-1, 0, 1)]
+        values = [self.given.get(key, []) for key in law.point]
+        if len(law.point) != 2 or any(len(each) != 1 for each in values):
+            return law
+        (u,), (v,) = values
+        angles = angles_in(u) & angles_in(v)
+        third = self.given.get(f"{letter}_{int(number) + 1}", [])
+        for direction in angles if len(angles) == 1 and len(third) == 1 else ():
+            angle = self.algebra.ring.symbol(direction)
+            if self.given.get(direction) or not (third[0] + joints[0] + joints[1] - angle).normal().is_zero():
+                continue
+            for length, x, y in product(
+                sorted(symbols_in([u]) & symbols_in([v]) - angles), symbols_in([u]), symbols_in([v])
+            ):
+                a, cosine, sine = self.algebra.ring.symbol(length), *self.algebra.cos_sin(angle)
+                ends = (self.algebra.ring.symbol(x) - a * cosine - u, self.algebra.ring.symbol(y) - a * sine - v)
+                if len({length, x, y}) == 3 and all(each.normal().is_zero() for each in ends):
+                    return replace(law, hand=length, tool=(x, y, direction))
+        return law
 
     def laws(self) -> Iterator[_Law]:
         """Yield the laws in their order."""
@@ -126,6 +162,8 @@ class _Reader:
                 self.squares.setdefault(key, value)
             return
         key, joint = bare_key(left), self._joint(left)
+        if key and len(chain.members) == 2 and (value := self._value(right)) is not None:
+            self.given.setdefault(key, []).append(value)
         if joint:
             used = (bare_key(below) for below in n.walk(right) if isinstance(below, n.Name))
             self.cosines.update({each: joint for each in used if each and each not in self.cosines})

@@ -88,3 +88,39 @@ def test_the_point_of_the_law_is_the_tool_of_the_closed_form() -> None:
 
 def test_a_point_beside_the_tool_is_another() -> None:
     assert verdicts(FORWARD + r"$$ e = x_d - x $$")[-1] == "unchecked"
+
+
+HAND = r"""
+$$ x_w = x - l_3 \cos\phi $$
+
+$$ y_w = y - l_3 \sin\phi $$
+
+$$ D = \frac{x_w^2 + y_w^2 - l_1^2 - l_2^2}{2 l_1 l_2} $$
+
+$$ \theta_2 = \operatorname{atan2}(\pm\sqrt{1 - D^2}, D) $$
+
+$$ \theta_1 = \operatorname{atan2}(y_w, x_w) - \operatorname{atan2}(l_2 \sin\theta_2, l_1 + l_2 \cos\theta_2) $$
+
+$$ \theta_3 = \phi - \theta_1 - \theta_2 $$
+"""
+
+
+def test_a_link_behind_the_point_of_the_law_is_the_third() -> None:
+    (arm,) = verify_text(HAND).arms
+    assert arm.front_matter.count("theta: ") == 3
+    assert verdicts(HAND) == ["proved", "proved", "defined", "proved", "proved", "proved"]
+
+
+@pytest.mark.parametrize(
+    ("right", "other"),
+    [
+        (r"y - l_3 \sin\phi", r"y + l_3 \sin\phi"),
+        (r"y - l_3 \sin\phi", r"y - l_4 \sin\phi"),
+        (r"\phi - \theta_1 - \theta_2", r"\phi - \theta_1 + \theta_2"),
+        (r"$$ x_w", r"$$ \phi = \operatorname{atan2}(y, x) $$" + "\n\n$$ x_w"),
+    ],
+)
+def test_it_is_none_where_anything_of_it_is_otherwise(right: str, other: str) -> None:
+    (arm,) = verify_text(HAND.replace(right, other)).arms
+    assert arm.front_matter.count("theta: ") == 2
+    assert "refuted" not in verdicts(HAND.replace(right, other))
