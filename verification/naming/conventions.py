@@ -48,6 +48,8 @@ def reads_as_length(letter: str) -> bool:
 
 def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:
     """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
+    if name.base == "WC" and (name.pre_sub, name.pre_sup, name.sup) == ("0", "", ""):  # {}_0WC_x: seen from the base
+        name = replace(name, pre_sub="", pre_sup="0")
     if name.primes or (name.pre_sub and name.sub):
         return ()
     if name.base == "WC":  # the centre of the wrist, its x: p_{WC}, p_{WC,x}

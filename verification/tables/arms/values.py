@@ -33,7 +33,12 @@ def stated_lengths(document: Document, names: Names, algebra: ExactAlgebra) -> d
 def entries_by_place(
     document: Document, taken: TakenArm, names: Names, algebra: ExactAlgebra
 ) -> Iterator[tuple[str, Fraction]]:
-    """Yield a_i and d_i (a_{i-1} in the modified convention) of rows where a table has numbers, but zeros: nobody names these."""
+    """Yield a_i and d_i (a_{i-1} in the modified convention) of rows where a table has numbers, but zeros: nobody names these.
+
+    So do link matrices.
+    """
+    if taken.source == "matrices":
+        yield from _entries_of_links(taken, names)
     table = next((each for each in dh_tables(document) if each.line == taken.line), None)
     columns = read_columns(table.header) if table is not None and taken.source == "table" else None
     if table is None or columns is None:
@@ -49,6 +54,16 @@ def entries_by_place(
                 if value and index and is_number(cell.trees[0]) and names.known_symbol(key) is None:
                     scale = SCALES.get(columns.headers[column].unit, 1) if metres and not cell.has_unit else 1
                     yield key, value * Fraction(scale)
+
+
+def _entries_of_links(taken: TakenArm, names: Names) -> Iterator[tuple[str, Fraction]]:
+    for number, row in enumerate(taken.front["arm"]["rows"], 1):
+        for role in "ad":
+            key = f"{role}_{number - (role == 'a' and taken.convention == 'modified')}"
+            with suppress(ValueError):  # a letter
+                value = Fraction(str(row[role]))
+                if value and not key.endswith("_0") and names.known_symbol(key) is None:
+                    yield key, value
 
 
 def _values(table: Table, names: Names, algebra: ExactAlgebra, metres: bool) -> Iterator[tuple[str, Fraction]]:
