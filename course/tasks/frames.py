@@ -275,7 +275,7 @@ LESSON = Lesson(
                     "entries (1, 4) and (2, 4) are swapped",
                 ),
                 Wrong(lambda theta, d, a: composed(theta, d, a).T, "transposed"),
-                Wrong(COMPOSED.replace("& d ", "& 0 "), "entry (3, 4)"),
+                Wrong(COMPOSED.replace("& d ", "& 0 "), "the factor with d is missing"),
                 Wrong(lambda theta, d, a: composed(theta, a, d), "swapped"),
                 Wrong(
                     lambda theta, d, a: composed(-theta, d, a),
