@@ -28,6 +28,7 @@ from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.elementary import is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
+from armproof.verification.equations.given_targets import asked_of_the_tool
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import without_misreading
@@ -155,7 +156,9 @@ class Statements:
         alternative = is_alternative(statements, index)
         found = self._claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
-        if is_under_words(statements, index):
+        if is_under_words(statements, index) or any(
+            map(self.given.places_joints, (each for _, each in display.stated))
+        ):
             found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
         if is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
@@ -346,6 +349,7 @@ class Statements:
         outcomes = self._read_chain(chain, equation, line, define)
         again = partial(self._read_chain, chain, equation, line, False)
         outcomes = unless_of_a_sign(self.names, outcomes, again)
+        outcomes = asked_of_the_tool(self.names, outcomes, again)
         if self.names.offset_joints:
             outcomes = self.checker.angles.settled(chain, outcomes, define, again)
         of_jacobian = self.checker.members.speaks_of_jacobian(chain)

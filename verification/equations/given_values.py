@@ -49,12 +49,16 @@ class GivenValues:
             return self._together((name, others[-1]) for name in chain.members[:-1])
         return self.values(first, others[0]) if others and (len(others) == 1 or all(map(is_number, others))) else None
 
+    def places_joints(self, chain: n.Chain) -> bool:
+        """Whether a chain gives a joint a value."""
+        return not set(self.values_of(chain) or ()).isdisjoint(self.joints)
+
     def is_condition(self, chain: n.Chain) -> bool:
         """Whether joints, lengths or rates are said to be related: θ_1 = θ_2, θ_2 = −2 θ_1, l_1 = 2 l_2, l_1 = l_2 = l."""
         if self._is_course(chain):
             return True
         related = self.related(chain)
-        if len(related) < 2 or set(chain.relations) != {"="} or any(map(self._is_defined, chain.members)):
+        if len(related) < 2 or set(chain.relations) != {"="} or self._is_defined(chain.members[0]):
             return False
         named = [below for member in related for below in n.walk(member) if _is_letter(below)]
         variables = {(self._variable(name), name.dots) for name in named}

@@ -232,8 +232,12 @@ class DocumentState:
         return sorted(
             (key, each.line)
             for key, each in self._met()
-            if each.is_doubted or (each.is_given and each.section != self.section)
+            if each.is_doubted or (each.is_given and each.section not in ("", self.section))
         )
+
+    def given(self) -> list[Key]:
+        """Return the usual names consulted that a display gives numbers, each with its line."""
+        return sorted((key, each.line) for key, each in self._met() if each.is_given)
 
     def with_two_meanings(self) -> list[Key]:
         """Return the names consulted that have the last of two meanings, each with its line."""
