@@ -89,7 +89,9 @@ def _follows(one: _Step, other: _Step) -> bool:
 
 
 def _pair(node: n.Node, reference: str) -> tuple[str, str] | None:
-    """Return (reference, frame) of a transform or its inverse."""
+    """Return (reference, frame) of a transform or its inverse, with its joint variables or without: {}^0T_1(q_1)."""
+    if isinstance(node, n.Call) and node.function == "name":
+        node = node.arguments[0]
     if isinstance(node, n.Postfix) and node.operator in ("-1", "T"):
         inner = bare(node.base)
         of_rotation = isinstance(inner, n.Name) and inner.base == "R"
