@@ -8,6 +8,7 @@ from math import prod
 from typing import Any
 
 from armproof.verification.algebra.angles import cos_sin, has_arcs
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Identity, Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
@@ -93,7 +94,17 @@ class Equality:
             return outcome
         if rounded and not branches and may_be_rounded(self.members, outcome):
             return outcome.left_open(say(Kind.MADE_OF_ROUNDED))
+        if branches and self.stated.enabled and self._is_number_beside_joints(best[0]):
+            return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
         return self.route.doubt(outcome, branches)
+
+    def _is_number_beside_joints(self, pair: Pair) -> bool:
+        """Whether numbers alone stand beside what moves, sin θ_2 = ±√(1 − 0.375²): at a configuration, or to be solved."""
+        arm = self.names.arm
+        one, other = (symbols_in(side.cells) for side in (pair.true, pair.printed))
+        joints = {joint.symbol for joint in arm.joints} if arm is not None else set()
+        cells = (pair.printed if one else pair.true).cells
+        return bool(one) is not bool(other) and bool(joints & (one | other)) and not all(c.is_zero() for c in cells)
 
     def equals_block(self, true: Value, printed: Value) -> bool:
         """Whether a block of a matrix has the value printed for it."""
