@@ -35,7 +35,7 @@ def without_misreading(
     An erratum is said to be more than a slip; where `is_closed`, each letter is known to have one meaning.
     """
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
-    reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome)
+    reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome, names)
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:
@@ -120,16 +120,18 @@ def _numbered_twice(chain: n.Chain) -> Finding | None:
     return None
 
 
-def _on_both_sides(outcome: Outcome) -> Finding | None:
-    """x = x + 1, θ = θ - 2π, sin θ = θ, 𝐱 = (x, y): a letter alone and on the other side too has a new value there, or means two things.
+def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
+    """x = x + 1, sin θ = θ, 𝐱 = (x, y): a letter alone and on the other side too has a new value there, or means two things.
 
-    A matrix may be a product of itself and of others: J = J J^+ J claims something.
+    What is known of the arm has one value: d_3 = d_3 + 2π is wrong. A matrix may be a product of itself and of others: J = J J^+ J.
     """
     for alone, other in (outcome.nodes, outcome.nodes[::-1]) if len(outcome.nodes) == 2 else ():
         name, meant = bare(alone), [side.value for side in (outcome.true, outcome.printed) if side is not None]
         again = [below for below in n.walk(other) if isinstance(below, n.Name) and below == name]
-        is_equation = isinstance(bare(other), n.Sum | n.Call) and all(isinstance(value, Scalar) for value in meant)
-        if again and (is_equation or any(bare(cell) == name for cell in _cells(other))):
+        if not again or names.known_symbol(again[0].key) is not None:
+            continue
+        is_scalar = isinstance(bare(other), n.Sum | n.Call) and all(isinstance(value, Scalar) for value in meant)
+        if (is_scalar and names.arm is None) or any(bare(cell) == name for cell in _cells(other)):
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
     return None
 
