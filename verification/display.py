@@ -407,7 +407,7 @@ class Statements:
         doubted = self.names.state.doubted()
         if outcome.verdict is Verdict.REFUTED or not is_of_arm(outcome, self.names):
             doubted = doubted or self.names.state.with_two_meanings()
-        if not doubted or outcome.verdict not in DECIDED:
+        if not doubted or outcome.verdict not in DECIDED or self.is_closed:
             return outcome
         kind = Kind.RESTS_ON_DOUBT if outcome.verdict is Verdict.REFUTED else Kind.FOLLOWS_FROM_DOUBT
         return outcome.left_open(say(kind, name=doubted[0][0], line=doubted[0][1]))

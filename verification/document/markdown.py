@@ -359,6 +359,7 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
     base = first + (token.map[0] if token.map else 0)
     cursor = 0
     children = token.children or []
+    stands_alone = _stands_alone(token)
     for child, behind in zip_longest(children, children[1:]):
         if child.type == "math_inline_double":
             at = token.content.find("$$" + child.content, cursor)
@@ -369,7 +370,7 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
             latex = quoted[1] if quoted else child.content
             if quoted and len([each for each in children if each.content.strip()]) == 1:
                 yield Display(base, latex, erratum, cell, section, opening="$`")
-            elif _stands_alone(token) and _SAYS.search(latex) and not quoted:
+            elif stands_alone and _SAYS.search(latex) and not quoted:
                 at = token.content.find("$" + latex, cursor)
                 cursor = at + len(latex) + 2
                 yield Display(base + token.content.count("\n", 0, at), latex, erratum, cell, section, opening=ALONE)

@@ -62,7 +62,8 @@ class GivenValues:
             return False
         named = [below for member in related for below in n.walk(member) if _is_letter(below)]
         variables = {(self._variable(name), name.dots) for name in named}
-        if len({str(symbol)[0] for symbol, _ in variables}) > 1 or len(variables) < 2:
+        kinds = {(str(symbol)[0], dots) for symbol, dots in variables}  # no rate is related to an angle
+        if len(kinds) > 1 or len(variables) < 2:
             return False
         values = [self.members.evaluate(member).value for member in chain.members if member in related]
         scalars = [value for value in values if isinstance(value, Scalar)]
