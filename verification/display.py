@@ -17,7 +17,7 @@ from armproof.verification.conditions.implication import (
     is_under_words,
 )
 from armproof.verification.conditions.implications import Implications, Judgement
-from armproof.verification.conditions.wording import is_alternative, is_concluded, left_open, tell_words_that_change
+from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
@@ -121,7 +121,8 @@ class Statements:
 
         `latex` is the display in which the nodes have their places, to quote what is left out.
         """
-        statements = [written_out(statement, latex, self.names) for statement in statements]
+        if "\\sum" in latex or "\\prod" in latex:
+            statements = [written_out(statement, latex, self.names) for statement in statements]
         statements = [
             part
             for statement in self._without_for_all(statements)
@@ -132,9 +133,11 @@ class Statements:
             self.ring.budget.check()
             self._take_next(display)
         self._heed_behind(display)
-        tell_words_that_change(statements, display.outcomes)
-        for key in left_open(display.outcomes) if define else ():
-            self.names.doubt(key)
+        if display.is_connected:
+            tell_words_that_change(statements, display.outcomes)
+        undecided = [each for each in display.outcomes if each.verdict is Verdict.UNCHECKED] if define else []
+        for key in (key for outcome in undecided for key in outcome.defines):
+            self.names.doubt(key)  # what follows from it is not decided either
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
@@ -153,14 +156,14 @@ class Statements:
     def _take_chain(self, display: _Display, chain: n.Chain) -> None:
         statements, index = display.statements, display.index
         given = dict(self.names.state.configuration)
-        alternative = is_alternative(statements, index)
+        is_connected = display.is_connected
+        alternative = is_connected and is_alternative(statements, index)
         found = self._claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
-        if is_under_words(statements, index) or any(
-            map(self.given.places_joints, (each for _, each in display.stated))
-        ):
+        under_words = is_connected and is_under_words(statements, index)
+        if under_words or any(map(self.given.places_joints, (each for _, each in display.stated))):
             found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
-        if is_concluded(statements, index):
+        if is_connected and is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
             found = [each.unless_refuted(say(Kind.UNDER_MORE)) for each in found] if display.assumed else found
         if "\\sum" in display.latex[slice(*chain.span)]:
@@ -348,8 +351,10 @@ class Statements:
         self._begin()
         outcomes = self._read_chain(chain, equation, line, define)
         again = partial(self._read_chain, chain, equation, line, False)
-        outcomes = unless_of_a_sign(self.names, outcomes, again)
-        outcomes = asked_of_the_tool(self.names, outcomes, again)
+        if self.names.state.signs.read:
+            outcomes = unless_of_a_sign(self.names, outcomes, again)
+        if self.names.state.given():
+            outcomes = asked_of_the_tool(self.names, outcomes, again)
         if self.names.offset_joints:
             outcomes = self.checker.angles.settled(chain, outcomes, define, again)
         of_jacobian = self.checker.members.speaks_of_jacobian(chain)
@@ -404,10 +409,12 @@ class Statements:
 
         The last of two meanings is no mistake where a joint or a quantity of the arm is what it then says.
         """
-        doubted = self.names.state.doubted()
-        if outcome.verdict is Verdict.REFUTED or not is_of_arm(outcome, self.names):
-            doubted = doubted or self.names.state.with_two_meanings()
-        if not doubted or outcome.verdict not in DECIDED or self.is_closed:
+        if outcome.verdict not in DECIDED or self.is_closed:
+            return outcome
+        doubted, of_two = self.names.state.doubted(), self.names.state.with_two_meanings()
+        if of_two and (outcome.verdict is Verdict.REFUTED or not is_of_arm(outcome, self.names)):
+            doubted = doubted or of_two
+        if not doubted:
             return outcome
         kind = Kind.RESTS_ON_DOUBT if outcome.verdict is Verdict.REFUTED else Kind.FOLLOWS_FROM_DOUBT
         return outcome.left_open(say(kind, name=doubted[0][0], line=doubted[0][1]))
@@ -551,27 +558,25 @@ class Statements:
         outcomes = self.checker.check(chain, equation, line, define)
         undecided = all(outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for outcome in outcomes)
         frames = self.names.arm.frames if self.names.arm is not None else ()
-        is_law = is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line)
-        if undecided and outcomes and is_law:
+        if not (undecided and outcomes):
+            return outcomes
+        if is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line):
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
-        if undecided and (rates := with_rates(chain, self.names)) is not None:
+        if (rates := with_rates(chain, self.names)) is not None:
             tried = self.checker.check(rates, equation, line, False)
             if all(
                 outcome.verdict in HOLDS or (outcome.is_slip and is_of_rates(rates, self.names)) for outcome in tried
             ):
                 return tried
-        if undecided and outcomes and holds_for_each_joint(self.checker, chain, equation, line):
+        if holds_for_each_joint(self.checker, chain, equation, line):
             by_joint = (say(Kind.EACH_JOINT),)
             return [
                 replace(each, verdict=Verdict.PROVED, findings=by_joint, role=Role.LAW, defines=()) for each in outcomes
             ]
-        if undecided and self.names.arm is not None and (found := self.general.product(chain, equation, line)):
+        if self.names.arm is not None and (found := self.general.product(chain, equation, line)):
             return found
-        if (
-            self.names.arm is not None
-            and outcomes
-            and all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)
-        ):
+        open_alone = all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)
+        if self.names.arm is not None and open_alone:
             return self.general.identity(chain, equation, line) or outcomes
         return outcomes
 

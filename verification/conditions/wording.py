@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
@@ -24,11 +23,6 @@ def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome
     for outcome in outcomes if words else ():
         if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
-
-
-def left_open(outcomes: list[Outcome]) -> Iterator[str]:
-    """Yield the names that undecided equations define: what follows from these is not decided either."""
-    return (key for outcome in outcomes if outcome.verdict is Verdict.UNCHECKED for key in outcome.defines)
 
 
 def is_alternative(statements: list[n.Statement], index: int) -> bool:

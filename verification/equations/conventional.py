@@ -78,7 +78,7 @@ class Conventions:
 
     def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:
         """Take names for coordinates that were vectors before, where one may be, and say whether there are such."""
-        found = coordinates_among(self.names, nodes, beside=beside)
+        found = coordinates_among(self.names, nodes, beside=beside) if self.names.state.conventional else {}
         for key, quantity in found.items():
             self.names.state.infer_usual(key, quantity)
         return bool(found)
