@@ -38,7 +38,7 @@ def _follows(checker: ChainChecker, errors: Sequence[PrintedError], outcome: Out
         if not any(wrong):
             continue
         values = [_carried_on(checker, *each) for each in zip(factors, wrong, strict=True)]
-        if not all(isinstance(value, Matrix) for value in values):
+        if not all(isinstance(value, Matrix) and value.shape == (4, 4) for value in values):  # a row may be missing
             continue
         product = values[0] @ values[1]
         if equal_matrices(product, pair.printed):

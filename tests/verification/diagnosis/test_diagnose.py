@@ -205,6 +205,13 @@ def test_what_an_error_was_made_of_may_have_no_meaning_later(check: Check) -> No
     assert found[1].message == "entry (3, 4): is 1, should be 0"
 
 
+def test_the_upper_rows_of_a_wrong_matrix_are_multiplied_by_nothing(check: Check) -> None:
+    upper = LINK.replace(r" \\ 0 & 0 & 0 & 1", "")
+    found = check(upper, CARRIED).equations
+    assert [record.verdict for record in found] == [Verdict.REFUTED, Verdict.REFUTED]
+    assert "follows" not in found[1].message
+
+
 def test_an_error_of_its_own_follows_from_nothing(check: Check) -> None:
     assert "follows" not in check(CARRIED).equations[0].message
     other = CARRIED.replace("a_2 s_{12}", "a_2 c_{12}")
