@@ -23,6 +23,7 @@ _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
+_NO_SIZE = re.compile(r"\(?(?:0x\d+|\d+x0)\)?")  # no matrix is 0×1
 _NOTED_SIZE = re.compile(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
 _NOTED_BASE = re.compile(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
@@ -55,7 +56,7 @@ class NameReader:
                 raise ReadError(say(Kind.PRIME_ON_EXPRESSION), span[0])
             canonical = canonical_script(text)
             if kind == "SUB":
-                size = re.fullmatch(r"\(?(\d)x(\d)\)?", canonical)
+                size = re.fullmatch(r"\(?([1-9])x([1-9])\)?", canonical)
                 if size and isinstance(node, n.Number) and node.value == 0:  # 0_{3×1}
                     node = n.Matrix(
                         ((node,) * int(size.group(2)),) * int(size.group(1)), "zeros", span=(start, span[1])
@@ -73,6 +74,8 @@ class NameReader:
         """Return an operand with a note under it: its size, its frame and ‖·‖_2 change nothing, of others nobody knows the value."""
         if isinstance(node, n.Power) and isinstance(node.base, n.Call) and node.base.function == "norm":
             return replace(node, base=self.noted(node.base, note, span), span=span)
+        if _NO_SIZE.fullmatch(note):
+            return n.Name("words", note, text=self.text[slice(*span)], span=span)
         is_printed = isinstance(n.ungrouped(node), n.Matrix) or isinstance(node, n.Sequence)
         is_norm = isinstance(node, n.Call) and node.function == "norm"
         if (is_norm and note == "2") or _NOTED_SIZE.fullmatch(note) or (is_printed and _NOTED_BASE.fullmatch(note)):

@@ -336,6 +336,9 @@ BOUND: dict[str, Any] = {
         (r"\underset{n}{P_x} = l_1 c_1 + l_2 c_{12}", Verdict.PROVED, ""),
         (r"\overset{0}{p} = 2 p", Verdict.UNREADABLE, "what does '0' above a name mean?"),
         (r"\ddot{P_x} = \frac{d}{dt} \dot{P_x}", Verdict.PROVED, ""),
+        # sizes
+        (r"p_1 = 0_{0\times 1}", Verdict.UNCHECKED, "0"),
+        (r"\begin{bmatrix} I_3 & 0_{3\times 0} \end{bmatrix} p_1 = p_1", Verdict.UNCHECKED, "0"),
         # at which values
         (r"\left. 2 c_1 \right|_{\theta_1 = 0} = 2", Verdict.PROVED, ""),
         (r"\left. 2 c_1 \right|_{\theta_1 = 0} = 3", Verdict.REFUTED, ""),
