@@ -75,6 +75,8 @@ class Definitions:
     def _define_unbound(self, true: Member, member: Member, equation: int) -> Outcome | None:
         """A name alone, its square, a matrix of names; or an index that slipped."""
         if (key := bare_key(member.node)) is not None:
+            if any(isinstance(below, n.Name) and below.key == key for below in n.walk(true.node)):
+                return Outcome(Verdict.UNCHECKED, (say(Kind.ON_BOTH_SIDES, name=key),), equation, true, member)
             if self.defines:
                 self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
                 if (decimals := self.members.decimals(true.node)) is not None:

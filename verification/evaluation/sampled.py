@@ -185,10 +185,12 @@ class SampledAlgebra(ArmAlgebra):
 
     def rank(self, matrix: Matrix) -> np.ndarray:
         stacked = np.array([[np.broadcast_to(cell, (self.samples,)) for cell in row] for row in matrix.rows])
-        ranks = np.linalg.matrix_rank(np.moveaxis(stacked, -1, 0), tol=1e-9).astype(float)
-        self.regular &= (
-            ranks == ranks.max()
-        )  # the rank is that of a generic configuration; the singular ones are left out
+        matrices = np.moveaxis(stacked, -1, 0)
+        has_value = np.isfinite(matrices).all(axis=(1, 2))
+        ranks = np.full(self.samples, np.nan)
+        ranks[has_value] = np.linalg.matrix_rank(matrices[has_value], tol=1e-9)
+        # the rank is that of a generic configuration; the singular ones are left out
+        self.regular &= ranks == ranks[has_value].max(initial=0)
         return ranks
 
     def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:
