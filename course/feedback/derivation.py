@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from armproof.verification.check import DocumentChecker, load_arm_of
+from armproof.verification.check import check_document
 from armproof.verification.document import Display, Document
 from armproof.verification.verdict import Record
 
@@ -42,7 +42,4 @@ class Derivation:
         """Return the verdict on each line: a line that is not proved is none to be shown."""
         texts = [*self.given, *(line.latex for line in self.lines)]
         displays = tuple(Display(k, text, section="") for k, text in enumerate(texts, 1))
-        document = Document(Path("derivation"), dict(self.front), displays, ())
-        checker = DocumentChecker(document, load_arm_of(document))
-        checker.statements.is_closed = True  # what is given is no mistake
-        return checker.run().equations[len(self.given) :]
+        return check_document(Document(Path("derivation"), dict(self.front), displays, ())).equations[len(self.given) :]

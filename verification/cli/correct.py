@@ -80,9 +80,10 @@ def _write(text: str) -> None:
 
 
 def _what_remains(copy: CorrectedCopy) -> list[str]:
+    from armproof.verification.document.front_matter import suffix_of
     from armproof.verification.report.text import describe_place
 
-    notebook = copy.path.suffix.lower() == ".ipynb"
+    notebook = suffix_of(copy.path) == ".ipynb"
     messages = []
     for record in copy.remaining:
         place = f"{copy.path}: {describe_place(record)}:" if notebook else f"{copy.path}:{record.line}:"

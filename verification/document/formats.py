@@ -11,7 +11,7 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.formula_links import shows_its_latex
-from armproof.verification.document.front_matter import read_any_text
+from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import INLINE, Display, Document
 from armproof.verification.document.notebook import read_notebook, read_percent
@@ -53,7 +53,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if format and f".{format}" not in _READERS:
         formats = ", ".join(suffix.removeprefix(".") for suffix in SUFFIXES)
         raise DocumentError(say(Kind.UNKNOWN_FORMAT, format=format, formats=formats), path=path)
-    suffix = f".{format}" if format else path.suffix.lower()
+    suffix = f".{format}" if format else suffix_of(path)
     document = _READERS.get(suffix, read_markdown_file)(path, text)
     if suffix != ".tex" and any(_DEFINES.search(display.latex) for display in document.displays):
         from armproof.verification.document.markdown_macros import with_macros
@@ -129,7 +129,7 @@ def find_documents(paths: list[Path]) -> list[Path]:
             found.extend(documents)
         elif not path.exists():
             raise DocumentError(say(Kind.NO_FILE_OR_FOLDER), path=path)
-        elif path.suffix.lower() not in SUFFIXES:
+        elif suffix_of(path) not in SUFFIXES:
             raise DocumentError(say(Kind.UNKNOWN_SUFFIX, suffix=path.suffix, suffixes=list(SUFFIXES)), path=path)
         else:
             found.append(path)
@@ -141,7 +141,7 @@ def _files_below(folder: Path) -> list[Path]:
     return [
         child
         for child in sorted(folder.rglob("*"))
-        if child.suffix.lower() in SUFFIXES
+        if suffix_of(child) in SUFFIXES
         and child.is_file()
         and not any(part.startswith(".") for part in child.relative_to(folder).parts)
     ]
@@ -151,8 +151,8 @@ def _is_document(path: Path) -> bool:
     try:
         text, _ = read_any_text(path)
     except DocumentError:
-        return path.suffix.lower() != ".py"
-    return _has_displays(path.suffix.lower(), text) or _names_an_arm(text)
+        return suffix_of(path) != ".py"
+    return _has_displays(suffix_of(path), text) or _names_an_arm(text)
 
 
 def _has_displays(suffix: str, text: str) -> bool:

@@ -50,6 +50,11 @@ class FrontMatter:
     remarks: tuple[Finding, ...] = ()
 
 
+def suffix_of(path: Path) -> str:
+    """Return what the end of a file's name says of its format, .md of README.MD."""
+    return path.suffix.lower()
+
+
 def read_any_text(path: Path) -> tuple[str, tuple[Finding, ...]]:
     """Return the text of a file in UTF-8, in UTF-16 or, with a remark, in an old encoding of Western Europe; raises DocumentError."""
     data = read_bytes(path)

@@ -6,6 +6,7 @@ import json
 import re
 
 from armproof.verification.document.formats import parse_document
+from armproof.verification.document.front_matter import suffix_of
 from armproof.verification.document.model import Document
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -22,7 +23,7 @@ def with_front_matter(document: Document, text: str, block: str) -> str:
     mark = "\ufeff" if text.startswith("\ufeff") else ""
     ends = "\r\n" if "\r\n" in text else "\n"
     plain = text.removeprefix(mark).replace("\r\n", "\n")
-    made = _INSERT.get(document.path.suffix.lower(), _into_markdown)(plain, block.rstrip("\n").split("\n"))
+    made = _INSERT.get(suffix_of(document.path), _into_markdown)(plain, block.rstrip("\n").split("\n"))
     if not _is_as_meant(document, made):
         raise DocumentError(say(Kind.NO_PLACE_FOR_FRONT), path=document.path)
     return mark + made.replace("\n", ends)

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from armproof.verification.document.front_matter import MAX_BYTES, read_any_text
+from armproof.verification.document.front_matter import MAX_BYTES, read_any_text, suffix_of
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Finding, Kind, say
 
@@ -96,7 +96,7 @@ class Project:
             if (
                 asked is None
                 or (path := asked.resolve()) in above
-                or path.suffix.lower() not in (".tex", ".sty", ".cls", ".ltx")
+                or suffix_of(path) not in (".tex", ".sty", ".cls", ".ltx")
             ):
                 return None
             self.read.append(asked)

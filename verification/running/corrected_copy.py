@@ -12,7 +12,7 @@ from armproof.verification.check import check_document
 from armproof.verification.correction.record import applied
 from armproof.verification.correction.tables import cell_spans
 from armproof.verification.document import SUFFIXES, Display, Document, Table, parse_document
-from armproof.verification.document.front_matter import read_bytes, read_text
+from armproof.verification.document.front_matter import read_bytes, read_text, suffix_of
 from armproof.verification.document.rewriting import Change, change_of, change_of_cell, rewrite
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -53,7 +53,7 @@ def correct_file(path: Path) -> CorrectedCopy:
         raise DocumentError(say(Kind.NO_SUCH_FILE), path=path)
     if not path.is_file():
         raise DocumentError(say(Kind.NOT_ONE_FILE), path=path)
-    if path.suffix.lower() not in SUFFIXES:
+    if suffix_of(path) not in SUFFIXES:
         raise DocumentError(say(Kind.UNKNOWN_SUFFIX, suffix=path.suffix, suffixes=list(SUFFIXES)), path=path)
     return correct_text(path, read_text(path))
 
@@ -88,7 +88,7 @@ def correct_text(path: Path, text: str) -> CorrectedCopy:
 
 
 def _of_displays(document: Document, result: DocumentResult) -> Iterator[_Mending]:
-    notebook = document.path.suffix.lower() == ".ipynb"
+    notebook = suffix_of(document.path) == ".ipynb"
     for index, (display, record) in enumerate(zip(document.displays, result.equations, strict=True)):
         if record.erratum or record.passes or record.verdict is not Verdict.REFUTED or not record.corrections:
             continue
@@ -100,7 +100,7 @@ def _of_displays(document: Document, result: DocumentResult) -> Iterator[_Mendin
 
 def _of_tables(document: Document, result: DocumentResult) -> Iterator[_Mending]:
     records = {(record.cell, record.line): record for record in result.tables}
-    notebook = document.path.suffix.lower() == ".ipynb"
+    notebook = suffix_of(document.path) == ".ipynb"
     for index, table in enumerate(document.tables):
         record = records.get((table.cell, table.line))
         if record is None or record.erratum or record.is_accepted or not record.corrections:
@@ -122,7 +122,7 @@ def _made(path: Path, text: str, document: Document, mendings: Sequence[_Mending
         if not tried or len(tried) <= len(made):
             continue
         try:
-            changed = rewrite(path.suffix.lower(), text, [change for mending in tried for change in mending.changes])
+            changed = rewrite(suffix_of(path), text, [change for mending in tried for change in mending.changes])
             read = parse_document(path, changed)
         except (DocumentError, ValueError):
             continue

@@ -16,7 +16,7 @@ from typing import Any
 
 from armproof.models.catalogue import arm_names
 from armproof.verification.document import Document, read_document
-from armproof.verification.document.front_matter import read_any_text, read_bytes
+from armproof.verification.document.front_matter import read_any_text, read_bytes, suffix_of
 from armproof.verification.document.tex import inputs_of
 from armproof.verification.errors import DocumentError
 from armproof.verification.verdict import DocumentResult
@@ -35,7 +35,7 @@ class Parcel:
 def pack(path: Path) -> Parcel | None:
     """Return a document as it travels; None where it cannot: it is not readable, or one of its files is a link."""
     try:
-        inputs = inputs_of(path, read_any_text(path)[0]) if path.suffix.lower() == ".tex" else ()
+        inputs = inputs_of(path, read_any_text(path)[0]) if suffix_of(path) == ".tex" else ()
         if any(file.resolve() != file for file in inputs):
             return None
         folder = path.parent.resolve()
