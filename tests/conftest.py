@@ -6,10 +6,12 @@ import os
 import re
 import shutil
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable
+from contextlib import AbstractContextManager, ExitStack
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from _pytest.runner import runtestprotocol
@@ -93,6 +95,22 @@ SWEPT = {
         f"course/tasks/test_tasks.py::test_every_wrong_answer_gets_its_own_message[{task}]": ()
         for task in ("scara_inverse-inverse", "inverse_velocity-left_inverse", "inverse_velocity-rates")
     },
+    **{
+        f"{test}[{hard}": ()  # long ones, of which others like them are shown
+        for test, hard in (
+            ("sweeps/test_mutants_of_displays.py::test_a_hard_display_is_borne", "kr210_2"),
+            (
+                "verification/singularities/test_other_arms.py::test_an_analysis_ends_in_time_and_says_what_it_left_out",
+                "wrist",
+            ),
+            ("verification/singularities/test_other_arms.py::test_a_search_finds_none_off_the_families", "wrist"),
+            ("verification/inverse/test_proof.py::test_a_slip_in_a_textbook_solution_is_refuted", "4-"),
+            ("verification/inverse/test_proof.py::test_a_slip_in_a_textbook_solution_is_refuted", "9-"),
+            ("models/exact/test_trace.py::test_exact_poses_are_those_of_the_double_plant", "classic table"),
+            ("models/exact/test_trace.py::test_exact_jacobians_are_those_of_the_double_plant", "classic table"),
+            ("models/exact/test_value.py::test_what_is_read_is_the_arm_that_was_written", "classic table"),
+        )
+    },
     "models/": (*ARMS, "polar_rp", "slanted"),
     "mutation/test_mutation.py::test_slips_are_refuted": ("scara-000", "spherical-wrist-inverse"),
     "mutation/test_mutation.py": DOCUMENTS,
@@ -114,31 +132,55 @@ SWEPT = {
 }
 
 
-@pytest.fixture(scope="session")
-def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator["Running"]:
+@dataclass
+class Shared:
+    """What the files of one entry of TOGETHER share: the first test that asks for it begins it, it ends behind their last."""
+
+    opened: ExitStack = field(default_factory=ExitStack)
+    begun: dict[str, Any] = field(default_factory=dict)
+
+    def begin(self, what: str, run: Callable[[Path], AbstractContextManager[Any]], folder: Path) -> Any:
+        if what not in self.begun:
+            self.begun[what] = self.opened.enter_context(run(folder))
+        return self.begun[what]
+
+    def end(self) -> None:
+        self.begun.clear()
+        self.opened.close()
+
+
+SHARED = Shared()
+
+
+@pytest.fixture(scope="module")
+def running(tmp_path_factory: pytest.TempPathFactory) -> "Running":
     """A Dask cluster: its address, and its workers."""
     from tests.clusters import run_cluster
 
     if shutil.which("openssl") is None:
-        if os.environ.get("CI"):  # .ci/run installs it
-            pytest.fail("no openssl, which writes the cluster's certificate")
-        pytest.skip("needs openssl, which writes the cluster's certificate")
-    with run_cluster(tmp_path_factory.mktemp("cluster")) as cluster:
-        yield cluster
+        missing("no openssl, which writes the cluster's certificate")
+    return SHARED.begin("cluster", run_cluster, tmp_path_factory.mktemp("cluster"))
 
 
-@pytest.fixture(scope="session")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator["Browser"]:
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> "Browser":
     """A headless Chromium, one for all pages that a process looks at."""
     from tests.verification.report.browser import CHROMIUM, DRIVER, Browser
 
     if not (CHROMIUM and DRIVER):
-        missing = "needs Chromium and its driver: apt install chromium chromium-driver"
-        if os.environ.get("CI"):  # .ci/run installs them
-            pytest.fail(missing)
-        pytest.skip(missing)
-    with Browser(tmp_path_factory.mktemp("profile")) as started:
-        yield started
+        missing("needs Chromium and its driver: apt install chromium chromium-driver")
+    return SHARED.begin("browser", Browser, tmp_path_factory.mktemp("profile"))
+
+
+def missing(what: str) -> None:
+    """Skip a test that needs what is not installed; `.ci/run` installs it, and there it fails."""
+    (pytest.fail if os.environ.get("CI") else pytest.skip)(what)
+
+
+@pytest.hookimpl(trylast=True)  # behind the test's own fixtures
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
+    if nextitem is None or shared_by(nextitem.nodeid) != shared_by(item.nodeid):
+        SHARED.end()
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -171,12 +213,16 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
     return True
 
 
+def shared_by(nodeid: str) -> str:
+    """Return what the files share among which a test's stands, "" for the others."""
+    return next((what for what, files in TOGETHER.items() if nodeid.startswith(files)), "")
+
+
 class Together(LoadFileScheduling):
     """Give the tests of a file, and those of the files that share something, to one worker."""
 
     def _split_scope(self, nodeid: str) -> str:
-        shared = (what for what, files in TOGETHER.items() if nodeid.startswith(files))
-        return next(shared, None) or super()._split_scope(nodeid)
+        return shared_by(nodeid) or super()._split_scope(nodeid)
 
     def _assign_work_unit(self, node: WorkerController) -> None:
         for scope in [scope for scope in self.workqueue if scope.startswith(LONG)][:1]:

@@ -12,7 +12,8 @@ from tests.labelled.cases import DECIDED, PASSES
 from tests.laws import SWEEP
 
 DOCUMENTS = load()
-MISTAKEN = DOCUMENTS if SWEEP else DOCUMENTS[::3]  # `python -m tests.labelled.bare` makes all mistakes of all documents
+TRUE = DOCUMENTS if SWEEP else DOCUMENTS[::2]  # `python -m tests.labelled.bare` reads all documents
+MISTAKEN = DOCUMENTS if SWEEP else DOCUMENTS[::4]  # and makes all their mistakes
 
 
 @lru_cache
@@ -20,7 +21,7 @@ def verdicts(document: Bare) -> tuple[tuple[int, str], ...]:
     return tuple((record.line, record.verdict.value) for record in document.verify().equations)
 
 
-@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda one: one.path.name)
+@pytest.mark.parametrize("document", TRUE, ids=lambda one: one.path.name)
 def test_nothing_true_is_refuted(document: Bare):
     assert "refuted" not in [verdict for _, verdict in verdicts(document)]
 
@@ -33,7 +34,7 @@ def test_a_mistake_does_not_pass(document: Bare):
 
 
 def test_most_claims_are_decided():
-    claims = [v for document in DOCUMENTS for line, v in verdicts(document) if line not in document.data]
+    claims = [v for document in TRUE for line, v in verdicts(document) if line not in document.data]
     decided = sum(Counter(claims)[verdict] for verdict in DECIDED)
     assert decided >= 0.9 * len(claims) > 90
 

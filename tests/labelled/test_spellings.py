@@ -14,7 +14,7 @@ from tests.labelled.plant_truth import PlantTruth
 TABLE = read_table("spellings.yaml")
 ENTRIES = [(group, entry) for group in TABLE["groups"] for entry in group["cases"] if "truth" in entry]
 SPELT = load_cases("spellings.yaml")
-DRAWN = drawn(SPELT, 3)  # one in three names of each value: `python -m tests.labelled` judges them all
+DRAWN = drawn(SPELT, 4)  # one in four names of each value: `python -m tests.labelled` judges them all
 
 
 def test_no_verdict_is_wrong_that_is_not_on_the_list_nor_one_on_it_mended():

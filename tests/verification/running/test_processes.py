@@ -23,8 +23,17 @@ def ended(number: int) -> int:
     return -1
 
 
-@pytest.mark.parametrize("ahead", [1, 16])
-@pytest.mark.parametrize("tasks", [[*range(12)], [-1, 1, 2], [1, 2, -1], [3, -1, 4, -2, *range(8)], [-1] * 3, []])
+@pytest.mark.parametrize(
+    ("tasks", "ahead"),
+    [
+        ([*range(12)], 1),
+        ([-1, 1, 2], 16),
+        ([3, -1, 4, -2, *range(8)], 1),
+        ([3, -1, 4, -2, *range(8)], 16),
+        ([-1] * 3, 16),
+        ([], 1),
+    ],
+)
 def test_each_task_has_its_own_result_in_its_place(
     tasks: list[int], ahead: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
