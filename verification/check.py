@@ -322,7 +322,9 @@ class DocumentChecker:
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
                 if display.said:
-                    self.statements.circumstances.heed(display.said, display.said_above, display.line)
+                    self.statements.circumstances.heed(
+                        display.said, display.said_above, display.said_outside, display.line
+                    )
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 statements = self.names.reader.read(display.latex)

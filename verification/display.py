@@ -36,6 +36,7 @@ from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold, with_role
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.series import unless_added, written_out
+from armproof.verification.equations.vectors import crossed_letters, of_vectors
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -195,13 +196,14 @@ class Statements:
         return found if is_wrong else [outcome.unless_refuted(say(Kind.UNDER_MORE)) for outcome in found]
 
     def _take_implication(self, display: _Display, implication: Implication) -> None:
-        given = dict(self.names.state.configuration)
+        given, told = dict(self.names.state.configuration), self.names.state.told
         implication = implication.with_each(self.checker.rows.choose)
         self.checker.conventions.take_coordinates(implication.chains)
         premises = implication.premises
         self.checker.redefinitions.enabled = False
         steps = [self._chain(chain, display.equation, display.line, display.define) for chain in premises]
         self.checker.redefinitions.enabled = True
+        moved, self.names.state.told = self.names.state.told, told
         self._begin()
         premised = [outcome for found in steps for outcome in found]
         judged = self.implications.judge(implication, premised, display.equation, display.links)
@@ -213,11 +215,12 @@ class Statements:
             there = self.circumstances.at_premised(implication, display.equation)
             judged = (there, {}) if there is not None else judged
         if judged is not None:
-            judged = self._unless_doubted(judged[0]), judged[1]
+            judged = self.circumstances.of_implication(self._unless_doubted(judged[0]), implication), judged[1]
         if judged is not None and any(outcome.holds_there for outcome in premised):
             judged = self._unless_meant_there(display, implication, judged)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
+            self.names.state.told = moved
             steps = [*map(self._without_numbers, steps)]
             display.assumed = all(outcome.is_condition for found in steps for outcome in found)
             for chain, found in zip(premises, steps, strict=True):
@@ -337,6 +340,8 @@ class Statements:
 
     def _at_values(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         self._begin()
+        if any(isinstance(below, n.Call) and below.function == "rank" for below in n.walk(chain)):
+            return self.circumstances.of_ranks(chain, self._chain(chain, equation, line, define), line)
         there = self._at_told_values(chain, equation, line)
         if any(outcome.verdict in DECIDED for outcome in there):
             return [replace(self._unless_doubted(outcome), uses=self._consulted()) for outcome in there]
@@ -441,6 +446,9 @@ class Statements:
         unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
         if unclear:
             return self._either_reading(chain, unclear, equation, line, define)
+        if letters := crossed_letters(self.names, chain):
+            check = partial(self._clear_chain, chain, equation, line)
+            return of_vectors(self.names, chain, letters, line, check)
         if parts := side_by_side(chain):
             return self._side_by_side(chain, parts, equation, line, define)
         return self._clear_chain(chain, equation, line, define)
@@ -582,7 +590,7 @@ class Statements:
 
 
 def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
-    """det J = l_1 l_2 s_2 = 0 is an equation and a condition."""
+    """det J = l_1 l_2 s_2 = 0 is an equation and a condition, and so is a derivative that is to vanish."""
     if not isinstance(statement, n.Chain) or len(statement.members) < 3 or set(statement.relations) != {"="}:
         return [statement]
     *first, last = statement.members
@@ -593,7 +601,7 @@ def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
     ):
         return [statement]
     determinant = isinstance(first[0], n.Call) and first[0].function in ("det", "abs")
-    if not determinant:
+    if not determinant and not isinstance(first[0], n.Derivative):
         return [statement]
     claim = replace(statement, members=tuple(first), relations=statement.relations[:-1])
     return [claim, replace(statement, members=(first[0], last), relations=("=",))]

@@ -11,6 +11,7 @@ from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
+from armproof.verification.document.heading import sections_around
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.forces import heed_forces
@@ -23,7 +24,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.state import Stated, Told
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import DECIDED, Verdict
 
 
 class Circumstances:
@@ -34,14 +35,20 @@ class Circumstances:
         self.given = given
         self.names = checker.names
 
-    def heed(self, said: Sequence[str], above: int, line: int) -> None:
+    def heed(self, said: Sequence[str], above: int, outside: int, line: int) -> None:
         """The text before a display gives values or a condition: the configuration stated before it is over, perhaps.
 
-        What stands `above` the last heading ends a configuration as well, but tells nothing of what stands below.
+        What stands `above` the last heading ends a configuration as well; below it holds what it says of lengths, unless
+        it stands `outside`, in a section that is not around that of the display.
         """
-        if above:
-            self._heed(said[:above], line)
-            self.names.state.told = Told()
+        state = self.names.state
+        around = sections_around(state.section)
+        for is_outside, texts in ((True, said[:outside]), (False, said[outside:above])):
+            if texts:
+                before = state.told
+                self._heed(texts, line)
+                told = before if is_outside else replace(state.told, section=around[0] if around else "")
+                state.told = told if told.holds_below else Told()
         if said[above:]:
             self._heed(said[above:], line)
 
@@ -62,6 +69,7 @@ class Circumstances:
             for chain in chains:
                 heed_forces(self.names, chain)
                 self._define(chain, line)
+            chains = [self._without_letters(chain, line) for chain in chains]
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
         self._begin(names, conditions, in_words, line)
@@ -106,6 +114,16 @@ class Circumstances:
         if len(scalars) == len(cells) and symbols_in(scalars):
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
 
+    def _without_letters(self, chain: n.Chain, line: int) -> n.Chain:
+        """l_1 = l_2 = l relates lengths, and says what the letter l is; return the chain without it."""
+        related = self.given.related(chain) if set(chain.relations) == {"="} else []
+        if len(related) < 2 or len(related) == len(chain.members):
+            return chain
+        for letter in (bare_key(each) for each in chain.members if each not in related):
+            meaning = self.checker.members.meaning(related[0])
+            self.names.define(str(letter), meaning, line, node=related[0], in_text=True)
+        return replace(chain, members=tuple(related), relations=("=",) * (len(related) - 1))
+
     def of_display(self, chain: n.Chain) -> None:
         """A display that is a condition itself, c_1 = 1 or l_1 = l_2, may limit those behind it."""
         self._begin(set(), [*self._conditions(chain)], in_words=False)
@@ -120,7 +138,7 @@ class Circumstances:
         ended = [(key, _value(key, state.configuration.pop(key).node)) for key in over]
         if conditions or in_words:
             earlier = tuple(value for key, value in ended if key not in names)
-            state.told = Told(tuple(conditions), earlier, in_words, line)
+            state.told = Told(tuple(conditions), earlier, in_words, line, state.section, not moves)
 
     def _conditions(self, chain: n.Chain) -> Iterator[n.Chain]:
         """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""
@@ -151,6 +169,19 @@ class Circumstances:
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         return outcome
 
+    def of_implication(self, judged: Outcome, implication: Implication) -> Outcome:
+        """Leave open what does not follow, where it follows together with what the text before says."""
+        given = self.names.state.told.conditions
+        if judged.verdict is not Verdict.REFUTED or not given:
+            return judged
+        with self.checker.exact.budget.paused():
+            from armproof.verification.conditions.judgement import check_implication
+        before = [[*given, *each] for each in implication.before]
+        behind = [[*given, *each] for each in implication.behind]
+        wider = replace(implication, before=before, behind=behind)
+        again = check_implication(self.checker, wider, judged.equation)[0]
+        return judged if again.verdict is Verdict.REFUTED else judged.left_open(say(Kind.HOLDS_AS_TOLD))
+
     def at_premised(self, implication: Implication, equation: int) -> Outcome | None:
         """θ_2 = 60°, l_1 = 1 ⇒ P_x = 0.5: numbers that follow from values alone are those there, as they are rounded."""
         given, claims = implication.before, implication.behind
@@ -172,6 +203,22 @@ class Circumstances:
         if any(outcome.verdict not in HOLDS for outcome in outcomes):
             return None
         return Outcome(Verdict.CONFIRMED, (say(Kind.TO_DECIMALS_THERE),), equation, samples=1)
+
+    def of_ranks(self, chain: n.Chain, outcomes: list[Outcome], line: int) -> list[Outcome]:
+        """Return what becomes of an equation with a rank, which is decided where the text or a display before it says."""
+        told, configuration = self.names.state.told, self.names.state.configuration
+        joints = [_value(name, each.node) for name, each in configuration.items() if name in self.given.joints]
+        given = [*told.conditions, *joints]
+        if not given and not told.in_words:
+            return outcomes
+        if told.in_words:
+            posture = say(Kind.POSTURE_IN_WORDS)
+            return [each.left_open(posture) if each.verdict in DECIDED else each for each in outcomes]
+        with self.checker.exact.budget.paused():
+            from armproof.verification.conditions.ranks_there import rank_there
+        found = [rank_there(self.checker, chain, each, given) for each in outcomes]
+        is_near = not told.conditions or told.line == line
+        return found if is_near else [each.unless_refuted(say(Kind.OTHER_AS_TOLD)) for each in found]
 
     def judge_before(self, outcome: Outcome, behind: Sequence[n.Chain]) -> Outcome:
         """Leave open what is refuted, and may be meant where the values that stand behind it in its display say."""

@@ -12,6 +12,7 @@ from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
+from armproof.verification.document.heading import encloses
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import INLINE, Display, Document
 from armproof.verification.document.notebook import read_notebook, read_percent
@@ -95,7 +96,9 @@ def _with_what_is_said(document: Document) -> Document:
     for display in document.displays:
         if display.opening != INLINE:
             above = sum(each.section != display.section for each in said)
-            displays.append(replace(display, said=tuple(each.latex for each in said), said_above=above))
+            outside = sum(not encloses(each.section, display.section) for each in said)
+            latex = tuple(each.latex for each in said)
+            displays.append(replace(display, said=latex, said_above=above, said_outside=outside))
             said = []
         elif _SAYS.search(display.latex):
             said.append(display)

@@ -20,6 +20,7 @@ from mdit_py_plugins.dollarmath.index import math_block_dollar
 
 from armproof.verification.document.formula_links import formulas_in_html, formulas_in_line
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
+from armproof.verification.document.heading import begin_section
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
@@ -52,7 +53,7 @@ _BRACKETS = re.compile(
     r"^([ \t>]*)(\\{1,2})\[((?:(?!\$\$|^[ \t>]*$)[^\n]*\n){0,60}?(?!\$\$)[^\n$]*?)\2\](?=[ \t.,;]*$)", re.MULTILINE
 )
 _UNSEEN = re.compile("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
-_HTML_HEADING = re.compile(r"\s*<h[1-6](?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)
+_HTML_HEADING = re.compile(r"\s*<h(?P<level>[1-6])(?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)
 _HTML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
@@ -179,9 +180,9 @@ def _read_blocks(
     for index, token in enumerate(tokens):
         line, erratum, content = first + (token.map[0] if token.map else 0), any(quotes), token.content
         if token.type == "html_block" and (heading := _HTML_HEADING.match(content)) is not None:
-            section = re.sub(r"<[^<>]*>", "", heading["text"]).strip()
+            section = begin_section(section, re.sub(r"<[^<>]*>", "", heading["text"]).strip(), int(heading["level"]))
         if token.type == "heading_open":
-            section = tokens[index + 1].content
+            section = begin_section(section, tokens[index + 1].content, int(token.tag[1:]))
         elif token.type == "blockquote_open":
             quotes.append(_is_erratum(tokens, index))
         elif token.type == "blockquote_close":

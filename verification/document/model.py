@@ -44,6 +44,7 @@ class Display:
     file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
     said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one
     said_above: int = 0  # how many of them stand above the last heading
+    said_outside: int = 0  # and how many of those in sections that are not around that of the display
     said_behind: tuple[str, ...] = ()  # those of the next text below it, under the same heading
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
 

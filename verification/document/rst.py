@@ -16,6 +16,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
+from armproof.verification.document.heading import begin_section
 from armproof.verification.document.model import INLINE, Display, Document, Piece
 from armproof.verification.document.postures import postures
 from armproof.verification.document.units import with_unit
@@ -92,7 +93,7 @@ def _indented(lines: list[str], row: int) -> Iterator[str]:
 
 
 def _displays(lines: list[str]) -> Iterator[Display]:
-    section = ""
+    section, rules = "", list[str]()  # the marks that underline headings, in the order of their ranks
     erratum: int | None = None  # the indent of the erratum that is open
     hidden: int | None = None  # the indent of a comment or of code
     for row, line in enumerate(lines):
@@ -119,7 +120,9 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         elif re.match(r"\s*\.\.(?:\s+(?!\S+::)|\s*$)|\s*\.\. (?:code|code-block|sourcecode)::|.*(?<!:)::\s*$", line):
             hidden = indent
         elif row + 1 < len(lines) and not indent and _RULE.match(lines[row + 1]) and not _RULE.match(line):
-            section = line.strip()
+            if (mark := lines[row + 1].strip()[0]) not in rules:
+                rules.append(mark)
+            section = begin_section(section, line.strip(), rules.index(mark))
 
 
 def _alone(line: str, row: int, erratum: bool, section: str) -> Display | None:

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
+from armproof.verification.document.heading import begin_section
 from armproof.verification.document.model import INLINE, Display, Document, Table, Words
 from armproof.verification.document.postures import postures
 from armproof.verification.document.tex_definitions import find_macros
@@ -125,6 +126,8 @@ _ROBOT_OF = re.compile(  # what an exercise begins with that is about the robot 
     r"(?:question|problem|exerci[sc]e|aufgabe|ejercicio|exercício|problema|problème)\s+(\d+(?:\.\d+)*)",
     re.IGNORECASE,
 )
+LEVELS = ("chapter", "section", "subsection", "subsubsection", "frametitle", "paragraph")
+EXERCISE_LEVEL = LEVELS.index("section") + 0.5
 FARTHEST = 500  # characters behind the beginning of an exercise
 
 
@@ -174,7 +177,10 @@ class _Scanner:
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
                 title = " ".join(self.visible[token.end() : close].split())
-                self.section = f"{self.exercise}: {title}" if self.exercise else title
+                level = LEVELS.index(token.group("section"))
+                self.section = begin_section(
+                    self.section, f"{self.exercise}: {title}" if self.exercise else title, level
+                )
                 yield from postures(title, self.line(position), self.section)
                 position = token.end() if close < 0 else close + 1
             elif (opened := self._opened(token)) is not None:
@@ -290,7 +296,8 @@ class _Scanner:
         is_erratum = name.lower().startswith("errat") or begins_as_erratum(self.visible, token.end())
         self.regions.append(_Region(name, is_erratum, self.section))
         if _EXERCISE.fullmatch(name):
-            self.section = self.exercise = self._next_exercise(token.end())
+            self.exercise = self._next_exercise(token.end())
+            self.section = begin_section(self.section, self.exercise, EXERCISE_LEVEL)
         return token.end()
 
     def _next_exercise(self, begin: int) -> str:

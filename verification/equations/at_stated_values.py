@@ -10,6 +10,7 @@ from typing import Any
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.document.heading import encloses
 from armproof.verification.equations.alignment import Pair, angle_places, exactly_equal
 from armproof.verification.equations.decimals import FEW, finest_decimals, roundings
 from armproof.verification.equations.length_values import length_values
@@ -82,14 +83,14 @@ class StatedValues:
         return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
 
     def _stated(self, names: Iterable[str]) -> dict[str, Stated]:
-        """The values that hold where the display stands: those of lengths everywhere, a configuration in its section."""
+        """The values that hold where the display stands: those of lengths everywhere, a configuration in its section and below."""
         here, arm = self.names.state, self.names.arm
         lengths = arm.lengths if arm is not None else {}
         return {
             name: stated
             for name in sorted(names)
             if (stated := here.configuration.get(name)) is not None
-            and (name in lengths or stated.section in ("", here.section))
+            and (name in lengths or encloses(stated.section, here.section))
         }
 
     def _at(self, scalar: Scalar, stated: dict[str, Stated]) -> Scalar:

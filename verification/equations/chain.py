@@ -25,7 +25,9 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Check, Readings
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.skew import unless_skewed
 from armproof.verification.equations.table_angles import TableAngles
+from armproof.verification.equations.torques import Torques
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -129,6 +131,11 @@ class ChainChecker:
         outcomes = [self._left_open_for_section(outcome, ended) for outcome in outcomes]
         outcomes = [self.conventions.judge(unless_left_out(outcome, self.names)) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
+        outcomes = [unless_skewed(each, self.names) for each in outcomes]
+        if self.names.state.adopted:
+            outcomes = [
+                Torques(self.members).judge(each) if each.verdict is Verdict.DEFINED else each for each in outcomes
+            ]
         check = partial(self.check, first_equation=first_equation, line=line)
         if define and (letters := letters_meant_anew(outcomes)):
             self.names.forget(letters)

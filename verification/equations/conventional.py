@@ -13,6 +13,7 @@ from functools import cached_property
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.document.heading import sections_around
 from armproof.verification.equations.alignment import (
     Pair,
     agree_exactly,
@@ -251,7 +252,8 @@ class Conventions:
 
     def _usual(self, key: str) -> Quantity | None:
         """Return what an equation under this heading has shown a name to be, as convention says."""
-        return self.names.state.usual.get((key, self.names.state.section))
+        section, usual = self.names.state.section, self.names.state.usual
+        return next((usual[key, each] for each in (section, *sections_around(section)) if (key, each) in usual), None)
 
     def _candidates(self, node: n.Node, name: n.Name) -> tuple[Quantity, ...]:
         arm = self.names.arm

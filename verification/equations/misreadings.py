@@ -175,7 +175,8 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     if names.arm is None:  # a letter may be a column, and a row of letters a matrix
         return say(Kind.NO_ARM_TO_COMPARE)
     held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
-    held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
+    if outcome.findings[0].kind is not Kind.SUM_WITH_SCALAR:  # there the scalar may be a vector: ẍ - J̇ q̇
+        held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
     explicit = all(_is_explicit(name) for name in by_convention)
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product

@@ -145,7 +145,22 @@ class SecondRoute:
         ):
             outcome.verdict, outcome.wrong, outcome.findings = Verdict.UNCHECKED, [], (say(Kind.FOR_SOME_LENGTHS),)
             return
+        if slides := self._positive_alone(outcome, branches):
+            outcome.verdict, outcome.wrong = Verdict.UNCHECKED, []
+            outcome.findings = (say(Kind.POSITIVE_ALONE, letters=", ".join(slides)),)
+            return
         outcome.verdict, outcome.wrong, outcome.sampled_only, outcome.findings = Verdict.REFUTED, wrong, True, ()
+
+    def _positive_alone(self, outcome: Outcome, branches: bool) -> list[str]:
+        """Return the sliding joints if an equation with a root holds where they are extended: √(x² + y²) = d_3."""
+        joints = self.names.arm.joints if self.names.arm is not None else ()
+        slides = [joint.symbol for joint in joints if joint.kind == "prismatic"]
+        if not slides or not self._holds_roots(outcome):
+            return []
+        own = self.sampled()
+        extended = own.at({slide: own.absolute(own.symbol(slide)) for slide in slides})
+        errors = self.sampled_errors(outcome, branches, extended)
+        return [] if errors is None or errors.wrong(TOLERANCE) else slides
 
     def on_a_branch(self, outcome: Outcome, errors: SampledErrors, branches: bool) -> bool:
         """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations."""

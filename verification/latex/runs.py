@@ -228,18 +228,25 @@ def partial_derivative(above: Differential, below: Differential, span: tuple[int
     """Return ∂f/∂x, or ∂/∂x still waiting for its operand."""
     if below.operand is None:
         raise ReadError(say(Kind.DERIVATIVE_BY_NOTHING), below.span[0])
-    variable, order = below.operand, above.order
-    if order > 1:
-        if not (
-            isinstance(variable, n.Power)
-            and isinstance(variable.exponent, n.Number)
-            and variable.exponent.value == order
-        ):
-            raise ReadError(say(Kind.HIGHER_DERIVATIVE), below.span[0])
-        variable = variable.base
+    variables = [_powered(each) for each in _beside(below.operand)] if above.order > 1 else [(below.operand, 1)]
+    if sum(order for _, order in variables) != above.order:
+        raise ReadError(say(Kind.HIGHER_DERIVATIVE), below.span[0])
+    if above.operand is None and len(variables) == 1:
+        return DerivativeOperator(*variables[0], span=span)
     if above.operand is None:
-        return DerivativeOperator(variable, order, span=span)
-    return n.Derivative(above.operand, variable, order, span=span)
+        raise ReadError(say(Kind.HIGHER_DERIVATIVE), below.span[0])
+    derived = above.operand
+    for variable, order in reversed(variables):
+        derived = n.Derivative(derived, variable, order, span=span)
+    return derived
+
+
+def _beside(node: n.Node) -> list[n.Node]:
+    """Return the variables of ∂θ_1 ∂θ_2, each of which but the first stands behind a ∂ of its own."""
+    last = node.factors[-1] if isinstance(node, n.Product) and not any(node.operators) else None
+    if not isinstance(last, Differential) or last.operand is None or last.order != 1:
+        return [node]
+    return [*node.factors[:-1], *_beside(last.operand)]  # type: ignore[attr-defined]
 
 
 def total_derivative(above: n.Node, below: n.Node, span: tuple[int, int]) -> n.Node | None:

@@ -86,6 +86,11 @@ _WIDE_SPACE = re.compile(
 )
 _REMARK = re.compile(r"\(\s*[ijkn]\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
 _CONDITION = re.compile(r"\((?!\s*\\text)[^()&=]{1,60}\\neq?(?![A-Za-z])[^()&=]{1,60}\)")
+_VALUE_GIVEN = r"\s*\\?[A-Za-z]+(?:_(?:\{[^{}]*\}|\w))?\s*=[^()=<>&,;]{1,40}"
+_AT_VALUES = re.compile(rf"\(({_VALUE_GIVEN}(?:[,;]{_VALUE_GIVEN})*)\)")  # x(θ_1 = 0, θ_2 = π)
+_OF_ARM = re.compile(
+    r"(?<![A-Za-z\\])[pPxyzXYJTRAHw]\}?(?:[_^](?:\{[^{}]*\}|\w))*$"
+)  # what has a value at a configuration
 _DECIMAL_COMMA = re.compile(r",(\d+)(?!\s*,\s*\d)")
 _NEXT_BAR = re.compile(
     r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
@@ -652,7 +657,10 @@ class _Scanner:
         elif kind == "LPAR":
             if value == "(" and (remark := _REMARK.match(self.text, start)):  # (i = 1, …, n)
                 return [self.token("TEXT", remark.group(), start, remark.end())], remark.end()
-            if value == "(" and (condition := _CONDITION.match(self.text, start)):  # (s_2 ≠ 0)
+            given = _AT_VALUES.match(self.text, start) if value == "(" else None
+            if given and _OF_ARM.search(self.text, 0, start):
+                return [self.token("AT", given[1], start, given.end())], given.end()
+            if value == "(" and (condition := given or _CONDITION.match(self.text, start)):  # (s_2 ≠ 0), (θ_2 = 0)
                 self.transparent_braces.add(condition.end() - 1)
                 return [self.token("TEXT", "if", start, end)], end
             self._deeper(start)

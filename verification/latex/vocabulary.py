@@ -19,13 +19,34 @@ FUNCTIONS = {
     "det": "det", "Det": "det", "DET": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
     "cof": "com", "tr": "tr", "Tr": "tr", "trace": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
     "diag": "diag", "exp": "exp", "ln": "ln", "log": "log", "sgn": "sgn", "sign": "sgn", "sinh": "sinh", "cosh": "cosh",
-    "tanh": "tanh", "min": "min", "max": "max", "lim": "lim",
+    "tanh": "tanh", "min": "min", "max": "max", "lim": "lim", "dim": "dim", "ker": "ker", "arg": "arg", "sup": "sup", "inf": "inf",
 }  # fmt: skip
 # bare letters are a product unless they spell one of these
 BARE_WORDS = sorted(
     (
         set(FUNCTIONS)
-        - {"tr", "com", "cof", "tg", "rg", "rk", "adj", "rot", "ln", "min", "max", "lim", "exp", "log", "sgn"}
+        - {
+            "tr",
+            "com",
+            "cof",
+            "tg",
+            "rg",
+            "rk",
+            "adj",
+            "rot",
+            "ln",
+            "min",
+            "max",
+            "lim",
+            "exp",
+            "log",
+            "sgn",
+            "dim",
+            "ker",
+            "arg",
+            "sup",
+            "inf",
+        }
     ),
     key=len,
     reverse=True,
@@ -82,6 +103,7 @@ COMMANDS = {
     "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",
     "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "lVert": "OPEN_BAR", "rVert": "CLOSE_BAR", "because": "TEXT", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
     "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
+    "imath": "LETTER", "jmath": "LETTER",
 }  # fmt: skip
 COMMANDS |= dict.fromkeys(("SE", "SO", "se", "so", "reals", "Reals", "Real"), "LETTER")
 BARE_JOINING = tuple("and or if then where when with hence thus for avec donc alors soit pour".split())

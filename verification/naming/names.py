@@ -239,8 +239,12 @@ class Names:
         return not (key in self.quantities or key in self.state.definitions or self.known_symbol(key) is not None)
 
     def is_new(self, name: n.Name) -> bool:
-        """Whether a letter that could be free has not been used or defined: one side of an equation may define it."""
-        return self.is_free(name) and name.key not in self.used and name.key not in self.state.definitions
+        """Whether a letter that could be free has not been used or defined: one side of an equation may define it.
+
+        The rate of what is defined is no new name.
+        """
+        taken = {name.key, replace(name, dots=0).key}
+        return self.is_free(name) and name.key not in self.used and taken.isdisjoint(self.state.definitions)
 
     def defined_value(self, key: str, algebra: Algebra) -> Value:
         """Return the value of a name that a display has defined, and remember that it was asked for."""

@@ -10,6 +10,7 @@ from typing import Any
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.document.heading import encloses
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -74,12 +75,15 @@ class Told:
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation.
         line: of the display behind it.
+        section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
     """
 
     conditions: tuple[n.Chain, ...] = ()
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
     line: int = 0
+    section: str = ""
+    holds_below: bool = False
 
 
 @dataclass(frozen=True)
@@ -201,17 +205,18 @@ class DocumentState:
     def enter(self, section: str) -> None:
         """Go on under a heading, in a new exercise where it says so."""
         if section != self.section:
-            self._leave_blocks()
-            self.section, self.told = section, Told()
+            self._leave_blocks(section)
+            self.section = section
+            self.told = self.told if self.told.holds_below and encloses(self.told.section, section) else Told()
             own = WITH_ITS_ARM.match(section)
             self.apart += own is not None and own[0] != self.exercise
         head = EXERCISE.match(section)
         self.exercise = head[0] if head is not None else self.exercise
 
-    def _leave_blocks(self) -> None:
-        """Let nothing be decided any more by the blocks of matrices of the section that ends; the document's head holds for all."""
+    def _leave_blocks(self, section: str) -> None:
+        """Let nothing be decided any more by the blocks of matrices of the section that ends; what is around a section holds in it."""
         for key, each in self.definitions.items():
-            if each.of_section and each.section and not each.has_ended:
+            if each.of_section and not encloses(each.section, section) and not each.has_ended:
                 doubt = say(Kind.OTHER_SECTION, name=key, line=each.line)
                 self.definitions[key] = replace(each, evaluate=undecided(doubt), has_ended=True)
 
@@ -232,7 +237,7 @@ class DocumentState:
         return sorted(
             (key, each.line)
             for key, each in self._met()
-            if each.is_doubted or (each.is_given and each.section not in ("", self.section))
+            if each.is_doubted or (each.is_given and not encloses(each.section, self.section))
         )
 
     def given(self) -> list[Key]:

@@ -1,0 +1,97 @@
+"""Torques that a force at the tool asks of the joints: what a τ_i is said to be, τ = J^T F tells as well."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from armproof.verification.algebra.calculus import derivative, symbols_in
+from armproof.verification.algebra.matrix import Matrix, as_matrix
+from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.alignment import Pair, agree_exactly, is_near
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Members
+from armproof.verification.evaluation.blocks import cells_of
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.verdict import Role, Verdict
+
+TORQUES = ("tau", "Gamma")
+COMPONENTS = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Torques:
+    """Compares what is said of torques with J^T F, where the components of one force at the tool stand in it."""
+
+    members: Members
+
+    def judge(self, outcome: Outcome) -> Outcome:
+        """Return a claim where torques get the value that the force gives them; what is a slip away is not decided."""
+        pairs = [Pair(Matrix(((true,),)), Matrix(((value,),))) for value, true in self._compared(outcome)]
+        if not pairs or len(pairs) != self._asked(outcome):
+            return outcome
+        if all(map(agree_exactly, pairs)):
+            return replace(outcome, verdict=Verdict.PROVED, findings=(), role=Role.CLAIM)
+        turned = [replace(pair, true=pair.true.map(lambda cell: -cell)) for pair in pairs]
+        if all(map(agree_exactly, turned)):
+            return outcome  # the torques that the force makes, and not those that hold it
+        if not any(all(agree_exactly(each) or is_near(each) for each in read) for read in (pairs, turned)):
+            return outcome
+        finding = say(Kind.NEAR_TORQUE, names=sorted(outcome.defines))
+        for name in outcome.defines:
+            self.members.names.leave_open(name, finding)
+        return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
+
+    @staticmethod
+    def _asked(outcome: Outcome) -> int:
+        """Return how many torques an outcome gives a meaning."""
+        value = outcome.true.value if outcome.true is not None else None
+        return as_matrix(value).shape[0] if isinstance(value, Matrix | Scalar) else 0
+
+    def _compared(self, outcome: Outcome) -> Iterator[tuple[Scalar, Scalar]]:
+        """Yield the value of each torque that an outcome gives a meaning, and what the force in it makes of it."""
+        arm, true, printed = self.members.names.arm, outcome.true, outcome.printed
+        if arm is None or true is None or printed is None or not outcome.defines or true.rank > 1:
+            return  # τ = J^T F by itself says what τ is
+        values = [*as_matrix(true.value).cells] if isinstance(true.value, Matrix | Scalar) else []
+        rows = self._rows_of_force(values) if values and all(isinstance(each, Scalar) for each in values) else {}
+        places = self._joints(printed.node, len(values))
+        if not rows or len(places) != len(values):
+            return
+        jacobian = self.members.exact.quantity(Quantity("jacobian", arm.frames[-1], arm.frames[0]))
+        for value, place in zip(values, places, strict=True):
+            loads = [(self.members.exact.symbol(load), row) for load, row in rows.items()]
+            rest = value
+            for load, _ in loads:
+                rest = rest - derivative(value, load) * load
+            if not rest.is_zero():
+                return  # gravity, friction, or another force
+            first, *others = [load * jacobian.rows[row][place] for load, row in loads]  # type: ignore[union-attr]
+            yield value, sum(others, first)
+
+    def _rows_of_force(self, values: list[Scalar]) -> dict[str, int]:
+        """Return the components of the one force that stands in values, and those beside them, each with its row of J."""
+        adopted = self.members.names.state.adopted
+        held = {base for base, row in map(_component, symbols_in(values) & adopted) if row is not None}
+        rows = {load: row for load in sorted(adopted) for base, row in [_component(load)] if base in held}
+        return {load: row for load, row in rows.items() if row is not None} if len(held) == 1 else {}
+
+    def _joints(self, node: n.Node, count: int) -> list[int]:
+        """Return the joints (from 0) whose torques a side names: τ_2, a column of such, τ as a whole."""
+        joints = len(self.members.names.arm.joints) if self.members.names.arm is not None else 0
+        if bare_key(node) in TORQUES:
+            return [*range(joints)] if count == joints else []
+        named = [bare(cell) for cell in cells_of(node) or (node,)]
+        numbers = [each.sub for each in named if isinstance(each, n.Name) and each.base in TORQUES and not each.dots]
+        known = all(number.isdigit() and 1 <= int(number) <= joints for number in numbers)
+        return [int(number) - 1 for number in numbers] if known and len(numbers) == len(named) else []
+
+
+def _component(load: str) -> tuple[str, int | None]:
+    """F_x → F and the first row; a load without a direction has no row."""
+    base, _, direction = load.partition("_")
+    is_force = base in ("F", "f") and direction in COMPONENTS
+    return base, COMPONENTS.index(direction) if is_force else None
