@@ -340,7 +340,7 @@ class Statements:
 
     def _at_values(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         self._begin()
-        if any(isinstance(below, n.Call) and below.function == "rank" for below in n.walk(chain)):
+        if _is_of_rank(chain):
             return self.circumstances.of_ranks(chain, self._chain(chain, equation, line, define), line)
         there = self._at_told_values(chain, equation, line)
         if any(outcome.verdict in DECIDED for outcome in there):
@@ -612,6 +612,13 @@ def _asked(statement: n.Statement) -> n.Statement:
     if not isinstance(statement, n.Chain):
         return statement
     return replace(statement, relations=tuple("=" if r == ASKED else r for r in statement.relations))
+
+
+def _is_of_rank(chain: n.Chain) -> bool:
+    """Whether a rank stands in a chain that does not say itself at which values."""
+    below = [*n.walk(chain)]
+    ranks = any(isinstance(each, n.Call) and each.function == "rank" for each in below)
+    return ranks and not any(isinstance(each, n.At) for each in below)
 
 
 def _is_label(chain: n.Chain) -> bool:

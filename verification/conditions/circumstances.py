@@ -24,7 +24,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.state import Stated, Told
-from armproof.verification.verdict import DECIDED, Verdict
+from armproof.verification.verdict import Verdict
 
 
 class Circumstances:
@@ -180,7 +180,8 @@ class Circumstances:
         behind = [[*given, *each] for each in implication.behind]
         wider = replace(implication, before=before, behind=behind)
         again = check_implication(self.checker, wider, judged.equation)[0]
-        return judged if again.verdict is Verdict.REFUTED else judged.left_open(say(Kind.HOLDS_AS_TOLD))
+        fails = again.verdict is Verdict.REFUTED or say(Kind.CONDITION_NEVER_MET) in again.findings
+        return judged if fails else judged.left_open(say(Kind.HOLDS_AS_TOLD))
 
     def at_premised(self, implication: Implication, equation: int) -> Outcome | None:
         """θ_2 = 60°, l_1 = 1 ⇒ P_x = 0.5: numbers that follow from values alone are those there, as they are rounded."""
@@ -211,11 +212,11 @@ class Circumstances:
         given = [*told.conditions, *joints]
         if not given and not told.in_words:
             return outcomes
+        with self.checker.exact.budget.paused():
+            from armproof.verification.conditions.ranks_there import rank_everywhere, rank_there
         if told.in_words:
             posture = say(Kind.POSTURE_IN_WORDS)
-            return [each.left_open(posture) if each.verdict in DECIDED else each for each in outcomes]
-        with self.checker.exact.budget.paused():
-            from armproof.verification.conditions.ranks_there import rank_there
+            return [rank_everywhere(self.checker, chain, each, posture) for each in outcomes]
         found = [rank_there(self.checker, chain, each, given) for each in outcomes]
         is_near = not told.conditions or told.line == line
         return found if is_near else [each.unless_refuted(say(Kind.OTHER_AS_TOLD)) for each in found]

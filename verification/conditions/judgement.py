@@ -11,8 +11,9 @@ from armproof.verification.algebra.matrix import as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.conditions.entailment import Entailment
-from armproof.verification.conditions.implication import Implication, is_condition
-from armproof.verification.conditions.system import System, read_condition
+from armproof.verification.conditions.implication import Implication, is_condition, is_rank_condition
+from armproof.verification.conditions.signs import ORDERS, Reader, Signs, follow
+from armproof.verification.conditions.system import System, Undecided, read_condition
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import Outcome
@@ -31,6 +32,10 @@ def check_implication(
     What is wrong by itself is left open where it may be meant of a configuration at rest there (rates), of lengths of which
     one is the larger, or together with the premises of the links before it.
     """
+    if checker.names.arm is not None and any(compares(chain) for chain in implication.chains):
+        outcome, found = _of_signs(checker, implication, equation)
+        wrong = outcome.verdict is Verdict.REFUTED
+        return (outcome.left_open(say(Kind.UNDER_MORE)), {}) if wrong and links else (outcome, found)
     outcome, found = _follows(checker, implication, equation)
     if outcome.verdict is not Verdict.REFUTED:
         return outcome, found
@@ -51,6 +56,53 @@ def _nearly_holds(checker: ChainChecker, implication: Implication, point: dict[s
         from armproof.verification.conditions.rounded_there import nearly_holds
 
     return nearly_holds(checker, implication, point)
+
+
+def compares(chain: n.Chain) -> bool:
+    """Whether a chain says that something is larger, or in an interval; a rank below another is a condition of its own."""
+    if is_rank_condition(chain):
+        return False
+    interval = (
+        chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence) and chain.members[1].brackets != "{}"
+    )
+    return interval or not ORDERS.keys().isdisjoint(chain.relations)
+
+
+def _of_signs(checker: ChainChecker, implication: Implication, equation: int) -> tuple[Outcome, dict[str, float]]:
+    """What follows from signs is proved; refuted is what fails at a configuration where they are so."""
+    try:
+        sides = [[Reader(checker).read(chains) for chains in side] for side in (implication.before, implication.behind)]
+        point = None
+        for given, asked in {"⇒": (sides,), "⇐": (sides[::-1],), "⇔": (sides, sides[::-1])}[implication.arrow]:
+            (conclusion, *others), positive = asked, _positive(checker)
+            if others or conclusion.has_equation or not conclusion.signs:
+                raise Undecided(say(Kind.SIGNS_NOT_SHOWN))
+            left = [each for each in given if not follow(each.signs, conclusion.signs, positive)]
+            points = (_point(checker, each, conclusion) for each in left)
+            if left and (point := next(filter(None, points), None)) is None:
+                raise Undecided(say(Kind.SIGNS_NOT_SHOWN))
+            if point is not None:
+                holds, fails = ("left", "right") if given is sides[0] else ("right", "left")
+                finding = say(Kind.DOES_NOT_FOLLOW, holds=holds, fails=fails)
+                return Outcome(Verdict.REFUTED, (finding,), equation), point
+    except EvaluationError as problem:
+        return Outcome(Verdict.UNCHECKED, (finding_of(problem),), equation), {}
+    return Outcome(Verdict.PROVED, (), equation), {}
+
+
+def _positive(checker: ChainChecker) -> frozenset[str]:
+    arm = checker.names.arm
+    return frozenset(name for name, length in arm.lengths.items() if length > 0) if arm is not None else frozenset()
+
+
+def _point(checker: ChainChecker, given: Signs, asked: Signs) -> dict[str, float] | None:
+    if given.has_equation:
+        return None
+    checker.sampled()  # raises where nothing may be drawn
+    with checker.exact.budget.paused():
+        from armproof.verification.conditions.signed_points import signed_point
+
+    return signed_point(checker, given.signs, asked.signs)
 
 
 def states_condition(checker: ChainChecker, chain: n.Chain) -> bool:

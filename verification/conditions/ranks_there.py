@@ -10,7 +10,7 @@ from armproof.verification.conditions.implication import Implication, is_rank_co
 from armproof.verification.conditions.judgement import check_implication
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import DECIDED, Verdict
 
@@ -28,6 +28,13 @@ def rank_there(checker: ChainChecker, chain: n.Chain, outcome: Outcome, given: S
         at_values = say(Kind.DOES_NOT_FOLLOW, holds="left", fails="right")
         return replace(outcome, verdict=Verdict.REFUTED, findings=(at_values,), pair=None, wrong=[])
     return outcome.left_open(say(Kind.OTHER_AS_TOLD))
+
+
+def rank_everywhere(checker: ChainChecker, chain: n.Chain, outcome: Outcome, doubt: Finding) -> Outcome:
+    """Leave open a rank in a posture that is not told in numbers, unless it is the same at every configuration."""
+    if outcome.verdict not in DECIDED or (outcome.verdict is Verdict.PROVED and _follows(checker, (), chain)):
+        return outcome
+    return outcome.left_open(doubt)
 
 
 def _other_ranks(chain: n.Chain) -> list[n.Chain]:

@@ -136,7 +136,7 @@ def _value(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evalua
     value = as_scalar(evaluator.evaluate(right))
     if isinstance(value, Scalar) and isinstance(left, n.Name):
         value = checker.names.variable_at(symbol, value, checker.exact, left.key)
-    if not isinstance(value, Scalar) or not _is_angle(checker, checker.exact.symbol(symbol) - value):
+    if not isinstance(value, Scalar) or not is_angle(checker, checker.exact.symbol(symbol) - value):
         return ()
     return () if ("symbol", symbol) in value.generators else ((symbol, value),)
 
@@ -230,12 +230,12 @@ def _angle_or_difference(checker: ChainChecker, left: n.Node, right: n.Node, eva
     a, b = (as_scalar(evaluator.evaluate(node)) for node in (left, right))
     if not (isinstance(a, Scalar) and isinstance(b, Scalar)):
         raise Undecided(say(Kind.MATRIX_FOR_CONDITION))
-    if _is_angle(checker, a - b) or has_arcs(a):
+    if is_angle(checker, a - b) or has_arcs(a):
         return 1 - checker.exact.cos_sin(a - b)[0]
     return a - b
 
 
-def _is_angle(checker: ChainChecker, value: Scalar) -> bool:
+def is_angle(checker: ChainChecker, value: Scalar) -> bool:
     """Whether a scalar is a sum of joint angles and multiples of π."""
     arm = checker.names.arm
     revolute = {joint.symbol for joint in arm.joints if joint.kind == "revolute"} if arm is not None else set()

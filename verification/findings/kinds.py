@@ -69,6 +69,8 @@ class Kind(MessageKind):
     NEAR_COORDINATE = "near_coordinate", "but for a term `{name}` would be {reading}: to have it checked, write in the front matter {line}"
     NEAR_TORQUE = "near_torque", "but for a slip, or a sign, `{names}` would be what $J^T F$ is for this force: write $\\tau = J^T F$ before it to have it checked"
     CROSS_OF_LETTERS = "cross_of_letters", "`{letters}` may be vectors or numbers: it is so of one of them alone"
+    WIDE_INTERVAL = "wide_interval", "an interval of an angle that is wider than a half turn, or closed at one end of it alone"
+    SIGNS_NOT_SHOWN = "signs_not_shown", "not shown by the signs of factors, and no configuration was found that refutes it"
     NEAR_SKEW = "near_skew", "it is nearly the skew matrix of `{letters}`, the one that gives v × p: a sign or a place differs"
     NUMBERS_FOR_LENGTHS = "numbers_for_lengths", "numbers stand where the arm has lengths, and the document gives the lengths no values: state them"
     WHICH_INDEX = "which_index", "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter"

@@ -347,7 +347,7 @@ REFUSED = r"""
 \frac{d}{dt}  ⟶  0 a derivative of nothing
 a \frac{\partial}{\partial x}  ⟶  2 a derivative of nothing
 \frac{\partial x}{\partial}  ⟶  18 a derivative with respect to nothing
-\frac{\partial^2 x}{\partial y \partial z}  ⟶  20 a higher derivative is with respect to one variable
+\frac{\partial^2 x}{\partial y \partial z^2}  ⟶  20 a higher derivative is with respect to one variable
 \frac{\partial^3 x}{\partial y^2}  ⟶  20 a higher derivative is with respect to one variable
 \frac{\partial^2 x}{\partial y^n}  ⟶  20 a higher derivative is with respect to one variable
 (x)'  ⟶  3 a prime on an expression
