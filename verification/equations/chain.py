@@ -21,6 +21,7 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import heed_forces, unless_left_out
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
+from armproof.verification.equations.letter_matrices import await_value, awaited, forget_letters, stale
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Check, Readings
 from armproof.verification.equations.second_route import SecondRoute
@@ -100,6 +101,9 @@ class ChainChecker:
         chain = self.rows.choose(chain) if of_jacobian else chain
         settled = frozenset(self.names.state.inferred)
         members, fresh = self._evaluated(chain)
+        if define and self.names.arm is not None and (letters := stale(members)) is not None:
+            forget_letters(self.names, letters)
+            members, fresh = self._evaluated(chain)
         branches = has_branches(chain) or bool(self.names.state.signs.read)
         definitions = Definitions(self.readings, line, define, fresh)
         known = [member for member in members if member.known]
@@ -107,6 +111,8 @@ class ChainChecker:
         members = self.conventions.bind(members)
         if define:
             self._heed_places(members, settled, line)
+            if self.names.arm is not None and (found := awaited(members)) is not None:
+                return [replace(await_value(self.names, *found, line), equation=first_equation)]
         known = [member for member in members if member.known]
         if not known:
             if define and adopts_letters(self.members, members):
@@ -153,6 +159,8 @@ class ChainChecker:
             self.names.state.definitions = before  # what names it would define is open too
             outcomes = [replace(outcome.left_open(doubt), defines=()) for outcome in outcomes]
         self.conventions.restore(outcomes)
+        if define and self.names.state.awaited:
+            self._give_letters(chain, definitions)
         return [*outcomes, *_labels(chain, first_equation, definitions)]
 
     def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:
@@ -206,6 +214,15 @@ class ChainChecker:
         first = min(ended)
         self.names.leave_unknown(ended, ended[first], Kind.OTHER_SECTION)
         return outcome.left_open(say(Kind.OTHER_SECTION, name=first, line=ended[first]))
+
+    def _give_letters(self, chain: n.Chain, definitions: Definitions) -> None:
+        """Let the letters of a matrix mean the entries of a name that a chain gives a value."""
+        letters = self.names.state.awaited
+        for node in (each for each in chain.members if bare_key(each) in letters):
+            if (named := self.members.evaluate(node)).known:
+                matrix, line = letters.pop(str(bare_key(node)))
+                forget_letters(self.names, matrix)
+                replace(definitions, line=line).define_entries(named, Member(matrix), 1, True)
 
     def _heed_places(self, members: list[Member], settled: Set[str], line: int) -> None:
         """Remember the names of blocks that are what convention says, as their places in a matrix show."""

@@ -39,10 +39,9 @@ from armproof.verification.evaluation.blocks import partition, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
-from armproof.verification.naming.conventions import AXES, LETTERS, applied, conventional, is_usual
+from armproof.verification.naming.conventions import AXES, ENTRIES, LETTERS, applied, conventional, is_usual
 from armproof.verification.verdict import Verdict
 
-ENTRIES = frozenset("rnoa")  # letters of a rotation's entries: in a matrix they mean what stands in their place
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
 
 

@@ -9,6 +9,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.equations.alignment import Pair, is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
+from armproof.verification.equations.letter_matrices import FEWEST_LETTERS
 from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
@@ -23,7 +24,6 @@ from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import Role, Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
-FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Definitions:
             branches = has_branches(true.node) or has_branches(member.node)
             return self.readings.equality.route.confirm_only(true.node, member.node, equation, branches, member.problem)
         if isinstance(member.problem, NoValue):
-            located = self._define_entries(true, member, equation, False)
+            located = self.define_entries(true, member, equation, False)
             if located is not None and located.verdict is Verdict.REFUTED:
                 return replace(located, findings=(finding_of(member.problem),))
             return Outcome(Verdict.REFUTED, (finding_of(member.problem),), equation, true, member)
@@ -89,12 +89,12 @@ class Definitions:
                 square_root = n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)
                 self.names.define(root, self.members.meaning(square_root), self.line)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,))
-        pattern = self._define_entries(true, member, equation, self.defines)
+        pattern = self.define_entries(true, member, equation, self.defines)
         if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
             return pattern
         return self.readings.slipped_index(true, member, equation) or pattern
 
-    def _define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
+    def define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
         value, rows = true.value, written_rows(member.node)
         blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) else None

@@ -66,7 +66,7 @@ _MASTER = re.compile(
     """
     % (
         SPACES,
-        r"(?<![A-Za-z\\])(?:%s)(?![A-Za-z])|WC(?=\s*(?:[-+_^=&)]|$))|%s"
+        r"(?<![A-Za-z\\])(?:%s)(?![A-Za-z])|WC(?=\s*(?:[-+_^=&)]|$))|EE(?=\s*_\s*\{?\s*[xyz](?![A-Za-z]))|%s"
         % ("|".join(BARE_JOINING), "|".join([*BARE_WORDS, *LONG])),
     ),
     re.VERBOSE | re.DOTALL,

@@ -28,11 +28,12 @@ TWISTS = frozenset("V xi nu eta t".split())
 ORIENTATIONS = frozenset("phi varphi psi alpha gamma theta Phi".split())
 MANIPULABILITIES = frozenset("w mu m M".split())
 WHOLE_JACOBIAN = frozenset("geo G g".split())
-USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi WC".split())  # seldom anything else, of an arm
+USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi WC EE".split())  # seldom anything else, of an arm
 AXES = "xyz"
 NORMALS = "noa"  # the columns of the tool's rotation
+ENTRIES = frozenset(("r", *NORMALS))  # letters of a rotation's entries: in a matrix they mean what stands in their place
 LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
-LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC".split())  # with a meaning; no other has one
+LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC EE".split())  # with a meaning; no other has one
 
 
 def is_usual(name: n.Name) -> bool:
@@ -52,8 +53,8 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
         name = replace(name, pre_sub="", pre_sup="0")
     if name.primes or (name.pre_sub and name.sub):
         return ()
-    if name.base == "WC":  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
-        name = replace(name, base="p", sub=f"WC,{name.sub}".rstrip(","))
+    if name.base in ("WC", "EE"):  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
+        name = replace(name, base="p", sub=f"{name.base},{name.sub}".rstrip(","))
     placed = bool(name.pre_sup or name.sup)
     if not placed:
         bases = dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))

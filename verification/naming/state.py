@@ -155,6 +155,7 @@ class DocumentState:
         inferred: names whose meaning the other side of an equation told.
         conventional: those of them that only convention binds.
         placed: names of blocks that are what convention says, as their place in a matrix showed → the line and the section of its display.
+        awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
@@ -181,6 +182,7 @@ class DocumentState:
     inferred: dict[str, Quantity] = field(default_factory=dict)
     conventional: set[str] = field(default_factory=set)
     placed: dict[str, tuple[int, str]] = field(default_factory=dict)
+    awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
