@@ -26,6 +26,8 @@ from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.state import Stated, Told
 from armproof.verification.verdict import Verdict
 
+OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere
+
 
 class Circumstances:
     """Heeds what the text says, and leaves open what follows from it or may be meant of a posture that it names."""
@@ -55,11 +57,13 @@ class Circumstances:
     def _heed(self, said: Iterable[str], line: int) -> None:
         names: set[str] = set()
         conditions: list[n.Chain] = []
-        in_words = False
+        in_words = bounds = False
         for latex in said if self.names.arm is not None else ():
             try:
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 chains = [chain for chain in found if not self.given.repeats(chain)]
+                bounds = bounds or any(map(_is_bound, chains))
+                chains = [chain for chain in chains if not _is_bound(chain)]
                 if found and not chains:
                     continue
             except ReadError:
@@ -73,6 +77,7 @@ class Circumstances:
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
         self._begin(names, conditions, in_words, line)
+        self.names.state.told = replace(self.names.state.told, bounds=bounds or self.names.state.told.bounds)
         told = self._values(conditions)
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
 
@@ -138,7 +143,7 @@ class Circumstances:
         ended = [(key, _value(key, state.configuration.pop(key).node)) for key in over]
         if conditions or in_words:
             earlier = tuple(value for key, value in ended if key not in names)
-            state.told = Told(tuple(conditions), earlier, in_words, line, state.section, not moves)
+            state.told = Told(tuple(conditions), earlier, in_words, line=line, section=state.section, holds_below=not moves)
 
     def _conditions(self, chain: n.Chain) -> Iterator[n.Chain]:
         """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""
@@ -165,8 +170,10 @@ class Circumstances:
             return outcome
         if any(self._follows(each, outcome) for each in self._told(told)):
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
-        if told.in_words and self._stands_still(outcome):
+        if self._stands_still(outcome, told):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
+        if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
+            return outcome.left_open(say(Kind.BOUND_IN_TEXT))
         return outcome
 
     def of_implication(self, judged: Outcome, implication: Implication) -> Outcome:
@@ -242,13 +249,27 @@ class Circumstances:
         implication = Implication("⇒", [[*conditions]], [[claim]], 0, 0)
         return check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED
 
-    def _stands_still(self, outcome: Outcome) -> bool:
-        """Whether one side moves with joints that the other side does not hold."""
+    def _stands_still(self, outcome: Outcome, told: Told) -> bool:
+        """Whether one side moves with joints that the other side does not hold, as in a posture in words, or where sin θ_5 = 0."""
         if outcome.pair is None:
             return False
         sides = (outcome.pair.true, outcome.pair.printed)
         one, other = (symbols_in(side.cells) & set(self.given.joints) for side in sides)
-        return one != other
+        return one != other and (told.in_words or one ^ other <= self._held_still(told.conditions))
+
+    def _held_still(self, conditions: Iterable[n.Chain]) -> set[str]:
+        """Return the joints of conditions that are no values, and so may be met in several ways."""
+        several = (member for each in conditions if not self.given.values_of(each) for member in each.members)
+        scalars = (as_scalar(self.checker.member(member).value) for member in several)
+        return symbols_in([each for each in scalars if isinstance(each, Scalar)]) & set(self.given.joints)
+
+
+def _has_a_sign(node: n.Node) -> bool:
+    return any(isinstance(below, n.Call) and below.function in OF_A_SIGN for below in n.walk(node))
+
+
+def _is_bound(chain: n.Chain) -> bool:
+    return bool(chain.relations) and set(chain.relations) <= set("<>≤≥≠")
 
 
 def _equated(chain: n.Chain) -> Iterator[str]:

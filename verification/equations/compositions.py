@@ -59,14 +59,21 @@ def _are_frames(chain: n.Chain, frames: Collection[str]) -> bool:
 
 def _ends(node: n.Node, reference: str) -> tuple[str, str] | None:
     """Return from which frame a product of transforms leads to which, None where its indices do not cancel."""
-    node = bare(node)
-    factors: Sequence[n.Node] = node.factors if isinstance(node, n.Product) else (node,)
-    steps = [*_steps(factors, reference)]
+    steps = [*_steps([*_factors(node)], reference)]
     if None in steps or not steps:
         return None
     found = [step for step in steps if step is not None]
     cancels = all(_follows(*pair) if pair[1].open else pair[0].end == pair[1].start for pair in pairwise(found))
     return (found[0].start, found[-1].end) if cancels and not found[0].open else None
+
+
+def _factors(node: n.Node) -> Iterator[n.Node]:
+    """Yield the factors of a product from the left, those of {}^0T_1 × {}^1T_2 × {}^2T_3 as well."""
+    node = bare(node)
+    for each in node.factors if isinstance(node, n.Product) else ():
+        yield from _factors(each)
+    if not isinstance(node, n.Product):
+        yield node
 
 
 def _steps(factors: Sequence[n.Node], reference: str) -> Iterator[_Step | None]:

@@ -39,7 +39,7 @@ from armproof.verification.evaluation.blocks import partition, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
-from armproof.verification.naming.conventions import AXES, ENTRIES, LETTERS, applied, conventional, is_usual
+from armproof.verification.naming.conventions import AXES, ENTRIES, LETTERS, applied, conventional, is_usual, seen_from_wrist
 from armproof.verification.verdict import Verdict
 
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
@@ -213,6 +213,11 @@ class Conventions:
                     self.doubts.open.setdefault(name.key, quantity)
                     may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
                     near = near or (quantity if may_be_near and is_near(pair) else None)
+        for quantity in self._that_values_tell(member.node, name) if near is None else ():
+            tried = self._tried(member.node, name, quantity)
+            if any(self._agree(tried, other, self._closest(tried, other)) for other in known if tried.known):
+                self.names.state.usual[name.key, self.names.state.section] = quantity
+                return tried
         self.names.state.forget_usual({name.key})
         if near is None or (near != usual and self._is_of_another(known)):
             return member
@@ -263,6 +268,13 @@ class Conventions:
             found = tuple(dict.fromkeys((*found, *applied(name, arm))))
         found = tuple(quantity for quantity in found if self.names.may_be(name, quantity))
         return tuple(each for quantity in found if (each := self._with_rows(quantity)) is not None)
+
+    def _that_values_tell(self, node: n.Node, name: n.Name) -> tuple[Quantity, ...]:
+        """Return the quantities that a name may be where one has exactly the value of the other side; it is no slip in any."""
+        arm = self.names.arm
+        if arm is None or not self.names.is_open(name) or isinstance(bare(node), n.Call):
+            return ()
+        return seen_from_wrist(name, arm, self.names.transforms)
 
     def _with_rows(self, quantity: Quantity) -> Quantity | None:
         """A determinant and a manipulability are those of the rows in which J is printed, or that make it square."""

@@ -261,6 +261,7 @@ class Kind(MessageKind):
     DETERMINANT_MEANT = "determinant_meant", "${name}$ is a Jacobian, a matrix, and this is a number: write \\det {name} where its determinant is meant"
     TURNED_TOOL = "turned_tool", "`{name}` is here that of before with its axes turned: give the frame with the other axes another name"
     POSTURE_IN_WORDS = "posture_in_words", "the text before names a posture of the arm: state its values in a display, as in \\theta_2 = 0, or with \\Rightarrow"
+    BOUND_IN_TEXT = "bound_in_text", "the text before says where something is positive or larger, and it may hold there: state that in the display, with \\Rightarrow"
     HOLDS_THERE_ALONE = "holds_there_alone", "it holds at the configuration given before, and not everywhere: which is meant?"
     FOR_STATED_LENGTHS = "for_stated_lengths", "for the lengths given before"
     VALUES_OF_LENGTHS = "values_of_lengths", "its numbers are the values of {names}: data, not a claim"

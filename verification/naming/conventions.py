@@ -20,6 +20,7 @@ END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".sp
 PERHAPS_END = frozenset("P T t G g h H OT ot".split())
 LAST = frozenset("n N".split())
 WRIST = frozenset("W w WC wc".split())
+TARGETS = frozenset("target goal des desired sym symbolic num".split())
 POSITIONS = frozenset("p P o O r d t X x c".split())
 POSES = frozenset("T H A M X g".split())
 FUNCTIONS = frozenset("f F FK fk fkine DK MGD DGM h k".split())  # of q: the pose or the position of the tool
@@ -51,6 +52,8 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
     """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
     if name.base == "WC" and (name.pre_sub, name.pre_sup, name.sup) == ("0", "", ""):  # {}_0WC_x: seen from the base
         name = replace(name, pre_sub="", pre_sup="0")
+    if name.sub in TARGETS and name.pre_sub and name.pre_sup:  # {}^0_ET_{target}: that of the joint angles asked for
+        name = replace(name, sub="")
     if name.primes or (name.pre_sub and name.sub):
         return ()
     if name.base in ("WC", "EE"):  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
@@ -66,6 +69,16 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
     if reference is None or (name.pre_sup and name.sup) or (index != first and _frame(index, arm) == reference):
         return ()  # {}^3T_E where frame 3 is the last: a tool beyond it
     return tuple(dict.fromkeys(_all(name.base, index, reference, arm, True)))
+
+
+def seen_from_wrist(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:
+    """Return what a transform seen from the wrist may be, {}^{WC}R_E: of which frame that is, its value has to tell."""
+    first = name.pre_sup or (name.sub if transforms == "lower" and name.sup else name.sup)
+    if first not in WRIST or name.base not in "TR":
+        return ()
+    script = next(each for each in ("pre_sup", "sup", "sub") if getattr(name, each) == first)
+    seen = (replace(name, **{script: frame}) for frame in _wrists(arm))
+    return tuple(dict.fromkeys(quantity for one in seen for quantity in conventional(one, arm, transforms)))
 
 
 def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
@@ -173,9 +186,7 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
     if (frame := _frame(plain, arm)) is not None:
         yield frame, None, reference
         return
-    wrists = list(reversed(numbered_frames(arm)[1:])) if plain.rstrip(AXES).rstrip(",") in WRIST else []
-    wrists.sort(key=lambda frame: frame != str(len(arm.joints) - 1))  # mostly where the last joint but one is
-    for frame in wrists:
+    for frame in _wrists(arm) if plain.rstrip(AXES).rstrip(",") in WRIST else []:
         yield frame, plain[-1] if plain[-1] in AXES else None, reference
     for first, second in _splits(plain):
         if second in AXES and (frame := _frame(first, arm)) is not None:
@@ -187,6 +198,11 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
             if start == arm.frames[0]:
                 continue
             yield frame, None, reference
+
+
+def _wrists(arm: Arm) -> list[str]:
+    """Return the frames that may be that of the wrist, the likeliest first: mostly it is where the last joint but one is."""
+    return sorted(reversed(numbered_frames(arm)[1:]), key=lambda frame: frame != str(len(arm.joints) - 1))
 
 
 def _splits(index: str) -> Iterator[tuple[str, str]]:

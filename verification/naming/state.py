@@ -74,6 +74,7 @@ class Told:
         conditions: equations that it gives.
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation.
+        bounds: whether it says where something is positive, or larger than something else.
         line: of the display behind it.
         section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
     """
@@ -81,6 +82,7 @@ class Told:
     conditions: tuple[n.Chain, ...] = ()
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
+    bounds: bool = False
     line: int = 0
     section: str = ""
     holds_below: bool = False

@@ -119,3 +119,19 @@ def test_a_premise_is_not_a_number_of_the_text() -> None:
     lines = ["Stretched out, at $\\theta_2 = 0$:", "$$ \\sin\\theta_2 = 0 \\Rightarrow \\det J = 0 $$"]
     assert verdicts_of(*lines) == ["proved"]
     assert verdicts_of(lines[0], lines[1].replace("sin", "cos")) == ["refuted"]
+
+
+@pytest.mark.parametrize(
+    ("said", "display", "verdict"),
+    [
+        ("For $\\sin\\theta_2 < 0$ we have", "\\sqrt{1 - c_2^2} = -s_2", "unchecked"),  # a bound tells the sign
+        ("For $\\sin\\theta_2$ we have", "\\sqrt{1 - c_2^2} = -s_2", "refuted"),
+        ("For $\\theta_1 > 0$ we have", "x = l_1 c_1 - l_2 c_{12}", "refuted"),  # a bound mends no formula
+        ("When $\\sin\\theta_2 = 0$,", "x = (l_1 - l_2) c_1", "unchecked"),  # one of the two postures in which it is 0
+        ("When $\\sin\\theta_2 = 0$,", "x = l_1 c_1 - l_2 c_{12}", "refuted"),
+    ],
+)  # fmt: skip
+def test_a_bound_or_a_condition_in_the_text_tells_where_an_equation_may_hold(
+    said: str, display: str, verdict: str
+) -> None:
+    assert verdicts_of(said, "", f"$$ {display} $$")[-1] == verdict
