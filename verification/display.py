@@ -576,7 +576,8 @@ class Statements:
                 outcome.verdict in HOLDS or (outcome.is_slip and is_of_rates(rates, self.names)) for outcome in tried
             ):
                 return tried
-        if holds_for_each_joint(self.checker, chain, equation, line):
+        kinds = ("", kind) if (kind := self.names.state.told.kind) else ("",)
+        if any(holds_for_each_joint(self.checker, chain, equation, line, kind) for kind in kinds):
             by_joint = (say(Kind.EACH_JOINT),)
             return [
                 replace(each, verdict=Verdict.PROVED, findings=by_joint, role=Role.LAW, defines=()) for each in outcomes

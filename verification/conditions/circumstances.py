@@ -12,6 +12,7 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
+from armproof.verification.document.postures import kind_of_joints
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.forces import heed_forces
@@ -58,7 +59,11 @@ class Circumstances:
         names: set[str] = set()
         conditions: list[n.Chain] = []
         in_words = bounds = False
+        kind = ""
         for latex in said if self.names.arm is not None else ():
+            if latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
+                kind = of_joints
+                continue
             try:
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 chains = [chain for chain in found if not self.given.repeats(chain)]
@@ -77,7 +82,8 @@ class Circumstances:
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
         self._begin(names, conditions, in_words, line)
-        self.names.state.told = replace(self.names.state.told, bounds=bounds or self.names.state.told.bounds)
+        before = self.names.state.told
+        self.names.state.told = replace(before, bounds=bounds or before.bounds, kind=kind or before.kind)
         told = self._values(conditions)
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
 

@@ -1,4 +1,4 @@
-"""Postures of an arm in words, "when the arm is stretched out": what stands behind them may hold there alone."""
+"""Postures of an arm in words, "when the arm is stretched out", and kinds of joints: what stands behind them may hold there alone."""
 
 from __future__ import annotations
 
@@ -18,8 +18,25 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
+_KINDS = {
+    "revolute": r"revolute|rotary|rotational|rotating|rotoïde|rotoide|pivot|rotative|revoluta|rotacional|rotativa|giratoria|rotoidale|rotatorisch",
+    "prismatic": r"prismatic|sliding|translational|prismatique|glissière|translation|prismática|prismatica|prismático|prismatico|prismatisch",
+}
+_JOINT = r"joints?|axis|axes|articulations?|liaisons?|articulación|articulaciones|juntas?|giunt[oi]|gelenke?"
+_OF_A_KIND = re.compile(
+    rf"(?<!and )(?<!or )(?<!et )(?<!ou )\b(?:(?:{'|'.join(_KINDS.values())})e?s? (?:{_JOINT})|(?:{_JOINT}) (?:est |is )?(?:{'|'.join(_KINDS.values())})e?s?)\b",
+    re.IGNORECASE,
+)
+
+
+def kind_of_joints(text: str) -> str:
+    """Return of which kind of joints a text speaks, "revolute" or "prismatic"; "" where of none, or of both."""
+    found = [kind for kind, words in _KINDS.items() if re.search(rf"\b(?:{words})", text, re.IGNORECASE)]
+    return found[0] if len(found) == 1 else ""
+
 
 def postures(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield the words of a text that name a posture, each as what stands in the text between displays."""
-    for found in _POSTURE.finditer(" ".join(text.split())):
+    """Yield the words of a text that name a posture or a kind of joints, each as what stands in the text between displays."""
+    plain = " ".join(text.split())
+    for found in (*_POSTURE.finditer(plain), *_OF_A_KIND.finditer(plain)):
         yield Display(line, rf"\text{{{found.group()}}}", section=section, opening=INLINE)

@@ -6,13 +6,17 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from armproof.verification.document.postures import kind_of_joints
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.each_joint import holds_for_each_joint
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.errors import ReadError
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import DECIDED, Verdict
+from armproof.verification.verdict import DECIDED, Role, Verdict
 
 REST = re.compile(
     r"(?:otherwise|else|elsewhere|in all other cases|sinon|autrement|ailleurs|sonst|andernfalls|altrimenti|si no)", re.I
@@ -41,11 +45,40 @@ class Case:
 def check_cases(checker: ChainChecker, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
     """Check each case under its condition where that gives values; what is said for all else holds of everything."""
     cases = next(member for member in chain.members if isinstance(member, n.Cases))
+    if of_kinds := _by_kind(checker, chain, cases, equation, line):
+        return of_kinds
     read = read_cases(cases, checker.names)
     if not any(case.at or case.where for case in read):  # it may be a definition of its own
         return checker.check(chain, equation, line, define)
     others = [member for member in chain.members if member is not cases]
     return [outcome for case in read for outcome in _check_case(checker, case, others, equation, line)]
+
+
+def _by_kind(checker: ChainChecker, chain: n.Chain, cases: n.Cases, equation: int, line: int) -> list[Outcome]:
+    """Return what becomes of a law with a case for turning joints and one for sliding ones, where it holds; else nothing.
+
+    A sliding joint gives [axis; 0] beside the [axis × arm; axis] of a turning one, also where the arm has none.
+    """
+    named = {kind_of_joints(text): value for value, text in cases.branches if not CHANGES.search(text)}
+    arm, others = checker.names.arm, [member for member in chain.members if member is not cases]
+    if arm is None or set(named) != {"revolute", "prismatic"} or len(cases.branches) != 2:
+        return []
+    kinds = {joint.kind for joint in arm.joints}
+    laws = {kind: replace(chain, members=(*others, named[kind])) for kind in named if kind in kinds}
+    if not all(holds_for_each_joint(checker, laws[kind], equation, line, kind) for kind in laws):
+        return []
+    if "prismatic" not in kinds and not _is_axis_alone(named["prismatic"], named["revolute"]):
+        return []
+    return [Outcome(Verdict.PROVED, (say(Kind.EACH_JOINT),), equation, role=Role.LAW)] if "revolute" in kinds else []
+
+
+def _is_axis_alone(sliding: n.Node, turning: n.Node) -> bool:
+    """Whether a column is [z_{i-1}; 0] beside [z_{i-1} × (p_n - p_{i-1}); z_{i-1}]."""
+    axis, rest = [cells if len(cells := written_rows(each)) == 2 else ((), ()) for each in (sliding, turning)]
+    if not all(len(cell) == 1 for cell in (*axis, *rest)):
+        return False
+    zero = bare(axis[1][0])
+    return bare(axis[0][0]) == bare(rest[1][0]) and isinstance(zero, n.Number) and zero.value == 0
 
 
 def _check_case(checker: ChainChecker, case: Case, others: list[n.Node], equation: int, line: int) -> list[Outcome]:

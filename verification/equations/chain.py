@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.catalogue import Catalogue
+from armproof.verification.equations.compositions import is_product_of_links
 from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import (
     Definitions,
@@ -155,6 +156,10 @@ class ChainChecker:
         doubt = self.readings.other_direction(
             [chain], _all_proved(outcomes), lambda: _all_proved(check(chain, define=False))
         )
+        if doubt and define and not self.names.state.transforms and is_product_of_links(chain):
+            self.names.state.definitions = before
+            self.names.state.transforms = "lower"  # T_0^3 = A_1 A_2 A_3 tells it, where nothing else does
+            return check(chain)
         if doubt:
             self.names.state.definitions = before  # what names it would define is open too
             outcomes = [replace(outcome.left_open(doubt), defines=()) for outcome in outcomes]

@@ -50,6 +50,18 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
     return False
 
 
+def is_product_of_links(chain: n.Chain) -> bool:
+    """Whether a name T^i_j is equated to a product A_1 A_2 of names with one index each, which tell of no direction themselves."""
+    named = [node for member in chain.members if isinstance(node := bare(member), n.Name) and node.sub and node.sup]
+    return len(chain.members) == 2 and len(named) == 1 and any(map(_is_of_links, chain.members))
+
+
+def _is_of_links(node: n.Node) -> bool:
+    factors = [*_factors(node)]
+    plain = (isinstance(each, n.Name) and each.sub.isdigit() and not each.sup + each.pre_sup for each in factors)
+    return len(factors) > 1 and all(plain)
+
+
 def _are_frames(chain: n.Chain, frames: Collection[str]) -> bool:
     """Whether all names with one script above and one below are of frames that an arm has."""
     below = (each for member in chain.members for each in n.walk(member))

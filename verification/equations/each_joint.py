@@ -15,16 +15,17 @@ _INDEX = re.compile(r"(?<![A-Za-z])([ijk])(?:([+-])1)?(?![A-Za-z])")
 MOST_JOINTS = 8
 
 
-def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, line: int) -> bool:
-    """Whether a chain is proved with its index for each joint of the arm; what holds for one kind of joints is no law of all.
+def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, line: int, kind: str = "") -> bool:
+    """Whether a chain is proved with its index for each joint of the arm, or of a kind; of one kind it is no law of all.
 
     A wrong one is not refuted here: the text beside it may say of which joints it is.
     """
     arm, letter = checker.names.arm, _index_of(chain)
     if arm is None or not letter or not 1 < len(arm.joints) <= MOST_JOINTS or len(chain.members) < 2:
         return False
-    instances = (_instance(chain, letter, number) for number in range(1, len(arm.joints) + 1))
-    return all(_holds(checker, instance, equation, line) for instance in instances)
+    numbers = [number for number, joint in enumerate(arm.joints, 1) if kind in ("", joint.kind)]
+    instances = (_instance(chain, letter, number) for number in numbers)
+    return bool(numbers) and all(_holds(checker, instance, equation, line) for instance in instances)
 
 
 def _index_of(chain: n.Chain) -> str:

@@ -75,6 +75,7 @@ class Told:
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation.
         bounds: whether it says where something is positive, or larger than something else.
+        kind: of which joints it speaks alone, "revolute" or "prismatic".
         line: of the display behind it.
         section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
     """
@@ -83,6 +84,7 @@ class Told:
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
     bounds: bool = False
+    kind: str = ""
     line: int = 0
     section: str = ""
     holds_below: bool = False

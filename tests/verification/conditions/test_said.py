@@ -135,3 +135,19 @@ def test_a_bound_or_a_condition_in_the_text_tells_where_an_equation_may_hold(
     said: str, display: str, verdict: str
 ) -> None:
     assert verdicts_of(said, "", f"$$ {display} $$")[-1] == verdict
+
+
+@pytest.mark.parametrize(
+    ("said", "display", "verdict"),
+    [
+        ("For a **revolute joint**:", "\\begin{bmatrix} z_{i-1} \\times (p_n - p_{i-1}) \\\\ z_{i-1} \\end{bmatrix}", "proved"),
+        ("For a prismatic joint", "\\begin{bmatrix} z_{i-1} \\\\ 0 \\end{bmatrix}", "proved"),
+        ("For a revolute joint", "\\begin{bmatrix} z_{i-1} \\\\ 0 \\end{bmatrix}", "unchecked"),
+        ("For revolute and prismatic joints", "\\begin{bmatrix} z_{i-1} \\\\ 0 \\end{bmatrix}", "unchecked"),
+        ("For a joint", "\\begin{bmatrix} z_{i-1} \\\\ 0 \\end{bmatrix}", "unchecked"),
+    ],
+)  # fmt: skip
+def test_the_text_tells_of_which_joints_a_law_is(said: str, display: str, verdict: str) -> None:
+    rows = "[{a: a_1, alpha: 0, d: 0, theta: theta_1}, {a: a_2, alpha: 0, d: 0, theta: theta_2}, {a: 0, alpha: 0, d: d_3, theta: 0}]"
+    text = f"---\narm: {{dh: classic, rows: {rows}}}\n---\n{said}\n\n$$ J_i = {display} $$\n"
+    assert [record.verdict.value for record in verify_text(text).equations] == [verdict]
