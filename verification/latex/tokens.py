@@ -112,6 +112,7 @@ _ENDS_OPERAND = frozenset(
 
 
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
+_PART_OF_MODEL = re.compile(r"([A-Z]{2,4})([a-z]{3,})(?=(?:\s|&)*=)")  # MGDpos = …
 _SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
 _OPENS = re.compile(r"\s*\{")
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
@@ -584,6 +585,10 @@ class _Scanner:
 
     def on_letter(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         word = self._known_word(start) or value
+        part = _PART_OF_MODEL.match(self.text, start) if word == value and self.previous in _BEGINS else None
+        if part and not _SPELT_WITHIN.search(part.group()):
+            middle, end = part.end(1), part.end()
+            return [self.token("LETTER", part[1], start, middle), self.token("SUB", part[2], middle, end)], end
         run = (
             _RUN.match(self.text, start) if len(word) == 1 and self.text[start - 1 : start].isalpha() is False else None
         )

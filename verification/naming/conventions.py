@@ -24,6 +24,11 @@ TARGETS = frozenset("target goal des desired sym symbolic num".split())
 POSITIONS = frozenset("p P o O r d t X x c".split())
 POSES = frozenset("T H A M X g".split())
 FUNCTIONS = frozenset("f F FK fk fkine DK MGD DGM h k".split())  # of q: the pose or the position of the tool
+MODELS = frozenset(each for each in FUNCTIONS if len(each) > 1)  # names of the direct model, of nothing else
+PARTS_OF_MODELS = {
+    **dict.fromkeys(("pos", "position", "posit"), "origin"),
+    **dict.fromkeys(("ori", "orient", "orientation", "rot", "R"), "rotation"),
+}
 LINEAR_VELOCITIES, ANGULAR_VELOCITIES = frozenset("v V".split()), frozenset("omega w W Omega".split())
 TWISTS = frozenset("V xi nu eta t".split())
 ORIENTATIONS = frozenset("phi varphi psi alpha gamma theta Phi".split())
@@ -40,7 +45,8 @@ LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC EE".split
 def is_usual(name: n.Name) -> bool:
     """Whether a name is so common for a quantity of the arm that another value for it is worth a word."""
     is_point = name.base in ("t", "o", "O") and name.sup == "0" and name.sub.isdigit()  # t_2^0, seen from the base
-    return (name.base in USUAL and name.sub not in PERHAPS_END) or "to" in name.sub or _is_entry(name) or is_point
+    usual = USUAL | MODELS
+    return (name.base in usual and name.sub not in PERHAPS_END) or "to" in name.sub or _is_entry(name) or is_point
 
 
 def reads_as_length(letter: str) -> bool:
@@ -83,6 +89,10 @@ def seen_from_wrist(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, 
 
 def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
     """Yield what a name that tells no frame of reference may stand for in one."""
+    if name.base in MODELS:
+        kinds = (PARTS_OF_MODELS[name.sub],) if name.sub in PARTS_OF_MODELS else () if name.sub else ("pose", "origin")
+        yield from (Quantity(kind, each, reference) for each in dict.fromkeys((_tool(arm), _last(arm))) for kind in kinds)
+        return
     if _is_entry(name) or (name.base in NORMALS and name.sub in tuple(AXES)):
         row, column = (
             (int(name.sub[0]), int(name.sub[-1]))

@@ -14,6 +14,7 @@ from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import read_names, spelling_of
+from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.general_link import shown_convention
@@ -127,6 +128,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     alike = any(one.counts == best.counts and one.front["arm"] == best.front["arm"] for one in others)
     if alike and "transforms" not in document.front:  # nothing tells which index is the reference
         best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
+    best = with_point_beyond(document, best) if best.held and not rivals else best
     if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
         return Inference(document, None, missing, line)
     if _stated(document):
