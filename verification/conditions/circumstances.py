@@ -176,7 +176,7 @@ class Circumstances:
             return outcome
         if any(self._follows(each, outcome) for each in self._told(told)):
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
-        if self._stands_still(outcome, told):
+        if told.in_words and self._stands_still(outcome):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return outcome.left_open(say(Kind.BOUND_IN_TEXT))
@@ -240,10 +240,13 @@ class Circumstances:
             return outcome
         return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
 
-    @staticmethod
-    def _told(told: Told) -> Iterator[tuple[n.Chain, ...]]:
+    def _told(self, told: Told) -> Iterator[tuple[n.Chain, ...]]:
+        """Yield the conditions that the text gives, alone and with what was stated before; one of several postures each."""
         if told.conditions:
             yield from dict.fromkeys([told.conditions, (*told.earlier, *told.conditions)])
+            for at, condition in enumerate(told.conditions):
+                for posture in postures if len(postures := self._postures(condition)) > 1 else ():
+                    yield (*told.conditions[:at], posture, *told.conditions[at + 1 :])
 
     def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation holds, or nobody can tell, under conditions."""
@@ -255,19 +258,26 @@ class Circumstances:
         implication = Implication("⇒", [[*conditions]], [[claim]], 0, 0)
         return check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED
 
-    def _stands_still(self, outcome: Outcome, told: Told) -> bool:
-        """Whether one side moves with joints that the other side does not hold, as in a posture in words, or where sin θ_5 = 0."""
+    def _stands_still(self, outcome: Outcome) -> bool:
+        """Whether one side moves with joints that the other side does not hold."""
         if outcome.pair is None:
             return False
         sides = (outcome.pair.true, outcome.pair.printed)
         one, other = (symbols_in(side.cells) & set(self.given.joints) for side in sides)
-        return one != other and (told.in_words or one ^ other <= self._held_still(told.conditions))
+        return one != other
 
-    def _held_still(self, conditions: Iterable[n.Chain]) -> set[str]:
-        """Return the joints of conditions that are no values, and so may be met in several ways."""
-        several = (member for each in conditions if not self.given.values_of(each) for member in each.members)
-        scalars = (as_scalar(self.checker.member(member).value) for member in several)
-        return symbols_in([each for each in scalars if isinstance(each, Scalar)]) & set(self.given.joints)
+    def _postures(self, condition: n.Chain) -> tuple[n.Chain, ...]:
+        """Return the two values of a joint whose sine or cosine a condition says to be 0, else the condition."""
+        scalars = [value for each in condition.members if isinstance(value := self.checker.member(each).value, Scalar)]
+        turns = ("sin", ("0", r"\pi")), ("cos", (r"\pi/2", r"-\pi/2"))
+        for joint in self.given.joints if len(scalars) == len(condition.members) == 2 else ():
+            name = n.Name(*joint.partition("_")[::2])
+            for function, values in turns:
+                found = self.checker.member(n.Call(function, (name,))).value
+                left = scalars[0] - scalars[1]
+                if isinstance(found, Scalar) and ((left - found).is_zero() or (left + found).is_zero()):
+                    return tuple(_value(joint, self.names.reader.read_expression(value)) for value in values)
+        return (condition,)
 
 
 def _has_a_sign(node: n.Node) -> bool:

@@ -102,8 +102,8 @@ class ChainChecker:
         chain = self.rows.choose(chain) if of_jacobian else chain
         settled = frozenset(self.names.state.inferred)
         members, fresh = self._evaluated(chain)
-        if define and self.names.arm is not None and (letters := stale(members)) is not None:
-            forget_letters(self.names, letters)
+        if define and self.names.arm is not None and (matrix := stale(members)) is not None:
+            forget_letters(self.names, matrix)
             members, fresh = self._evaluated(chain)
         branches = has_branches(chain) or bool(self.names.state.signs.read)
         definitions = Definitions(self.readings, line, define, fresh)

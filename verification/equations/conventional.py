@@ -39,7 +39,15 @@ from armproof.verification.evaluation.blocks import partition, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
-from armproof.verification.naming.conventions import AXES, ENTRIES, LETTERS, applied, conventional, is_usual, seen_from_wrist
+from armproof.verification.naming.conventions import (
+    AXES,
+    ENTRIES,
+    LETTERS,
+    applied,
+    conventional,
+    is_usual,
+    seen_from_wrist,
+)
 from armproof.verification.verdict import Verdict
 
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for

@@ -37,7 +37,9 @@ WHOLE_JACOBIAN = frozenset("geo G g".split())
 USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi WC EE".split())  # seldom anything else, of an arm
 AXES = "xyz"
 NORMALS = "noa"  # the columns of the tool's rotation
-ENTRIES = frozenset(("r", *NORMALS))  # letters of a rotation's entries: in a matrix they mean what stands in their place
+ENTRIES = frozenset(
+    ("r", *NORMALS)
+)  # letters of a rotation's entries: in a matrix they mean what stands in their place
 LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
 LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC EE".split())  # with a meaning; no other has one
 
@@ -82,8 +84,11 @@ def seen_from_wrist(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, 
     first = name.pre_sup or (name.sub if transforms == "lower" and name.sup else name.sup)
     if first not in WRIST or name.base not in "TR":
         return ()
-    script = next(each for each in ("pre_sup", "sup", "sub") if getattr(name, each) == first)
-    seen = (replace(name, **{script: frame}) for frame in _wrists(arm))
+    frames = _wrists(arm)
+    if name.pre_sup == first:
+        seen = [replace(name, pre_sup=frame) for frame in frames]
+    else:
+        seen = [replace(name, sup=frame) if name.sup == first else replace(name, sub=frame) for frame in frames]
     return tuple(dict.fromkeys(quantity for one in seen for quantity in conventional(one, arm, transforms)))
 
 
@@ -91,7 +96,9 @@ def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
     """Yield what a name that tells no frame of reference may stand for in one."""
     if name.base in MODELS:
         kinds = (PARTS_OF_MODELS[name.sub],) if name.sub in PARTS_OF_MODELS else () if name.sub else ("pose", "origin")
-        yield from (Quantity(kind, each, reference) for each in dict.fromkeys((_tool(arm), _last(arm))) for kind in kinds)
+        yield from (
+            Quantity(kind, each, reference) for each in dict.fromkeys((_tool(arm), _last(arm))) for kind in kinds
+        )
         return
     if _is_entry(name) or (name.base in NORMALS and name.sub in tuple(AXES)):
         row, column = (
@@ -212,7 +219,8 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
 
 def _wrists(arm: Arm) -> list[str]:
     """Return the frames that may be that of the wrist, the likeliest first: mostly it is where the last joint but one is."""
-    return sorted(reversed(numbered_frames(arm)[1:]), key=lambda frame: frame != str(len(arm.joints) - 1))
+    from_the_end = numbered_frames(arm)[:0:-1]
+    return sorted(from_the_end, key=lambda frame: frame != str(len(arm.joints) - 1))
 
 
 def _splits(index: str) -> Iterator[tuple[str, str]]:

@@ -128,7 +128,7 @@ def test_a_premise_is_not_a_number_of_the_text() -> None:
         ("For $\\sin\\theta_2$ we have", "\\sqrt{1 - c_2^2} = -s_2", "refuted"),
         ("For $\\theta_1 > 0$ we have", "x = l_1 c_1 - l_2 c_{12}", "refuted"),  # a bound mends no formula
         ("When $\\sin\\theta_2 = 0$,", "x = (l_1 - l_2) c_1", "unchecked"),  # one of the two postures in which it is 0
-        ("When $\\sin\\theta_2 = 0$,", "x = l_1 c_1 - l_2 c_{12}", "refuted"),
+        ("When $\\sin\\theta_2 = 0$,", "x = (l_1 + 2 l_2) c_1", "refuted"),
     ],
 )  # fmt: skip
 def test_a_bound_or_a_condition_in_the_text_tells_where_an_equation_may_hold(
