@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import groupby
 from typing import Any
 
+from armproof.verification.algebra.calculus import symbol_of
 from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
@@ -117,6 +118,8 @@ def _membership(checker: ChainChecker, left: n.Node, right: n.Node, outcome: Out
     if (size := _size_of_space(right)) is not None:
         if value.shape == size:
             return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.IN_SPACE),))
+        if checker.names.arm is None and _may_be_blocks(value, size):
+            return outcome
         other = say(Kind.NOT_IN_SPACE, size=value.size, space=f"{size[0]}×{size[1]}")
         return replace(outcome, verdict=Verdict.REFUTED, findings=(other,))
     group = _group(right)
@@ -131,6 +134,12 @@ def _membership(checker: ChainChecker, left: n.Node, right: n.Node, outcome: Out
     if inside:
         return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.IN_GROUP, group=name),))
     return replace(outcome, verdict=Verdict.REFUTED, findings=(say(Kind.NOT_IN_GROUP, group=name),))
+
+
+def _may_be_blocks(value: Matrix, size: tuple[int, int]) -> bool:
+    """Whether letters that nothing binds may be blocks of a larger matrix: [ω; v] ∈ ℝ^6."""
+    smaller = all(one <= other for one, other in zip(value.shape, size, strict=True))
+    return smaller and any(isinstance(cell, Scalar) and symbol_of(cell) for cell in value.cells)
 
 
 def _is_rotation(matrix: Matrix) -> bool:

@@ -248,7 +248,7 @@ def _gives_letter(outcome: Outcome, names: Names) -> bool:
     """Whether a wrong entry is a letter that nothing binds and that the other side lacks: the equation says what it is."""
     if outcome.pair is None or len(outcome.nodes) != 2:
         return False
-    written = [{str(bare_key(cell)) for cell in _cells(side)} - set(names.state.definitions) for side in outcome.nodes]
+    written = [{str(bare_key(cell)) for cell in _cells(side)} for side in outcome.nodes]
     values = (outcome.pair.true.cells, outcome.pair.printed.cells)
     if not all(isinstance(cell, Scalar) for cells in values for cell in cells):
         return False
