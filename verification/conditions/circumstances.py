@@ -149,7 +149,9 @@ class Circumstances:
         ended = [(key, _value(key, state.configuration.pop(key).node)) for key in over]
         if conditions or in_words:
             earlier = tuple(value for key, value in ended if key not in names)
-            state.told = Told(tuple(conditions), earlier, in_words, line=line, section=state.section, holds_below=not moves)
+            state.told = Told(
+                tuple(conditions), earlier, in_words, line=line, section=state.section, holds_below=not moves
+            )
 
     def _conditions(self, chain: n.Chain) -> Iterator[n.Chain]:
         """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""
