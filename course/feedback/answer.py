@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from armproof.course.errors import AnswerError
-from armproof.course.feedback.spelling import parts_of, with_decimal_points, with_powers
+from armproof.course.feedback.spelling import parts_of, with_decimal_points, with_indices, with_powers
 from armproof.models.errors import ArmproofError
 from armproof.verification.functions.latex import write_matrix
 from armproof.verification.functions.tracing.expressions import FromSympy, is_sympy
@@ -125,7 +125,7 @@ def _read_text(text: str) -> str:
         )
     found = _DOLLARS.match(text)
     text = found.group(2) if found else text
-    text = with_decimal_points(with_powers(text))
+    text = with_decimal_points(with_indices(with_powers(text)))
     if (parts := parts_of(text)) is not None:
         return as_latex([part.rsplit("=", 1)[-1] for part in parts])
     plain = read_plain(text)
@@ -224,7 +224,9 @@ def _read(node: ast.expr) -> Any:
     raise _NoPlainText
 
 
-def _combine(node: ast.BinOp) -> TracedNumber:
+def _combine(node: ast.BinOp) -> Any:
+    if type(node.op) in (ast.Mult, ast.Div) and (rows := _scaled(node)) is not None:
+        return rows
     left, right = _number(node.left), _number(node.right)
     if isinstance(node.op, ast.Pow) and not (right.is_constant and abs(float(right)) <= 16):
         raise _NoPlainText
@@ -232,6 +234,15 @@ def _combine(node: ast.BinOp) -> TracedNumber:
         return constant(Fraction(left.value) / Fraction(right.value))  # type: ignore[arg-type]
     result: TracedNumber = _OPERATORS[type(node.op)](left, right)
     return result
+
+
+def _scaled(node: ast.BinOp) -> list[Any] | None:
+    """Return a list of numbers or rows times a number, or divided by one; None where neither side is a list."""
+    sides = (node.left, node.right) if isinstance(node.op, ast.Div) else (node.left, node.right, node.right, node.left)
+    for rows, number in zip(sides[::2], sides[1::2], strict=True):
+        if isinstance(rows, ast.List):
+            return [_read(ast.BinOp(item, node.op, number)) for item in rows.elts]
+    return None
 
 
 def _number(node: ast.expr) -> TracedNumber:

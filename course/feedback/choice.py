@@ -33,6 +33,7 @@ _ASIDE = (
 )  # beside keys
 _TOLERANCE = 1e-6
 _FOUR_DIGITS = 1e-4
+_THREE_DIGITS = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,8 +166,8 @@ class Number:
             written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
             for k in np.flatnonzero(_listed(given, right, wrong)).tolist()
         ]
-        is_count = self.unit == "–"
-        slip = number_slip(given, right, [self._label(k) for k in range(right.size)], self.known, is_count, self.stated)
+        labels = [self._label(k) for k in range(right.size)]
+        slip = number_slip(given, right, labels, self.known, self.unit, self.stated)
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
 
     def signature(self, answer: Any) -> np.ndarray:
@@ -180,11 +181,13 @@ class Number:
 
 
 def _to_its_digits(given: float, right: float) -> bool:
-    """Whether a number is right to four digits, of one that has no fewer."""
+    """Whether a number is right to three or more digits, of one that has no fewer."""
     if abs(given - right) <= _TOLERANCE * (1 + abs(right)):
         return True
-    rounded = float(f"{right:.4g}")
-    return rounded != right and (given == rounded or abs(given - right) <= _FOUR_DIGITS * abs(right))
+    four, three = float(f"{right:.4g}"), float(f"{right:.3g}")
+    if three != right and given == three and len(f"{abs(given):g}".replace(".", "").lstrip("0")) >= _THREE_DIGITS:
+        return True
+    return four != right and (given == four or abs(given - right) <= _FOUR_DIGITS * abs(right))
 
 
 def _bare(word: str) -> str:

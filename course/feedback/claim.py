@@ -22,6 +22,7 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, load_arm_of
 from armproof.verification.document import Display, Document
+from armproof.verification.equations.sides import Member
 from armproof.verification.errors import ReadError, TooComplex
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -105,6 +106,21 @@ class Claim:
                 Outcome.ERROR, self._with_letters(look_up("the answer is made of names that mean nothing here"))
             )
         return Feedback(Outcome.ERROR, self._with_letters(write_all(without_asked(record.findings))))
+
+    def upright(self, latex: str) -> str:
+        """Return a row of entries as the column that is asked, as everybody means it; any other formula as it is."""
+        try:
+            node = self.read(latex)
+            shapes = [side.value.shape for side in self._sides(node) if isinstance(side.value, Matrix)]
+        except ArmproofError:
+            return latex
+        if len(shapes) < 2 or shapes[0] != shapes[1][::-1] or shapes[0][1] != 1 or shapes[0][0] < 2:
+            return latex
+        matrix = n.ungrouped(node)
+        if not isinstance(matrix, n.Matrix) or len(matrix.rows) != 1:
+            return rf"\left({latex}\right)^T"
+        cells = [latex[cell.span[0] : cell.span[1]] for cell in matrix.rows[0]]
+        return r"\begin{bmatrix} " + r" \\ ".join(cells) + r" \end{bmatrix}"
 
     def _has_its_letters(self, latex: str) -> bool:
         """Whether all letters of the task stand in an answer, so that its numbers stand for none of them."""
@@ -261,8 +277,7 @@ class Claim:
 
     def _size_problem(self, node: n.Node) -> str:
         try:
-            with self._budget.of(SECONDS_TO_DECIDE):
-                sides = [self._checker.checker.member(side) for side in (self._asked, node)]
+            sides = self._sides(node)
         except TooComplex:  # the verdict meets it too, and says so
             return ""
         if not all(side.known and isinstance(side.value, Matrix | Scalar) for side in sides):
@@ -271,6 +286,11 @@ class Claim:
         if asked == given:
             return ""
         return written("the result is {given}, what is asked is {asked}", given=given, asked=asked)
+
+    def _sides(self, node: n.Node) -> list[Member]:
+        """Return what is asked and an answer, evaluated."""
+        with self._budget.of(SECONDS_TO_DECIDE):
+            return [self._checker.checker.member(side) for side in (self._asked, node)]
 
     @property
     def _budget(self) -> Budget:
@@ -321,6 +341,11 @@ def judge_formula(claim: Claim, answer: Any) -> Feedback:
     if feedback.outcome is Outcome.WRONG and is_number(answer) and np.ptp(claim.values(ASKED), axis=0).max() > 0:
         return replace(feedback, message=look_up("these are the values for one case, and what is asked changes with its letters: hand over a formula, or a function itself, without brackets behind it"), findings=())  # fmt: skip
     return feedback
+
+
+def as_column(feedback: Feedback) -> Feedback:
+    """Return the feedback on a row that was read as the column that is asked."""
+    return replace(feedback, notes=(*feedback.notes, look_up("read as a column: what is asked has one entry a row")))
 
 
 def _equal_at(samples: int) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
-from armproof.course.feedback.claim import ANGLE, Claim, judge_formula
+from armproof.course.feedback.claim import ANGLE, Claim, as_column, judge_formula
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
 from armproof.course.feedback.relation import (
     Letters,
@@ -34,6 +34,8 @@ from armproof.course.feedback.relation import (
     units_astray,
 )
 from armproof.course.feedback.slips_by_value import slips_by_value
+from armproof.course.feedback.terms import terms_astray
+from armproof.course.feedback.wholes import part_astray
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up
 from armproof.verification.findings import Kind, say
@@ -98,6 +100,8 @@ class Formula:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the arguments, or a formula."""
+        if not is_function(answer) and (column := self.claim.upright(row := self._as_latex(answer))) != row:
+            return as_column(self.judge(column))
         feedback = (
             self._judge_function(answer)
             if is_function(answer)
@@ -106,7 +110,9 @@ class Formula:
                 judge_formula(self.claim, self._as_latex(answer) if isinstance(answer, str) else answer),
             )
         )
-        if feedback.outcome is Outcome.WRONG and (words := self._of_inverse(answer, feedback.is_general)):
+        if feedback.outcome is Outcome.WRONG and (
+            words := self._as_part(answer) or self._of_inverse(answer, feedback.is_general)
+        ):
             feedback = replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
@@ -169,6 +175,17 @@ class Formula:
 
     # -- relations -----------------------------------------------------------------------------------------------------
 
+    def _as_part(self, answer: Any) -> str:
+        """Return which part of what is asked an answer of another size is."""
+        try:
+            given = (
+                self._called(answer) if is_function(answer) else partial(self.claim.values_over, self._as_latex(answer))
+            )
+            drawn = {name: values[:FEW] for name, values in self._drawn.items()}
+            return part_astray(self.claim.values_over(ASKED, drawn), given(drawn))
+        except ArmproofError:
+            return ""
+
     def _of_inverse(self, answer: Any, origin_alone: bool) -> str:
         """Return about which axis a rotation turns, or which parts of a transform are those of its inverse: what entry by entry is many slips."""
         try:
@@ -215,6 +232,7 @@ class Formula:
             yield partial(units_astray, asked, given, at, self._units)
             yield partial(relation, true[:half], obtained[:half], positive)
             yield lambda: slips_by_value(self.claim, self._written(answer), at, drawn)
+            yield lambda: terms_astray(self.claim, self._written(answer), at)
             yield partial(letter_at_fault, asked, given, at)
 
     def _written(self, answer: Any) -> str:

@@ -45,7 +45,7 @@ def number_slip(
     right: np.ndarray,
     labels: Sequence[str],
     known: Mapping[str, float],
-    is_count: bool = True,
+    unit: str = "–",
     stated: Sequence[float] = (),
 ) -> str:
     """Return the usual mistake behind wrong numbers, of all of them or of each; empty where none is recognised.
@@ -54,9 +54,10 @@ def number_slip(
         labels: what each number is.
         known: given values, which may be missing in a number, or stand for it.
         stated: numbers that the task's text gives.
-        is_count: whether whole numbers are numbers of things, of which none is "not zero".
+        unit: of the numbers; without one, whole numbers are numbers of things, of which none is "not zero".
     """
-    if whole := next(_whole(given, right), ""):
+    is_count = unit == "–"
+    if whole := next(_whole(given, right, unit), ""):
         return whole
     wrong = np.flatnonzero(~np.isclose(given, right, rtol=_NEAR, atol=_TOLERANCE)).tolist()
     told = [
@@ -66,7 +67,8 @@ def number_slip(
             or _of_one(number, float(right[k]), known, len(right), is_count)
             or _of_another(number, right, labels)
             or _of_stated(number, stated)
-            or _of_two_others(number, right, labels),
+            or _of_two_others(number, right, labels)
+            or _by_size(number, float(right[k]), len(wrong) == 1 < right.size),
         )
         for k in wrong
         for number in [float(given[k])]
@@ -74,7 +76,7 @@ def number_slip(
     return look_up("; ").join(written("{label}: {words}", label=label, words=words) for label, words in told if words)
 
 
-def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
+def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
     """Yield what explains all wrong numbers at once."""
     wrong = ~np.isclose(given, right, rtol=_TOLERANCE)
     if all(map(_is_rounded, given.tolist(), right.tolist())):
@@ -96,9 +98,9 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
         and near(given, np.round(given))
     ):
         yield written("each of them is {one:g} or {other:g}", one=kinds[1], other=kinds[0])
-    if near(given, 1000 * right):
+    if unit not in ("rad", "rad/s") and near(given, 1000 * right):
         yield look_up("in millimetres? Metres are asked for")
-    if near(given, 100 * right) and not near(right, np.round(right)):
+    if unit not in ("rad", "rad/s") and near(given, 100 * right) and not near(right, np.round(right)):
         yield look_up("in centimetres? Metres are asked for")
     if near(given, np.degrees(right)):
         yield look_up("in degrees? Radians are asked for")
@@ -106,6 +108,8 @@ def _whole(given: np.ndarray, right: np.ndarray) -> Iterator[str]:
         yield look_up("in degrees, where radians are asked for, and a sign is wrong")
     if factor := _common_factor(given[wrong], right[wrong]):
         yield written("wrong by a factor of {factor}", factor=factor)
+    if factor := _common_factor(-given[wrong], right[wrong]):
+        yield written("wrong by a factor of {factor}, and in sign", factor=factor)
     if right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)):
         if near(given @ right, 0) and near(np.linalg.norm(given), 1):
             yield look_up("the length is right, the direction is not: yours is at right angles to it")
@@ -133,7 +137,9 @@ def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     """Return the whole number by which all numbers are too large, or too small; 0 where there is none."""
     if (right == 0).any() or np.abs(given / right).min() <= _TOLERANCE or not near(given / right, given[0] / right[0]):
         return 0
-    ratio = abs(float(given[0] / right[0]))
+    ratio = float(given[0] / right[0])
+    if ratio < 0:
+        return 0
     factor = max(ratio, 1 / ratio)
     return (
         round(factor)
@@ -206,6 +212,14 @@ def _of_stated(given: float, stated: Sequence[float]) -> str:
         if close(np.sqrt(one**2 + other**2 + third**2)):
             return written("this is the root of {one:g}² + {other:g}² + {third:g}²", one=one, other=other, third=third)
     return ""
+
+
+def _by_size(given: float, right: float, is_only: bool) -> str:
+    """Return on which side of the right number one is, and that the others are right, where nothing else is known of it."""
+    if given * right < 0:
+        return look_up("the sign and the size are wrong")
+    size = look_up("too large") if given > right else look_up("too small")
+    return written("{size}; all else is right", size=size) if is_only else size
 
 
 def _of_parts(given: float, right: float, parts: Mapping[str, float]) -> str:

@@ -35,6 +35,9 @@ _RECKONING = re.compile(
     re.I,
 )
 _TEXT = re.compile(r"\\(?:text|mathrm)\{([^{}]*)\}")
+_MARKS = re.compile("[\u0300-\u036f]")  # a dot above a letter
+_ASIDE = re.compile(r"(?<=\d)\s*\([^()]*[^\W\d_]{3,}[^()]*\)\s*$")  # 6 (3 rotations, 3 translations)
+_TIMES = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))[x×]\s*(?=\d)")  # ×2, ×4
 _COMMAS = re.compile(r"[^,]*?(?:(?<![\d,])\d+,\d{1,2}(?!\d)|(?<![\d,])0,\d+)[^,]*(?:\d,\d[^,]*)*")
 _BETWEEN = ("and", "et", "to", "by", "à", "row", "is", "est")  # short words that are no units
 _KNOWN = sorted(
@@ -76,6 +79,10 @@ def _with_points(items: Any) -> Any:
 
 def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     """Return the numbers of a text: "[0, 2]", "0 2", "pi/2", "x = 250 mm"; of "0,05 ; 0,55", which is French, two."""
+    text = _MARKS.sub("", text)
+    text = _ASIDE.sub("", text) if count == 1 else _TIMES.sub("", text)
+    if count > 1 and re.fullmatch(rf"\s*\d{{{count}}}\s*", text):  # 0001 for four of them
+        text = " ".join(text.strip())
     text = _TEXT.sub(r" \1", text).replace("\\,", " ").replace("\\ ", " ")
     text = _NAMED.sub(
         "", re.sub(r"\b(?:minus|moins)\s+", "-", text).replace("−", "-").replace("·", "*").translate(_BLANKS)

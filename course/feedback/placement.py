@@ -298,6 +298,10 @@ def _of_row(number: int, row: Mapping[str, LinearForm], right: LinkRow, wrong: S
     if astray and not row[variable].coefficient(right.joint):
         return written("row {row}: {joint} stands in the column of {name}; joint {row} {moves}, so its variable is {variable}",
             row=number, joint=right.joint, name=astray[0], variable=variable, moves=look_up("slides") if slides else look_up("turns"))  # fmt: skip
+    if mixed := [
+        symbol for symbol, _ in row[variable].symbols if symbol.startswith(("theta", "q")) and symbol != right.joint
+    ]:
+        return written("row {row}: {printed} is the variable of another joint; joint {row} has {joint}", row=number, printed=mixed[0], joint=right.joint)  # fmt: skip
     name = wrong[0]
     form, wanted = row[name], getattr(right, name)
     if name == "alpha" and form == LinearForm(pi=-wanted.pi):

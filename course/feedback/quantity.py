@@ -11,7 +11,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function
-from armproof.course.feedback.claim import Claim, judge_formula
+from armproof.course.feedback.claim import Claim, as_column, judge_formula
 from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Outcome, Row, place, said_of, told
@@ -28,6 +28,8 @@ from armproof.course.feedback.relation import (
     remembered,
 )
 from armproof.course.feedback.slips_by_value import slips_by_value
+from armproof.course.feedback.terms import terms_astray
+from armproof.course.feedback.wholes import part_astray, planar_astray
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
@@ -90,12 +92,33 @@ class Quantity:
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of an answer: a function of the joint values, or a formula."""
+        if not is_function(answer) and (column := self.claim.upright(row := as_latex(answer))) != row:
+            return as_column(self.judge(column))
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
+        if feedback.outcome is Outcome.WRONG and (words := self._as_a_whole(answer)):
+            return replace(feedback, message=words, findings=())
         if feedback.is_general and is_function(answer) and (words := self._as_formula(answer)):
             return replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             return replace(feedback, message=words)
         return feedback
+
+    def _as_a_whole(self, answer: Any) -> str:
+        """Return what the answer is instead: a part of what is asked, or that of a planar arm."""
+        try:
+            at = self._letters
+            asked, given = partial(self.claim.values_over, ASKED), partial(self._values_over, answer)
+            if (true := asked(at)).shape != (obtained := given(at)).shape:
+                return part_astray(true, obtained)
+            return planar_astray(self.loaded, asked, given, at)
+        except ArmproofError:
+            return ""
+
+    @property
+    def _letters(self) -> Letters:
+        """Values of joints and lengths; of lengths at random, since two of an arm's may be equal, or four times each other."""
+        joints = {joint.symbol: q for joint, q in zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True)}
+        return {**joints, **random_values([*self.loaded.lengths], MANY)}
 
     def _as_formula(self, function: Callable[..., Any]) -> str:
         """Return what is said of a function's result as a formula, in which slips are looked for entry by entry."""
@@ -130,9 +153,8 @@ class Quantity:
             return ""
 
     def _relations(self, answer: Any) -> Iterator[Said]:
-        """Yield the relations; with lengths at random, since two of an arm's may be equal, or four times each other."""
-        joints = {joint.symbol: q for joint, q in zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True)}
-        at = {**joints, **random_values([*self.loaded.lengths], MANY)}
+        """Yield the relations."""
+        at = self._letters
         asked, given = (
             remembered(partial(self.claim.values_over, ASKED)),
             remembered(partial(self._values_over, answer)),
@@ -143,6 +165,7 @@ class Quantity:
             yield partial(relation, true, obtained, self._factors(at))
             yield partial(letters_astray_in_each, asked, given, at)
             yield lambda: slips_by_value(self.claim, self._written(answer), at)
+            yield lambda: terms_astray(self.claim, self._written(answer), at)
             yield partial(letter_at_fault, asked, given, at)
 
     def _factors(self, at: Letters) -> Letters:

@@ -66,10 +66,12 @@ def letters_astray(asked: Values, given: Values, at: Letters) -> str:
     """
     wrong = wrong_entries(asked(at), given(at))
     words = _letter_astray(asked, given, at, wrong)
-    (where, *others) = np.argwhere(wrong).tolist() or [[0, 0]]
-    if not words or others or wrong.size == 1:
+    places = np.argwhere(wrong).tolist()
+    if not words or wrong.all() or (len(places) > 1 and _letter_astray(asked, given, at, np.ones_like(wrong)) == words):
         return words
-    return written("entry {place}: {words}", place=place(where[0] + 1, where[1] + 1), words=words)
+    if len(places) > MOST_PLACES:
+        return written("in each of the wrong entries: {words}", words=words)
+    return by_places({(row, column): words for row, column in places})  # noqa: C420 – lists are no keys
 
 
 def letters_astray_in_each(asked: Values, given: Values, at: Letters) -> str:
@@ -298,6 +300,8 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
     if not np.abs(obtained).max() > _TOLERANCE:
         yield look_up("what is asked is not zero")
         return
+    if same(obtained, -true):
+        yield look_up("the sign is wrong")
     if same(obtained**2, true):
         yield look_up("your answer is the root: its square is asked")
     if same(obtained, true**2):

@@ -8,6 +8,7 @@ _ABOVE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _POWERS = re.compile("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _BELOW = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _INDICES = re.compile("[₀₁₂₃₄₅₆₇₈₉]+")
+_BEHIND_GREEK = re.compile(r"(?<=[α-ωϑϕ])\d+")
 _FRACTIONS = re.compile(r"(?<=[{/*(])(\d+),(\d+)(?=[}/*)])")  # \frac{0,5}{2}
 _FIRST = re.compile(r"^\s*(\d+),(\d+)(?=\s*[*/\\a-zA-Z(])")  # 1,875 (q_f - q_0)
 _SYSTEM = re.compile(r"^\s*\\begin\{(aligned|align|cases|gathered|split)\*?\}(.*)\\end\{\1\*?\}\s*$", re.DOTALL)
@@ -18,6 +19,11 @@ def with_powers(text: str) -> str:
     """Return a text with the small digits of Unicode as indices and powers: a₁² as a_1^2."""
     text = _INDICES.sub(lambda found: "_" + _bracketed(found.group().translate(_BELOW)), text)
     return _POWERS.sub(lambda found: "^" + _bracketed(found.group().translate(_ABOVE)), text)
+
+
+def with_indices(text: str) -> str:
+    """Return a text with the digits behind a Greek letter as its index: θ2 as θ_2, θ12 as θ_{12}."""
+    return _BEHIND_GREEK.sub(lambda found: "_" + _bracketed(found.group()), text)
 
 
 def _bracketed(digits: str) -> str:

@@ -17,6 +17,7 @@ from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
+from armproof.models.dh.entry import read_entry
 from armproof.models.dh.table import read_table
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up, noted, spoken
@@ -38,6 +39,7 @@ COLUMNS = {
     "modified": (r"\alpha_{i-1}", "a_{i-1}", "d_i", r"\theta_i"),
 }
 TURN = 6.3  # rad: no constant angle of a table is larger
+_FRACTION = re.compile(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}")
 _PLAIN = re.compile(r"\s*[-+]?\d+(?:\.\d+)?\s*")
 _POSES = 6  # at which two arms are compared
 _NEAR = 1e-9
@@ -210,7 +212,8 @@ class Table:
         rows: dict[str, list[int]] = {}
         for entry in record.entries[:4]:
             words = written("{name} is wrong", name=names[(entry.column or 1) - 1])
-            change = f"{words} ({entry.change})" if entry.change else words
+            why = entry.change or _angle_off(entry.printed, entry.correct)
+            change = f"{words} ({why})" if why else words
             rows.setdefault(change, []).append(entry.row or 0)
         told = [
             counted("row {rows}: {words}", "rows {rows}: {words}", len(where), rows=where, words=words)
@@ -313,3 +316,19 @@ def _wants_letter(finding: Finding) -> bool:
     """Whether a row was left open because a number stands where the arm has a letter."""
     problem = finding.terms.get("problem")
     return isinstance(problem, Finding) and problem.kind is Kind.LENGTH_WITHOUT_VALUE
+
+
+def _angle_off(printed: str, correct: str) -> str:
+    """Return by how many quarter turns an angle is off; empty of anything else."""
+    try:
+        given, right = (
+            read_entry(_FRACTION.sub(r"(\1)/(\2)", text).replace("\\pi", "pi")) for text in (printed, correct)
+        )
+    except ArmproofError:
+        return ""
+    if given.symbols != right.symbols or given.number != right.number:
+        return ""
+    turns = (given.pi - right.pi) * 2
+    if turns.denominator != 1 or not turns:
+        return ""
+    return look_up("half a turn off") if turns % 4 == 2 else look_up("a quarter turn off") if turns % 2 else ""

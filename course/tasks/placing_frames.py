@@ -533,7 +533,7 @@ LESSON = Lesson(
             right=([0, 0, 0, 1], "0, 0, 0, 1", np.array([0, 0, 0, 1])),
             wrong=(
                 Wrong([1, 1, 1, 0], "0 and 1 are exchanged: σ counts slides", own=True),
-                Wrong([0, 0, 0, 0], "all joints are taken as revolute: the ram slides", own=True),
+                Wrong([0, 0, 0, 0], "the ram is taken as a joint that turns: it slides", own=True),
                 Wrong([0, 0, 1, 1], "joint 3 is the elbow, and it turns", own=True),
                 Wrong([0, 0, 1], "4 numbers"),
                 Wrong([1, 0, 0, 1], "the column turns: joint 1 is revolute", own=True),

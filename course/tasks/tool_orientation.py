@@ -620,7 +620,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong(
                     lambda theta_1, theta_2, d_2, theta_4: [theta_1, theta_2, d_2, theta_4],
-                    "nothing is changed; but θ_4 turns about an axis that points up in one and down in the other",
+                    "θ_4 is left as it is, but it turns about an axis that points up in one and down in the other",
                     own=True,
                 ),
                 Wrong(

@@ -136,9 +136,20 @@ class Mender:
             return "", None
         if re.search(r".[ ][-+] ", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", missing)) or "frac" in missing:
             return "", None
+        if not self._has_angles_of(missing, cell, write_bounded(true, notation)):
+            return "", None
         text = latex[cell.span[0] : cell.span[1]].strip()
         joined = f"{text} - {missing[1:]}" if missing.startswith("-") else f"{text} + {missing}"
         return (joined, say(Kind.MISSING_TERM, term=missing)) if self._reads_as(joined, true) else ("", None)
+
+    def _has_angles_of(self, missing: str, cell: n.Node, true: str) -> bool:
+        """Whether a missing term has no sine or cosine of its own: s_1 c_2 for c_1 s_2 lacks no s_{12}, it has them exchanged."""
+        try:
+            read = [self.names.reader.read_expression(text) for text in (missing, true)]
+        except ReadError:
+            return False
+        own, known = _angles_of(read[:1]), _angles_of([cell, read[1]])
+        return all(angle in known for angle in own)
 
     def _reads_as(self, text: str, true: Scalar) -> bool:
         """Whether the corrected LaTeX, read again, is right: what the report offers must verify."""
@@ -148,3 +159,9 @@ class Mender:
         except (ReadError, EvaluationError):
             return False
         return isinstance(value, Scalar) and exactly_equal(true, value)
+
+
+def _angles_of(nodes: list[n.Node]) -> list[tuple[n.Node, ...]]:
+    """Return the angles whose sines and cosines stand in trees."""
+    calls = [below for node in nodes for below in n.walk(node) if isinstance(below, n.Call)]
+    return [call.arguments for call in calls if call.function in ("cos", "sin")]

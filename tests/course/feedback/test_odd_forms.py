@@ -21,6 +21,8 @@ ROOT = Formula(r"\sqrt{x^2 + y^2}", ("x", "y"))
 SPEED = Formula(r"\frac{15}{8 t_f}", ("t_f",))
 DIRECTION = Formula(r"\text{atan2}(p_y, p_x)", ("p_x", "p_y"), unit="rad", symbols={"rho": "free", "gamma": "free"},
     given={"p_x": r"\rho\cos(3\gamma)", "p_y": r"\rho\sin(3\gamma)"})  # fmt: skip
+BEND = Formula(r"-a_1 a_2 \sin\theta_2", ("theta_1", "theta_2", "a_1", "a_2"))
+TURN = Formula(r"\begin{bmatrix} \cos\theta & -\sin\theta \\ \sin\theta & \cos\theta \end{bmatrix}", ("r", "theta"))
 SIZES = Number((6.0, 7.0, 7.0, 1.0))
 AXES = Choice({"z4": "axis 4", "z5": "axis 5", "z6": "axis 6"}, frozenset({"z4", "z5"}))
 STEP = Choice({"alpha_0": "the twist", "a_0": "the length"}, "alpha_0")
@@ -49,6 +51,12 @@ RAM = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": 0, "theta":
         (Number((0.0, 0.0, 1.0, 0.3), "m"), "O_1 = [0, 0, 1], a_1 = 0.3", "O_1 = [0, 0, 0], a_1 = 0.3"),
         (Number((2.0, 1.0, 0.0)), ["two", "one", "none"], ["two", "two", "none"]),
         (Number(8.0), "huit", "sept"),
+        (Number((0.0, 0.0, 0.0, 1.0)), "0001", "0010"),
+        (Number((2.0, 4.0)), "x2, x4", "x4, x2"),
+        (Number(6.0), "6 (3 rotations, 3 translations)", "3 (3 rotations, 3 translations)"),
+        (SIZES, "J: 6×7, q̇: 7×1", "J: 7×6, q̇: 7×1"),
+        (BEND, "-a1 a2 sin(θ2)", "-a1 a2 sin(θ1)"),
+        (TURN, "1/r * [[r*cos(theta), -r*sin(theta)], [r*sin(theta), r*cos(theta)]]", "1/r * [[cos(theta), -sin(theta)], [sin(theta), cos(theta)]]"),
         (Number(500.0, "m"), r"\frac{0.5}{0.001}", r"\frac{0.001}{0.5}"),
         (Number((np.pi / 2, 0.4), "rad"), [1.5708, 0.4], [1.58, 0.4]),
         (Number((np.pi / 2, 0.4), "rad"), [r"\frac{\pi}{2}", "0.4"], [r"-\frac{\pi}{2}", "0.4"]),
@@ -89,9 +97,21 @@ def test_one_formula_is_not_taken_apart(text: str) -> None:
     assert parts_of(text) is None
 
 
-def test_a_list_is_a_column_and_a_row_of_a_matrix_is_none() -> None:
+def test_a_list_is_a_column_and_a_row_is_read_as_the_column_that_is_asked() -> None:
     assert as_latex(r"[\cos\theta, 0]") == r"\begin{bmatrix} \cos\theta \\ 0 \end{bmatrix}"
-    assert "1×2" in POLAR.judge(r"\begin{bmatrix} u & w \end{bmatrix}").message
+    right = POLAR.judge(POLAR.latex.replace(r"\\", "&"))
+    assert right.is_right and "column" in right.notes[0]
+    wrong = POLAR.judge(r"\begin{bmatrix} u & w \end{bmatrix}")
+    assert not wrong.is_right and "1×2" not in wrong.message
+    assert "1×3" in POLAR.judge(r"\begin{bmatrix} u & w & 0 \end{bmatrix}").message
+
+
+def test_three_digits_are_enough_of_a_number_that_has_more_and_two_are_not() -> None:
+    asked = Number((0.6435011, -1.5707963), "rad")
+    assert asked.judge([0.644, -1.57]).outcome is Outcome.CONFIRMED
+    assert asked.judge([0.64, -1.57]).outcome is Outcome.WRONG
+    assert asked.judge([0.645, -1.57]).outcome is Outcome.WRONG
+    assert Number(0.375, "m/s").judge(0.38).outcome is Outcome.WRONG
 
 
 def test_numbers_that_are_right_to_four_digits_are_right_only_where_they_have_more() -> None:

@@ -104,7 +104,7 @@ def squared(answer: str) -> str:
         (PLACE, [0, 0.6, -0.8], "wrong by a factor of 2"),
         (Number((0.0, np.pi / 2)), [0, 90], "in degrees"),
         (Number((5, 4)), [5, 3], "one too few"),
-        (Number((0.6435011, -1.5707963)), [0.644, -1.571], "right, but rounded"),
+        (Number((0.6435011, -1.5707963)), [0.64, -1.57], "right, but rounded"),
         (Number((0, 0, 1)), [0.6, 0.8, 0], "at right angles"),
         (Number((0, 0, 1)), [0, 1, 1], "a direction has the length 1"),
         (Number((0.75, 0.6)), [0.6, 0.6], "number 1: this is number 2"),
@@ -126,7 +126,7 @@ def squared(answer: str) -> str:
         (LINK, r"\begin{bmatrix} C_1 & -S_1 & 0 & -l_1 C_1 \\ S_1 & C_1 & 0 & -l_1 S_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
             "the rotation is that of the inverse: it is still to be transposed; the origin is that of the inverse, only negated"),
         (AXIS, r"\begin{bmatrix} l_3 C_{123} \\ l_3 S_{123} \\ l_3 \end{bmatrix}", "entry (3, 1): zero belongs there"),
-        (LEVER, r"\begin{bmatrix} (l_1 + l_2 + l_3) C_{123} \\ (l_1 + l_2 + l_3) S_{123} \\ 0 \end{bmatrix}", r"how \theta_2 and \theta_3 come in"),
+        (LEVER, r"\begin{bmatrix} (l_1 + l_2 + l_3) C_{123} \\ (l_1 + l_2 + l_3) S_{123} \\ 0 \end{bmatrix}", r"entry (1, 1): right: l_3 C_{123}; not part of what is asked: l_1 C_{123}, l_2 C_{123}; 2 terms are missing"),
         (TURNED, r"\arcsin\frac{y}{x} - 2\theta", r"what is asked minus \theta"),
         (AXIS, lambda q, l_3: [l_3 * np.cos(q[0] + q[1] + q[2]), l_3 * np.sin(q[0] + q[1] + q[2]), l_3], "entry (3, 1): zero belongs there"),
         (TURNING, r"\begin{bmatrix} 1 & 1 & l_3 \end{bmatrix}", "entry (1, 3): what is asked does not depend on l_3"),
@@ -177,7 +177,6 @@ def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answe
 @pytest.mark.parametrize(
     ("asks", "answer"),
     [
-        (COSINE, r"\frac{x^2 + y^2 - l_1^2 - l_1 l_2}{2 l_1 l_2} + \frac{x}{y}"),
         (RADIUS, "3 x + 2 y + x y^3 / y^3"),
         (RADIUS, lambda x, y: [1, 2, 3]),
         (RADIUS, lambda x, y: 1 / 0),
@@ -229,4 +228,4 @@ def test_values_of_a_text_are_lengths_that_it_gives_to_letters() -> None:
 def test_a_number_that_is_only_rounded_is_not_called_wrong_beside_one_that_is() -> None:
     asked = Number((0.6435011, -1.5707963), "rad", ("φ", "ψ"))
     assert "ψ" not in asked.judge([0.6, -1.5708]).message
-    assert "ψ" in asked.judge([0.644, -1.571]).message  # where all are rounded, that is what is said
+    assert "ψ" in asked.judge([0.643, -1.57]).message  # where all are rounded, that is what is said

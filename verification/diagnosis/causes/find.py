@@ -97,9 +97,9 @@ def find_slip(case: Case, best: Explanation) -> Explanation:
 
 
 def _has_no_cause(case: Case) -> bool:
-    """Whether none is sought: of zeros, everything's special case; and of what is no pose, Jacobian or a part of one."""
+    """Whether none is sought: of zeros, everything's special case; of values that are right; and of what is no pose, Jacobian or a part of one."""
     of_frames = kind_of(case.quantity).matrix or case.quantity.kind == "difference"
-    return not of_frames or (case.fits and not case.obtained.any())
+    return not of_frames or (case.fits and (not case.obtained.any() or not case.wrong))
 
 
 def _rest(case: Case) -> Explanation:
