@@ -20,6 +20,8 @@ CRANE: dict[str, Any] = {"dh": "modified", "rows": [
     {"alpha": 0, "a": 0, "d": "h", "theta": "theta_1"}, {"alpha": "-pi/2", "a": "b", "d": 0, "theta": "theta_2"},
     {"alpha": "pi/2", "a": 0, "d": "d_3", "theta": 0}]}  # fmt: skip
 END = Quantity(CRANE, {"origin": 3})
+POSE, X, Y = Quantity("scara_modified", {"pose": 4}), "a_2 C_1 + a_3 C_{12}", "a_2 S_1 + a_3 S_{12}"
+EXCHANGED = Formula("-C_1 S_2", ("theta_1", "theta_2"), arm="planar_2r")
 FLAT = r"\begin{bmatrix} b C_1 + d_3 C_{12} \\ b S_1 + d_3 S_{12} \\ h \end{bmatrix}"
 _V = r"-l_1 S_1 - l_2 S_{12} - l_3 S_{123} & -l_2 S_{12} - l_3 S_{123} & -l_3 S_{123} \\ l_1 C_1 + l_2 C_{12} + l_3 C_{123} & l_2 C_{12} + l_3 C_{123} & l_3 C_{123}"
 
@@ -35,6 +37,8 @@ _V = r"-l_1 S_1 - l_2 S_{12} - l_3 S_{123} & -l_2 S_{12} - l_3 S_{123} & -l_3 S_
         (TOOL, r"\begin{bmatrix} l_1 C_1 l_2 C_{12} \\ l_1 S_1 l_2 S_{12} \end{bmatrix}", "the terms are multiplied"),
         (END, FLAT, r"\theta_1 and \theta_2 are added, as in a planar arm"),
         (END, lambda q, h, b: [b * np.cos(q[0]) + q[2] * np.cos(q[0] + q[1]), b * np.sin(q[0]) + q[2] * np.sin(q[0] + q[1]), h], "as in a planar arm"),
+        (POSE, r"\begin{bmatrix} C_{123} & -S_{123} & 0 & A \\ S_{123} & C_{123} & 0 & B \\ 0 & 0 & 1 & -d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}".replace("A", X).replace("B", Y),
+            "(1, 1), (1, 2), (2, 1), (2, 2): index 3 where 4 belongs"),
         (JACOBIAN, rf"\begin{{bmatrix}} {_V} \\ 0 & 0 & 0 \end{{bmatrix}}", "rows 1 to 3 of what is asked"),
         (JACOBIAN, rf"\begin{{bmatrix}} {_V} \\ 1 & 1 & 1 \end{{bmatrix}}", "rows 1, 2, 6 of what is asked"),
         (TOOL, r"\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}", "rows 1 to 2 of your answer are right"),
@@ -64,6 +68,7 @@ def test_a_wrong_answer_is_told_what_is_right_in_it(asks: Any, answer: Any, word
         (JACOBIAN, rf"\begin{{bmatrix}} {_V.replace('-l_1', 'l_1')} \\ 0 & 0 & 0 \end{{bmatrix}}", "right, but"),
         (Number((0.4, 0.3, 0.1), "m"), [0.43, 0.3, 0.07], "all else"),
         (Number(2.0, "rad/s"), 2000, "millimetres"),
+        (EXCHANGED, "S_1 C_2", "S_{12}"),
     ],
 )
 def test_nothing_is_told_that_is_not_so(asks: Any, answer: Any, words: str) -> None:
