@@ -134,9 +134,9 @@ class Mender:
             missing = write_bounded(true - printed, notation)
         except EvaluationError:
             return "", None
-        if re.search(r".[ ][-+] ", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", missing)) or "frac" in missing:
+        if not _is_one_term(missing) or "frac" in missing:
             return "", None
-        if not self._has_angles_of(missing, cell, write_bounded(true, notation)):
+        if _is_one_term(right := write_bounded(true, notation)) and not self._has_angles_of(missing, cell, right):
             return "", None
         text = latex[cell.span[0] : cell.span[1]].strip()
         joined = f"{text} - {missing[1:]}" if missing.startswith("-") else f"{text} + {missing}"
@@ -148,8 +148,8 @@ class Mender:
             read = [self.names.reader.read_expression(text) for text in (missing, true)]
         except ReadError:
             return False
-        own, known = _angles_of(read[:1]), _angles_of([cell, read[1]])
-        return all(angle in known for angle in own)
+        own, printed = _angles_of(read[:1]), _angles_of([cell])
+        return not printed or all(angle in (*printed, *_angles_of(read[1:])) for angle in own)
 
     def _reads_as(self, text: str, true: Scalar) -> bool:
         """Whether the corrected LaTeX, read again, is right: what the report offers must verify."""
@@ -159,6 +159,11 @@ class Mender:
         except (ReadError, EvaluationError):
             return False
         return isinstance(value, Scalar) and exactly_equal(true, value)
+
+
+def _is_one_term(latex: str) -> bool:
+    """Whether no sum is written, but in brackets."""
+    return re.search(r".[ ][-+] ", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", latex)) is None
 
 
 def _angles_of(nodes: list[n.Node]) -> list[tuple[n.Node, ...]]:
