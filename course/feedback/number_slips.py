@@ -11,7 +11,7 @@ from itertools import combinations, permutations
 import numpy as np
 
 from armproof.models.errors import written
-from armproof.models.language import look_up, noted
+from armproof.models.language import look_up, noted, separator
 
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
@@ -73,7 +73,12 @@ def number_slip(
         for k in wrong
         for number in [float(given[k])]
     ]
-    return look_up("; ").join(written("{label}: {words}", label=label, words=words) for label, words in told if words)
+    of: dict[str, list[str]] = {}
+    for label, words in told:
+        of.setdefault(words, []).append(label)
+    return look_up("; ").join(
+        written("{label}: {words}", label=separator(labels).join(labels), words=words) for words, labels in of.items() if words
+    )  # fmt: skip
 
 
 def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:

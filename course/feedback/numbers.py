@@ -111,6 +111,8 @@ def _of_bare(text: str, count: int) -> np.ndarray:
     if (number := _WORDS.get(text.strip(" .").lower())) is not None:
         return np.array([float(number)])
     plain = read_plain(_FRACTION.sub(_divided, text).replace("\\pi", "pi"))
+    if plain is None and count > 1 and re.fullmatch(r"[^,]*\d,\d[^,]*(?:\b(?:et|and)\b|;)[^,]*\d,\d[^,]*", text):
+        return _of_bare(re.sub(r"\b(?:et|and)\b", ";", re.sub(r"(?<=\d),(?=\d)", ".", text)).replace(";", ","), count)
     if plain is None and (among := _among_words(text)) is not None and len(among) == count:
         return among
     if plain is None:

@@ -233,7 +233,9 @@ def pretty(text: str) -> str:
 
 
 def _sentence(text: str) -> str:
-    begins_with_word = re.match(r"(?:[a-z]{2,}|a(?= [a-z]{2}))(?!\w)", text) is not None  # theta_1, θ and z × p stay so
+    begins_with_word = (
+        re.match(r"(?:[a-zà-ÿ]{2,}|a(?= [a-z]{2}))(?!\w)", text) is not None
+    )  # theta_1, θ and z × p stay so
     return pretty(text[:1].upper() + text[1:] if begins_with_word else text)
 
 

@@ -128,18 +128,14 @@ def _of_factors(cell: n.Node, latex: str, asked: Sequence[tuple[n.Node | None, s
 
 
 def _told(found: _Compared, missing: str) -> str:
-    told = []
-    if found.right:
-        told.append(written("right: {parts}", parts=_listed(found.right)))
-    if found.sign:
-        told.append(written("of the wrong sign: {parts}", parts=_listed(found.sign)))
-    if found.number:
-        told.append(written("of a wrong number: {parts}", parts=_listed(found.number)))
-    if found.alien:
-        told.append(written("not part of what is asked: {parts}", parts=_listed(found.alien)))
-    if found.missing:
-        told.append(missing)
-    return look_up("; ").join(told)
+    clauses = [
+        (counted("{parts} is right", "{parts} are right", len(found.right), parts=_listed(found.right)), found.right),
+        (counted("{parts} has the wrong sign", "{parts} have the wrong sign", len(found.sign), parts=_listed(found.sign)), found.sign),
+        (counted("{parts} has a wrong number", "{parts} have wrong numbers", len(found.number), parts=_listed(found.number)), found.number),
+        (counted("{parts} does not belong", "{parts} do not belong", len(found.alien), parts=_listed(found.alien)), found.alien),
+    ]  # fmt: skip
+    told = [words for words, parts in clauses if parts] + [missing] * bool(found.missing)
+    return separator(told).join(told)
 
 
 def _none_agrees(mine: int, theirs: int) -> str:
@@ -154,8 +150,10 @@ def _none_agrees(mine: int, theirs: int) -> str:
 
 
 def _listed(parts: Sequence[str]) -> str:
-    shown = list(parts[:_MOST_SHOWN]) + ["…"] * (len(parts) > _MOST_SHOWN)
-    return separator(shown).join(shown)
+    if len(parts) > _MOST_SHOWN:
+        return ", ".join([*parts[:_MOST_SHOWN], "…"])
+    *first, last = parts or ("",)
+    return look_up(" and ").join(filter(None, [", ".join(first), last]))
 
 
 def _compared(mine: Sequence[Part], theirs: Sequence[Part]) -> _Compared:
@@ -303,12 +301,14 @@ def _shown(above: Factors, below: Factors, latex: str) -> str:
 def _product(factors: Sequence[str]) -> str:
     """Return factors side by side, the same ones as a power."""
     counts = {factor: factors.count(factor) for factor in factors if factor != "1" or len(factors) == 1}
-    return " ".join(factor if count == 1 or "^" in factor else f"{factor}^{count}" for factor, count in counts.items())
+    shown = {factor: f"({factor})" if re.search(r"[ ^]", factor) and factor[0] != "(" else factor for factor in counts}
+    return " ".join(factor if count == 1 else f"{shown[factor]}^{count}" for factor, count in counts.items())
 
 
 def _text(node: n.Node, latex: str) -> str:
     """Return a factor as it is written, without the commands of LaTeX that only set it."""
     text = _SPACE.sub(" ", latex[node.span[0] : node.span[1]])
     text = _FUNCTION.sub(lambda found: f"{found[1] or found[2]}{' ' * bool(found[3])}", text)
+    text = re.sub(r"\^\{(\d)\}", r"^\1", text)
     text = re.sub(r"\s+", " ", _BRACES.sub(r"(\1)", text)).strip()
     return f"({text})" if isinstance(bare(node), n.Sum) and not text.startswith("(") else text

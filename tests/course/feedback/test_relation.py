@@ -126,7 +126,7 @@ def squared(answer: str) -> str:
         (LINK, r"\begin{bmatrix} C_1 & -S_1 & 0 & -l_1 C_1 \\ S_1 & C_1 & 0 & -l_1 S_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
             "the rotation is that of the inverse: it is still to be transposed; the origin is that of the inverse, only negated"),
         (AXIS, r"\begin{bmatrix} l_3 C_{123} \\ l_3 S_{123} \\ l_3 \end{bmatrix}", "entry (3, 1): zero belongs there"),
-        (LEVER, r"\begin{bmatrix} (l_1 + l_2 + l_3) C_{123} \\ (l_1 + l_2 + l_3) S_{123} \\ 0 \end{bmatrix}", r"entry (1, 1): right: l_3 C_{123}; not part of what is asked: l_1 C_{123}, l_2 C_{123}; 2 terms are missing"),
+        (LEVER, r"\begin{bmatrix} (l_1 + l_2 + l_3) C_{123} \\ (l_1 + l_2 + l_3) S_{123} \\ 0 \end{bmatrix}", r"entry (1, 1): l_3 C_{123} is right, l_1 C_{123} and l_2 C_{123} do not belong, 2 terms are missing"),
         (TURNED, r"\arcsin\frac{y}{x} - 2\theta", r"what is asked minus \theta"),
         (AXIS, lambda q, l_3: [l_3 * np.cos(q[0] + q[1] + q[2]), l_3 * np.sin(q[0] + q[1] + q[2]), l_3], "entry (3, 1): zero belongs there"),
         (TURNING, r"\begin{bmatrix} 1 & 1 & l_3 \end{bmatrix}", "entry (1, 3): what is asked does not depend on l_3"),

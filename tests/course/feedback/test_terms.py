@@ -29,10 +29,10 @@ _V = r"-l_1 S_1 - l_2 S_{12} - l_3 S_{123} & -l_2 S_{12} - l_3 S_{123} & -l_3 S_
 @pytest.mark.parametrize(
     ("asks", "answer", "words"),
     [
-        (SWITCH, r"\sigma(\theta + d)", r"right: \sigma d; of the wrong sign: \sigma \theta; one term is missing"),
+        (SWITCH, r"\sigma(\theta + d)", r"\sigma d is right, \sigma \theta has the wrong sign, one term is missing"),
         (SWITCH, r"\sigma\theta d", "a sum of 3 terms, and your answer is none of them"),
-        (COSINE, r"\frac{x^2 + y^2 - l_1^2 - l_1 l_2}{2 l_1 l_2} + \frac{x}{y}", "right: x^2 / (2 l_1 l_2), y^2 / (2 l_1 l_2)"),
-        (BENDING, "l_1 l_2 S_2 S_3 (l_1 S_2 + l_2 C_2)", "right: l_1, l_2; not part of what is asked: S_2, S_3"),
+        (COSINE, r"\frac{x^2 + y^2 - l_1^2 - l_1 l_2}{2 l_1 l_2} + \frac{x}{y}", "x^2 / (2 l_1 l_2), y^2 / (2 l_1 l_2) and -l_1^2 / (2 l_1 l_2) are right"),
+        (BENDING, "l_1 l_2 S_2 S_3 (l_1 S_2 + l_2 C_2)", "l_1 and l_2 are right, S_2, S_3 and (l_1 S_2 + l_2 C_2) do not belong"),
         (GAIN, r"\frac{x - y}{x^2}", "a single term, and none of your 2 terms is it"),
         (TOOL, r"\begin{bmatrix} l_1 C_1 l_2 C_{12} \\ l_1 S_1 l_2 S_{12} \end{bmatrix}", "the terms are multiplied"),
         (END, FLAT, r"\theta_1 and \theta_2 are added, as in a planar arm"),
