@@ -9,7 +9,8 @@ from pathlib import Path
 
 from armproof.verification.check import check_document
 from armproof.verification.document.formats import parse_document
-from armproof.verification.verdict import DocumentResult, EquationResult, Record
+from armproof.verification.findings import Finding
+from armproof.verification.verdict import DocumentResult, EquationResult, Record, WrongEntry
 from tests.labelled.cases import Case
 
 PAGE = Path("page.md")
@@ -38,25 +39,46 @@ def verify_text(text: str) -> DocumentResult:
 def judge(case: Case) -> Judged:
     """Return our verdict on the last display of a case's document; an exception is the verdict "error"."""
     try:
-        record = verify_text(case.text).equations[-1]
+        *before, record = verify_text(case.text).equations
     except Exception as error:
         return Judged(case, "error", f"{type(error).__name__}: {error}", "error")
-    return Judged(case, record.verdict.value, record.message, said_of(record))
+    told = [f"before: {' '.join(each.verdict.value for each in before)}"] if before else []
+    return Judged(case, record.verdict.value, record.message, " | ".join([*told, said_of(record)]))
 
 
 def said_of(record: Record) -> str:
-    """Return the verdict of a display and its wrong entries; of each equation its role, verdict, kinds of findings and reading."""
-    entries = " ".join(f"({each.row},{each.column})" for each in record.entries if each.row is not None)
-    return " | ".join(filter(None, [record.verdict.value, entries, *map(_said_of_equation, record.outcomes)]))
+    """Return the verdict of a display and its wrong entries; of each equation its role, verdict, findings and reading."""
+    entries = "; ".join(map(_said_of_entry, record.entries))
+    said = " | ".join(filter(None, [record.verdict.value, entries, *map(_said_of_equation, record.outcomes)]))
+    return " ".join(said.split())
+
+
+def _said_of_entry(entry: WrongEntry) -> str:
+    place = f"({entry.row},{entry.column}) " * (entry.row is not None)
+    return f"{place}{entry.printed} → {entry.correct}"
 
 
 def _said_of_equation(result: EquationResult) -> str:
-    kinds = ", ".join(finding.kind.value for finding in result.findings)
+    findings = ", ".join(map(_said_of_finding, result.findings))
     return (
         f"{result.role.value} {result.verdict.value}"
-        + f" [{kinds}]" * bool(kinds)
+        + f" [{findings}]" * bool(findings)
         + f" {result.read_as}" * bool(result.read_as)
     )
+
+
+def _said_of_finding(finding: Finding) -> str:
+    """Return the kind of a finding and its terms, in no language: its sentence may be written anew."""
+    terms = "; ".join(map(_said_of_term, finding.terms.values()))
+    return finding.kind.value + f"({terms})" * bool(terms)
+
+
+def _said_of_term(term: object) -> str:
+    if isinstance(term, Finding):
+        return _said_of_finding(term)
+    if isinstance(term, list | tuple):
+        return ", ".join(map(_said_of_term, term))
+    return f"{term:.4g}" if isinstance(term, float) else str(term)
 
 
 def judge_all(cases: Iterable[Case], jobs: int = 1) -> list[Judged]:
