@@ -25,7 +25,7 @@ from tests.labelled.faults import (
 from tests.labelled.faults import write_not_yet as rewrite
 from tests.labelled.judging import Judged
 from tests.labelled.pages import STRICT, load_pages
-from tests.labelled.record import differences, read_record, write_record
+from tests.labelled.record import differences, pages_that_differ, read_record, write_record, write_record_of_pages
 
 
 def main() -> int:
@@ -107,13 +107,14 @@ def compare(faults: Sequence[Fault], update: bool) -> int:
 
 def compare_record(judged: Sequence[Judged], update: bool) -> int:
     """Hold what is said against the record, or write it anew; return the exit code."""
-    found = differences(judged, read_record())
-    print(f"of {len(found)} displays another thing is said than is on record")
-    for line in found:
+    found, pages = differences(judged, read_record()), pages_that_differ()
+    print(f"of {len(found)} displays and {len(pages)} pages another thing is said than is on record")
+    for line in (*found, *pages):
         print(f"  {line}")
     if update:
         write_record(judged)
-    return 1 if found and not update else 0
+        write_record_of_pages()
+    return 1 if (found or pages) and not update else 0
 
 
 def print_page(name: str) -> int:

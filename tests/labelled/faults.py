@@ -60,7 +60,7 @@ def faults_among(judged: Iterable[Judged]) -> tuple[Fault, ...]:
 def faults_of_pages() -> tuple[Fault, ...]:
     """Return the faults of the attacks, of their true twins and of the strangers' pages."""
     return tuple(
-        Fault(_digest(page.kind, page.name, kind == STRICT, said), kind, f"{page.name} ({page.kind})", said, message)
+        Fault(_digest(page.kind, page.name, kind == STRICT, said), kind, page.title, said, message)
         for page in load_pages()
         for kind, said, message in page.faults()
     )

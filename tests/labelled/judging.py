@@ -81,6 +81,14 @@ def _said_of_term(term: object) -> str:
     return f"{term:.4g}" if isinstance(term, float) else str(term)
 
 
+def said_of_document(result: DocumentResult) -> str:
+    """Return what is said of a document, a line each: the arms that were taken, remarks, displays and tables with their lines."""
+    arms = [f"{arm}: {arm.front}" for arm in result.arms if arm.source != "front matter"]
+    remarks = map(_said_of_finding, result.remarks)
+    records = (f"{record.line} {said_of(record)}" for record in result.records)
+    return "".join(f"{line}\n" for line in (*arms, *remarks, *records))
+
+
 def judge_all(cases: Iterable[Case], jobs: int = 1) -> list[Judged]:
     """Return our verdicts on many cases, in their order."""
     if jobs <= 1:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from armproof.verification.document.formats import parse_document
+from armproof.verification.verdict import DocumentResult
 from tests.labelled.cases import FALSE_PASS, FALSE_REFUTATION, HERE, PASSES
 from tests.labelled.judging import PAGE, verify_text
 
@@ -31,10 +32,20 @@ class Page:
         mine, true = ({_said(d.latex) for d in parse_document(PAGE, text).displays} for text in (self.text, self.twin))
         return frozenset(mine - true) if self.kind == "attack" else frozenset()
 
+    @property
+    def title(self) -> str:
+        """Its name with its kind."""
+        return f"{self.name} ({self.kind})"
+
+    @cached_property
+    def result(self) -> DocumentResult:
+        """Our verdicts on it."""
+        return verify_text(self.text)
+
     def faults(self) -> Iterator[tuple[str, str, str]]:
         """Yield the faults of our verdicts on the page: the kind of fault, the display and our message."""
         try:
-            result = verify_text(self.text)
+            result = self.result
         except Exception as error:
             yield "error", "", f"{type(error).__name__}: {error}"
             return
@@ -54,6 +65,7 @@ def _said(latex: str) -> str:
     return " ".join(latex.split())
 
 
+@lru_cache
 def load_pages() -> tuple[Page, ...]:
     """Return the pages of the two files: each attack, its true twin, and the strangers'."""
     pages = []

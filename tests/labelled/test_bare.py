@@ -7,8 +7,11 @@ from functools import lru_cache
 
 import pytest
 
+from armproof.verification.verdict import DocumentResult
 from tests.labelled.bare import Bare, load
 from tests.labelled.cases import DECIDED, PASSES
+from tests.labelled.judging import said_of_document
+from tests.labelled.record import read_record_of_pages
 from tests.laws import SWEEP
 
 DOCUMENTS = load()
@@ -17,8 +20,17 @@ MISTAKEN = DOCUMENTS if SWEEP else DOCUMENTS[::4]  # and makes all their mistake
 
 
 @lru_cache
-def verdicts(document: Bare) -> tuple[tuple[int, str], ...]:
-    return tuple((record.line, record.verdict.value) for record in document.verify().equations)
+def result(document: Bare) -> DocumentResult:
+    return document.verify()
+
+
+def verdicts(document: Bare) -> list[tuple[int, str]]:
+    return [(record.line, record.verdict.value) for record in result(document).equations]
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda one: one.path.name)
+def test_what_is_said_of_a_document_is_what_is_on_record(document: Bare):
+    assert said_of_document(result(document)) == read_record_of_pages()[document.path.name]
 
 
 @pytest.mark.parametrize("document", TRUE, ids=lambda one: one.path.name)

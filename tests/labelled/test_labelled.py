@@ -11,11 +11,12 @@ from functools import cache
 
 import pytest
 
+from tests.labelled import bare
 from tests.labelled.cases import ALLOWED, FALSE_PASS, FALSE_REFUTATION, UNDECIDED, Case, drawn, load_cases
 from tests.labelled.faults import Fault, faults_among, faults_of_pages, mended, read_not_yet, unexpected
-from tests.labelled.judging import Judged, judge_all
-from tests.labelled.pages import load_pages
-from tests.labelled.record import differences, is_kept, read_record
+from tests.labelled.judging import Judged, judge_all, said_of_document
+from tests.labelled.pages import Page, load_pages
+from tests.labelled.record import differences, is_kept, read_record, read_record_of_pages
 
 DRAWN = drawn(load_cases("displays.yaml"), 3)
 
@@ -37,8 +38,15 @@ def test_what_is_said_is_what_is_on_record():
     assert not found, "\n".join(["look at each, then write the record anew: python -m tests.labelled --update", *found])
 
 
+@pytest.mark.parametrize("page", load_pages(), ids=lambda page: page.title)
+def test_what_is_said_of_a_page_is_what_is_on_record(page: Page):
+    assert said_of_document(page.result) == read_record_of_pages()[page.title]
+
+
 def test_a_case_that_left_is_no_more_on_record():
     assert set(read_record()) == {case.key for case in load_cases() if is_kept(case)}
+    names = [*(page.title for page in load_pages()), *(document.path.name for document in bare.load())]
+    assert sorted(read_record_of_pages()) == sorted(names)
 
 
 def test_another_reading_and_another_verdict_are_noticed():

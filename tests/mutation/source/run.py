@@ -108,7 +108,7 @@ def labels_differ() -> bool:
     from tests.labelled.cases import load_cases
     from tests.labelled.faults import faults_of_pages, read_not_yet
     from tests.labelled.judging import judge
-    from tests.labelled.record import differences, read_record
+    from tests.labelled.record import differences, pages_that_differ, read_record
 
     listed, record = read_not_yet(), read_record()
     cases = list(load_cases())
@@ -118,7 +118,7 @@ def labels_differ() -> bool:
         if bool(judged.fault) != (case.key in listed) or judged.fault == "error" or differences([judged], record):
             return True
     mine = {fault.key for fault in faults_of_pages()}
-    return mine != set(listed) - {case.key for case in cases}
+    return mine != set(listed) - {case.key for case in cases} or bool(pages_that_differ())
 
 
 class Only:
