@@ -559,6 +559,8 @@ class Statements:
     def _understood(self, outcome: Outcome, chain: n.Chain, define: bool) -> Outcome:
         """Return a refuted outcome, left open where the chain or what the text says may be meant otherwise."""
         outcome = without_misreading(outcome, chain, self.names, not define, self.is_closed)
+        if self.names.arm is None and self.names.state.compares_lengths and self.ring.signs_chosen:
+            outcome = outcome.unless_refuted(say(Kind.ROOTS_POSITIVE))  # a > b says which sign √((a − b)²) has
         speaks = self.names.state.told != Told() and outcome.verdict is Verdict.REFUTED
         return self.circumstances.judge(outcome) if speaks else outcome
 

@@ -246,9 +246,7 @@ class _Scanner:
         begin = token.end()
         end = _find(self.visible, closing, begin, self.stop)
         repeated = _find(self.visible, again, begin, self.stop)
-        if 0 <= repeated < end:
-            end = -1
-        if end < 0:
+        if end < 0 or 0 <= repeated < end:
             return begin, -1, begin
         found = re.compile(closing).match(self.visible, end)
         return begin, end, found.end() if found else end

@@ -73,13 +73,14 @@ class StatedValues:
                 return None  # (1 - c_2)/(1 - c_2) is no number of a configuration
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
             return None if of_names else self._numbers(outcome, pairs, numbers.node)
-        moves = set(filter(is_rate, one)) != set(filter(is_rate, other))
-        if (
-            moves
-            and self._has_column(outcome)
-            and not any(are_rates(s.cells) for s in (pairs[0].true, pairs[0].printed))
-        ):
-            return self._at_rates(outcome, pairs[0], {each for each in one | other if is_rate(each)})
+        rates, moving = (
+            {each for each in one | other if is_rate(each)},
+            [any(map(is_rate, each)) for each in (one, other)],
+        )
+        told = self._has_column(outcome) or (not all(moving) and self._stated(rates))
+        differ = set(filter(is_rate, one ^ other))
+        if differ and told and not any(are_rates(s.cells) for s in (pairs[0].true, pairs[0].printed)):
+            return self._at_rates(outcome, pairs[0], rates, one ^ other)
         return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
 
     def _stated(self, names: Iterable[str]) -> dict[str, Stated]:
@@ -181,10 +182,13 @@ class StatedValues:
     def _has_column(self, outcome: Outcome) -> bool:
         return any(next(columns_of_numbers(side.node), ()) for side in _sides(outcome))
 
-    def _at_rates(self, outcome: Outcome, pair: Pair, rates: set[str]) -> Outcome:
-        """ṗ = J [0.1; 0.2]: the side without rates is that at their values, where these are stated."""
-        stated = self._stated(rates)
-        if len(stated) < len(rates):
+    def _at_rates(self, outcome: Outcome, pair: Pair, rates: set[str], differ: set[str]) -> Outcome:
+        """ṗ = J [0.1; 0.2], ẋ = -0.2 s_1: the side without rates is that at their values, where these are stated.
+
+        What else the sides `differ` in has its stated value, too.
+        """
+        stated = self._stated(rates | differ)
+        if not rates <= stated.keys():
             return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
         sides = [side.map(lambda cell: self._at(cell, stated)) for side in (pair.true, pair.printed)]
         there = replace(pair, true=sides[0], printed=sides[1])
@@ -204,7 +208,7 @@ class StatedValues:
         """P_x = l_1 behind θ_1 = 0, θ_2 = π/2: a side without the joints that have values, and equal to the other there."""
         assert self.names.arm is not None
         joints = {joint.symbol for joint in self.names.arm.joints}
-        stated = self._stated(joints & (one | other))
+        stated = self._stated((joints & (one | other)) | set(filter(is_rate, one ^ other)))
         if not stated or not (set(stated).isdisjoint(one) or set(stated).isdisjoint(other)):
             return None
         if not self._vanish(pair, stated):

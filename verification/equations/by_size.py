@@ -51,7 +51,7 @@ class BySize:
 
     def _with_coordinates(self, member: Member, scalars: Sequence[Scalar]) -> Member:
         """x_1^2 + y_1^2, and z_4 beside the height of the frame's origin, are made of coordinates and no axes."""
-        if isinstance(member.value, Scalar) or not (member.known or isinstance(member.problem, ShapeError)):
+        if isinstance(member.value, Scalar):
             return member
         node, found, names = member.node, {}, self.members.names.state
         for below in [*n.walk(node)]:

@@ -171,9 +171,10 @@ class GivenValues:
         symbol = self.names.known_symbol(replace(left, dots=0).key)
         if left.dots:
             rate = "dot" * left.dots + f" {symbol}"
-            if symbol is not None and self.names.turn_of(symbol, replace(left, dots=0).key) < 0:
-                return {} if is_number(right) else None
-            return {rate: right} if symbol is not None and is_number(right) else None
+            if symbol is None or not is_number(right):
+                return None
+            is_turned = self.names.turn_of(symbol, replace(left, dots=0).key) < 0
+            return {rate: n.Sum((("-", right),), span=right.span) if is_turned else right}
         if symbol is None:
             return {} if self._is_given_coordinate(left, right) else None
         is_value = self._is_joint_value(right) if symbol in self.joints else self._is_length_value(symbol, right)

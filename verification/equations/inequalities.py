@@ -57,7 +57,8 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
         return outcome
     constant = known and all(_is_constant(side.value) for side in sides)
     if (isinstance(left, n.Name) or isinstance(right, n.Name)) and not constant:
-        checker.names.state.compares_lengths |= known and any(map(checker.members.is_symbol, (left, right)))
+        of_arm = known and any(map(checker.members.is_symbol, (left, right)))
+        checker.names.state.compares_lengths |= of_arm or checker.names.arm is None
         return outcome  # a bound on a variable: a condition
     if relation not in ("≤", "<", "≥", ">", "≈"):
         return outcome

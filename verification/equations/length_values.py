@@ -64,7 +64,7 @@ def _solved(equation: Scalar, lengths: Mapping[str, float]) -> tuple[str, Fracti
 
 
 def _holds_never(equation: Scalar, lengths: Mapping[str, float]) -> bool:
-    """Whether no lengths make an equation hold: a number that is not zero, or terms of one sign."""
+    """Whether no lengths make an equation hold: a number that is not zero, as 1 − √2 is none, or terms of one sign."""
     terms = list(equation.ring.terms(equation.numerator))
     one_sign = len({number > 0 for _, number in terms}) == 1 and all(value >= 0 for value in lengths.values())
-    return one_sign or not any(powers for powers, _ in terms)
+    return one_sign or not any(name in lengths for powers, _ in terms for _, name in powers)

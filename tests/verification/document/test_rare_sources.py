@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from armproof import verify_text
+from armproof.verification.document.model import Words
+from armproof.verification.document.tex import read_parts
+from armproof.verification.document.tex_tables import tabular_cells
 
 TEX = "% ---\n% arm: planar_2r\n% ---\n"
 PERCENT = "# %% [markdown]\n# ---\n# arm: planar_2r\n# ---\n\n"
@@ -26,3 +31,52 @@ def test_a_rare_source_hides_no_display(name: str, text: str) -> None:
     assert [record.verdict.value for record in records] == ["proved", "refuted"]
     rows = text.split("\n")
     assert ["= " in rows[record.line - 1] or "math" in rows[record.line - 1] for record in records] == [True, True]
+
+
+PARTS = r"""\newcommand{\arm}{planar arm}\newcommand{\one}{l_1}
+\title{The {planar} arm}
+\begin{document}
+The \arm{} is % not a \arm
+shown by \verb|$$|.
+\[ x = \one c_1 \]
+So $y = 2$ and
+\begin{verbatim}
+\arm \[ no display \]
+\end{verbatim}
+a table
+\begin{tabular}{cc} 1 & 2 \\ 3 & 4 \end{tabular} and
+\begin{equation} z = 0 \end{equation} end.
+\end{document}
+behind"""
+
+
+def test_words_and_displays_make_up_a_latex_file() -> None:
+    parts = [
+        (part.line, " ".join((part.text if isinstance(part, Words) else f"[{part.latex}]").split()))
+        for part in read_parts(Path("a.tex"), PARTS.replace("\n", "\r\n"))
+    ]
+    assert [part for part in parts if part[1]] == [
+        (2, r"\title{The {planar} arm}"),
+        (3, r"The planar arm{} is shown by \verb|$$|."),
+        (6, "[ x = l_1c_1 ]"),
+        (6, "So $y = 2$ and"),
+        (8, r"\begin{verbatim} \arm \[ no display \] \end{verbatim}"),
+        (10, "a table"),
+        (12, r"\begin{tabular}{cc} 1 & 2 \\ 3 & 4 \end{tabular}"),
+        (12, "and"),
+        (13, "[ z = 0 ]"),
+        (13, "end."),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("tabular", "cells"),
+    [
+        (r"\begin{tabular}{|c|c|}\hline 1 & {a & b} \\ \hline \{2 & 3\tabularnewline \\ z\\[2pt]\end{tabular}", [["1", "{a & b}"], [r"\{2", "3"], ["z"]]),
+        (r"\begin{tabular}{c}\multicolumn{3}{c}{x} & y \\ \multirow{2}{*}{z} & \end{tabular}", [["{x}", "", "", "y"], ["{z}", ""]]),
+        (r"a & b \\ c", [["a", "b"], ["c"]]),
+        (r"\begin{tabular*}{c} a} & b \\ \end{tabular*}", [[r"a} & b \\"]]),
+    ],
+)  # fmt: skip
+def test_the_cells_of_a_tabular_are_cut_outside_braces(tabular: str, cells: list[list[str]]) -> None:
+    assert tabular_cells(tabular) == cells

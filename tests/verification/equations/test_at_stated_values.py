@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from armproof.models.catalogue import load_arm
+from armproof.verification.check import DocumentChecker
+from armproof.verification.document import Display, Document
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Judge = Callable[..., Record]
@@ -121,3 +125,20 @@ def test_a_number_within_a_unit_of_its_last_decimal_is_rounded_perhaps(
 ) -> None:
     record = of_lengths(judge, rf"\det J = {number} s_2")
     assert (record.verdict, says in record.message) == (verdict, True), record.message
+
+
+@pytest.mark.parametrize(
+    ("displays", "verdict"),
+    [
+        ([r"\det J = 0.15 s_2"], Verdict.UNCHECKED),
+        ([r"\det J = 15 s_2"], Verdict.REFUTED),
+        ([r"\det J = 0.15 l_1 s_2"], Verdict.REFUTED),
+        ([r"l_1 = 0.5", r"\det J = 0.15 s_2"], Verdict.REFUTED),
+        ([r"l_1 c_1 = 0.5 c_1"], Verdict.REFUTED),
+    ],
+)
+def test_in_a_task_decimals_are_of_lengths_that_nobody_gave(displays: list[str], verdict: Verdict) -> None:
+    found = tuple(Display(line, latex) for line, latex in enumerate(displays, 1))
+    checker = DocumentChecker(Document(Path("page.md"), PLANAR, found, ()), load_arm("planar_2r"))
+    checker.checker.equality.stated.enabled = False
+    assert checker.run().equations[-1].verdict is verdict
