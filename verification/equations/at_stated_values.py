@@ -185,14 +185,12 @@ class StatedValues:
     def _at_rates(self, outcome: Outcome, pair: Pair, rates: set[str], differ: set[str]) -> Outcome:
         """ṗ = J [0.1; 0.2], ẋ = -0.2 s_1: the side without rates is that at their values, where these are stated.
 
-        What else the sides `differ` in has its stated value, too.
+        It may be that where what else the sides `differ` in has its stated value, too.
         """
-        stated = self._stated(rates | differ)
-        if not rates <= stated.keys():
+        if not rates <= self._stated(rates).keys():
             return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
-        sides = [side.map(lambda cell: self._at(cell, stated)) for side in (pair.true, pair.printed)]
-        there = replace(pair, true=sides[0], printed=sides[1])
-        wrong = [place for place, true, printed in there.entries() if not exactly_equal(true, printed)]
+        tried = [self._wrong_at(pair, self._stated(names)) for names in (rates, rates | differ)]
+        there, wrong, stated = min(tried, key=lambda each: bool(each[1]))
         if len(wrong) > FEW:
             return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
         self._rest_on(stated)
@@ -201,6 +199,12 @@ class StatedValues:
         return replace(
             outcome, verdict=Verdict.CONFIRMED, findings=(say(Kind.HOLDS_THERE),), pair=pair, wrong=[], samples=1
         )
+
+    def _wrong_at(self, pair: Pair, stated: dict[str, Stated]) -> tuple[Pair, list[Place], dict[str, Stated]]:
+        """Return a pair at stated values, and which of its entries differ there."""
+        sides = [side.map(lambda cell: self._at(cell, stated)) for side in (pair.true, pair.printed)]
+        there = replace(pair, true=sides[0], printed=sides[1])
+        return there, [place for place, true, printed in there.entries() if not exactly_equal(true, printed)], stated
 
     # -- what holds there --------------------------------------------------------------------------------------------------
 
