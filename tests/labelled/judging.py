@@ -83,7 +83,8 @@ def _said_of_term(term: object) -> str:
 
 def said_of_document(result: DocumentResult) -> str:
     """Return what is said of a document, a line each: the arms that were taken, remarks, displays and tables with their lines."""
-    arms = [f"{arm}: {arm.front}" for arm in result.arms if arm.source != "front matter"]
+    taken = [arm for arm in result.arms if arm.source != "front matter"]
+    arms = [f"{arm}: {dict(arm.front, transforms=arm.transforms)}" for arm in taken]
     remarks = map(_said_of_finding, result.remarks)
     records = (f"{record.line} {said_of(record)}" for record in result.records)
     return "".join(f"{line}\n" for line in (*arms, *remarks, *records))
