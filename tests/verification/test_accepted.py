@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from armproof import verify, verify_text
 from armproof.verification.cli import app
-from armproof.verification.document import read_document
+from armproof.verification.document import parse_document, read_document
 from armproof.verification.findings import Kind
 from armproof.verification.running.corrected_copy import correct_text
 from armproof.verification.running.incremental import IncrementalChecker
@@ -26,6 +26,24 @@ ACCEPT = "<!-- armproof: accept: as the book has it -->\n"
 def told(*arguments: object) -> tuple[int, str]:
     run = CliRunner().invoke(app, ["verify", "--jobs", "1", *map(str, arguments)])
     return run.exit_code, run.output
+
+
+@pytest.mark.parametrize(
+    ("name", "mark"),
+    [
+        ("a.md", "<!-- armproof: accept: {} -->"),
+        ("a.tex", "% armproof: accept: {}"),
+        ("a.rst", ".. armproof: accept: {}"),
+        ("a.py", "# <!-- armproof: accept: {} -->"),
+    ],
+)
+def test_each_comment_is_known_by_its_line(name: str, mark: str) -> None:
+    head = "# %% [markdown]\n" if name == "a.py" else ""
+    lines = (head + "\n\n# text\n\n" + mark.format("one") + "\n\n# text\n\n\n" + mark.format("two") + "\n").split("\n")
+    found = [(each.line, each.reason) for each in parse_document(Path(name), "\n".join(lines)).accepts]
+    assert found == [
+        (number, text) for number, line in enumerate(lines, 1) for text in ("one", "two") if f": {text}" in line
+    ]
 
 
 def test_what_is_accepted_is_shown_and_does_not_fail_and_is_not_right(tmp_path: Path) -> None:

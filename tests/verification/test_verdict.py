@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 from armproof.verification.verdict import (
     DocumentResult,
@@ -155,6 +156,13 @@ def test_each_equation_keeps_its_own_verdict_and_findings(judge: Callable[..., R
 def test_an_arm_says_what_it_was_taken_from() -> None:
     arm = TakenArm("a", 7, "table", "classic", "upper", {})
     assert str(arm) == "arm of the table at line 7, classic DH"
+
+
+def test_a_fault_of_a_document_has_its_line_where_it_is_that_document() -> None:
+    error = DocumentError(say(Kind.PROBLEM, reason="odd"), path=Path("a.md"), line=7)
+    assert Failure.of(Path("a.md"), error).line == 7
+    assert Failure.of(Path("b.md"), error).line is None
+    assert Failure.of(Path("a.md"), DocumentError(say(Kind.PROBLEM, reason="odd"))).line is None
 
 
 @pytest.mark.parametrize("error", [OSError("no such disk"), ValueError("no such disk")])

@@ -12,6 +12,7 @@ from armproof import verify
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ModelError
 from armproof.models.exact.trace import trace_of
+from armproof.models.loading.urdf import made_ready
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.singularities.analysis import analyse_singularities
 from tests.models.conftest import joint, link
@@ -110,6 +111,15 @@ def test_a_locked_joint_stays_at_its_value(write_urdf: Write) -> None:
 def test_what_is_not_there_is_told(write_urdf: Write, options: dict, message: str) -> None:
     with pytest.raises(ModelError, match=message):
         load_arm(write_urdf(HAND), **options)
+
+
+@pytest.mark.parametrize("options", [{"tip": "l1"}, {"lock": ["j1"]}, {"tip": "l1", "lock": ["j1"]}])
+def test_no_other_file_than_a_urdf_has_a_tip_or_locks(tmp_path: Path, options: dict) -> None:
+    path = tmp_path / "arm.sdf"
+    path.write_text("<sdf/>", "utf-8")
+    with pytest.raises(ModelError, match=r"arm\.sdf"):
+        made_ready(path, **options)
+    assert made_ready(path) == ("", ())
 
 
 def test_an_arm_of_the_catalogue_has_no_tip() -> None:

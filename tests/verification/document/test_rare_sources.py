@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from armproof import verify_text
+from armproof.verification.document import parse_document
+from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.model import Words
 from armproof.verification.document.tex import read_parts
 from armproof.verification.document.tex_tables import tabular_cells
@@ -31,6 +33,20 @@ def test_a_rare_source_hides_no_display(name: str, text: str) -> None:
     assert [record.verdict.value for record in records] == ["proved", "refuted"]
     rows = text.split("\n")
     assert ["= " in rows[record.line - 1] or "math" in rows[record.line - 1] for record in records] == [True, True]
+
+
+@pytest.mark.parametrize("name", ["a.tex", "a.md", "a.rst"])
+def test_a_display_may_begin_the_file_and_end_it(name: str) -> None:
+    text = {"a.tex": "$$x = 1$$", "a.md": "$$x = 1$$", "a.rst": ".. math:: x = 1"}[name]
+    for before in ("", "\n", "\n\n"):
+        [display] = parse_document(Path(name), before + text).displays
+        assert (display.line, display.latex.strip()) == (1 + len(before), "x = 1")
+
+
+def test_the_cells_of_a_program_know_the_lines_of_their_markers_and_texts() -> None:
+    text = "# %% [markdown]\n\n# one\n\n# %%\nx = 1\n\n\n# %% A title [raw]\n# two\n"
+    found = [(cell.kind, cell.marker, cell.line, cell.text) for cell in percent_cells(text)]
+    assert found == [("markdown", 1, 3, "one"), ("code", 5, 6, "x = 1"), ("raw", 9, 10, "two")]
 
 
 PARTS = r"""\newcommand{\arm}{planar arm}\newcommand{\one}{l_1}

@@ -371,17 +371,18 @@ def test_other_frames_with_the_same_tool_pose_are_named_and_refuted() -> None:
     assert "other frames" not in both_wrong.message
 
 
-def test_the_kind_of_each_joint_is_checked() -> None:
+@pytest.mark.parametrize(("turns", "slides"), [("0", "1"), ("R", "P"), ("revolute", "prismatic")])
+def test_the_kind_of_each_joint_is_checked(turns: str, slides: str) -> None:
     table = right_table("scara_modified")
-    kinds = ("0", "0", "1", "0")
+    kinds = (turns, turns, slides, turns)
     table = replace(
         table,
         header=(r"\sigma_i", *table.header),
         rows=tuple((kind, *row) for kind, row in zip(kinds, table.rows, strict=True)),
     )
     assert judge("scara_modified", table).verdict is Verdict.PROVED
-    wrong = judge("scara_modified", changed(table, 3, 1, "0"))
-    assert [(e.row, e.column, e.correct) for e in wrong.entries] == [(3, 1, "1")]
+    wrong = judge("scara_modified", changed(table, 3, 1, turns))
+    assert [(e.row, e.column, e.correct) for e in wrong.entries] == [(3, 1, slides)]
     assert "row 3: the joint is prismatic, not revolute" in wrong.message
 
 

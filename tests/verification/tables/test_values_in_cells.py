@@ -48,6 +48,15 @@ def test_a_column_in_millimetres_is_in_metres_where_the_displays_are() -> None:
     assert "proved" not in verdicts(table + LINK.format("4.5"))
 
 
+@pytest.mark.parametrize(("unit", "right", "wrong"), [("mm", "450", "400"), ("cm", "45", "40"), ("m", "0.45", "0.4")])
+def test_a_wrong_length_is_corrected_in_the_unit_of_its_column(unit: str, right: str, wrong: str) -> None:
+    table = TABLE.replace("| a |", f"| a ({unit}) |")
+    front = FRONT.replace("l_1", "0.45").replace("l_2", "0.45")
+    assert verify_text(front + table.format(right, right)).tables[0].verdict.value == "proved"
+    [entry] = verify_text(front + table.format(right, wrong)).tables[0].entries
+    assert (entry.row, entry.column, entry.correct) == (2, 2, right)
+
+
 @pytest.mark.parametrize("cell", ["1,250", "l_1 (2 l_2)", "450 mm^2"])
 def test_what_is_no_length_for_certain_gives_no_arm(cell: str) -> None:
     assert not verify_text(TABLE.format(cell, "l_2") + LINK.format("l_2")).arms
