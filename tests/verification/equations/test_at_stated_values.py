@@ -29,6 +29,13 @@ def test_a_number_is_that_at_the_configuration_stated(judge: Judge, number: str,
     assert judge(*STATED, rf"\det J = {number}", **PLANAR).verdict is verdict
 
 
+def test_what_holds_there_is_evaluated_there_alone(judge: Judge) -> None:
+    rates, unit = r"\dot\theta_1 = 0.2, \dot\theta_2 = 0", r"\dot P_x = -0.2 (l_1 s_1 + l_2 s_{12})"
+    for displays in ((*STATED, r"\det J = 1"), (r"\theta_1 = 0, \theta_2 = 0", "P_x = l_1 + l_2"), (rates, unit)):
+        record = judge(*displays, **PLANAR)
+        assert (record.verdict, record.samples) == (Verdict.CONFIRMED, 1)
+
+
 def test_what_is_wrong_there_is_told_with_the_values_stated(judge: Judge) -> None:
     record = judge(*STATED, r"p_2 = \begin{bmatrix} 1 \\ 2 \\ 0 \end{bmatrix}", **PLANAR)
     assert [(each.row, each.printed, each.correct) for each in record.entries] == [(2, "2", "1")]

@@ -13,6 +13,7 @@ import pytest
 from armproof.models.catalogue import arm_names, load_arm
 from armproof.verification.check import DocumentChecker, check_document, verify
 from armproof.verification.document import Display, Document, Table
+from armproof.verification.findings import Kind
 from armproof.verification.tables import check_array_table, check_table
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
@@ -414,6 +415,11 @@ def test_a_table_is_mended_where_the_arms_frames_are_no_dh_frames(
     record = judge("kr210", changed(right_table("kr210"), row, column, text))
     assert record.verdict is Verdict.REFUTED
     assert [(e.row, e.column, e.printed, e.correct) for e in record.entries] == [(row, column, text, correct)]
+
+
+def test_a_right_table_of_an_arm_without_dh_frames_is_proved_by_what_moves_the_tool() -> None:
+    record = judge("kr210", right_table("kr210"))
+    assert record.verdict is Verdict.PROVED and record.findings[0].kind in (Kind.MOVES_WITH, Kind.MOVES_WITH_BUT_AT)
 
 
 def test_two_errors_beyond_the_arms_frames_are_not_called_proved() -> None:
