@@ -422,6 +422,20 @@ def test_a_right_table_of_an_arm_without_dh_frames_is_proved_by_what_moves_the_t
     assert record.verdict is Verdict.PROVED and record.findings[0].kind in (Kind.MOVES_WITH, Kind.MOVES_WITH_BUT_AT)
 
 
+@pytest.mark.parametrize(
+    ("along", "twist", "kind"),
+    [
+        ("a_{i-1}", r"\alpha_{i-1}", None),
+        ("a_{i-1}", r"\alpha_i", Kind.HEADERS_CONTRADICT),
+        ("a", r"\alpha", Kind.HEADERS_OPEN),
+    ],
+)
+def test_headers_may_contradict_each_other(along: str, twist: str, kind: Kind | None) -> None:
+    table = with_header(right_table("scara_modified"), "i", along, twist, "d_i", r"\theta_i")
+    said = {finding.kind for finding in judge("scara_modified", table).findings}
+    assert said & {Kind.HEADERS_CONTRADICT, Kind.HEADERS_OPEN} == ({kind} if kind else set())
+
+
 def test_two_errors_beyond_the_arms_frames_are_not_called_proved() -> None:
     table = changed(changed(right_table("kr210"), 4, 3, "a_3"), 2, 5, r"\theta_2")
     assert judge("kr210", table).verdict is Verdict.UNCHECKED
