@@ -73,13 +73,14 @@ class StatedValues:
                 return None  # (1 - c_2)/(1 - c_2) is no number of a configuration
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
             return None if of_names else self._numbers(outcome, pairs, numbers.node)
-        rates, moving = (
-            {each for each in one | other if is_rate(each)},
-            [any(map(is_rate, each)) for each in (one, other)],
-        )
-        told = self._has_column(outcome) or (not all(moving) and self._stated(rates))
-        differ = set(filter(is_rate, one ^ other))
-        if differ and told and not any(are_rates(s.cells) for s in (pairs[0].true, pairs[0].printed)):
+        rates = set(filter(is_rate, one | other))
+        rests = not all(any(map(is_rate, names)) for names in (one, other))
+        told = self._has_column(outcome) or (rests and self._stated(rates))
+        if (
+            any(map(is_rate, one ^ other))
+            and told
+            and not any(are_rates(s.cells) for s in (pairs[0].true, pairs[0].printed))
+        ):
             return self._at_rates(outcome, pairs[0], rates, one ^ other)
         return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
 
