@@ -351,6 +351,9 @@ class DocumentChecker:
         if self.direction == ("lower", display.line):
             outcomes[0].also(say(Kind.LOWER_IS_REFERENCE))
         outcomes = [self._of_this_exercise(outcome) for outcome in outcomes]
+        for outcome in outcomes:
+            if outcome.as_usual is not None and not display.erratum:
+                self._tell_slip(outcome, display)
         verdict = worst([outcome.verdict for outcome in outcomes])
         leading = [outcome for outcome in outcomes if outcome.verdict is verdict]
         errors = [outcome.max_error for outcome in outcomes if outcome.max_error is not None]
@@ -372,6 +375,14 @@ class DocumentChecker:
             if self.correct:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
         return replace(record, outcomes=tuple(self._result(outcome, record) for outcome in outcomes))
+
+    def _tell_slip(self, outcome: Outcome, display: Display) -> None:
+        try:
+            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                for finding in self.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome):
+                    outcome.also(finding)
+        except TooComplex:
+            return
 
     @cached_property
     def _exercise_of_arm(self) -> int:

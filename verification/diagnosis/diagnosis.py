@@ -19,6 +19,7 @@ from armproof.verification.equations.alignment import Pair, equal_matrices, exac
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals, is_number
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Member
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -53,7 +54,7 @@ class Diagnostician:
                 said = () if outcome.pair is not None else outcome.findings
                 findings.extend(finding.at(outcome.equation) for finding in said)
                 continue
-            why, found = self._explained(latex, outcome)
+            outcome, why, found = self._on_either_side(latex, outcome)
             if (error := self._printed_error(record.line, outcome, found)) is not None:
                 errors = self.checker.names.state.errors
                 if errors and (consequence := consequence_of(self.checker, outcome, error)):
@@ -73,6 +74,20 @@ class Diagnostician:
             discrepancy=discrepancy,
         )
 
+    def slip_as_usual(self, latex: str, outcome: Outcome) -> Iterator[Finding]:
+        """Yield the one slip that mends an equation which is left open, if its names mean what they usually do."""
+        usual, state = outcome.as_usual, self.checker.names.state
+        if usual is None or len(usual.outcome.wrong) != 1:
+            return
+        state.inferred |= usual.meanings
+        try:
+            entries = self._on_either_side(latex, usual.outcome)[2]
+        finally:
+            state.forget_usual(usual.meanings)
+        for entry in entries:
+            if entry.finding is not None:
+                yield say(Kind.SLIP_AS_USUAL, change=entry.finding, printed=entry.printed, correct=entry.correct)
+
     def _printed_error(self, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:
         """Return the refuted equation as an error to remember, where it says something of a quantity or a name."""
         assert outcome.true is not None and outcome.printed is not None
@@ -81,6 +96,17 @@ class Diagnostician:
         key = repr(quantity) if quantity is not None else node.key if isinstance(node, n.Name) else ""
         cells = {(e.row or 0, e.column or 0): e.printed for e in entries}
         return PrintedError(line, key, outcome.printed.node, cells) if key else None
+
+    def _on_either_side(self, latex: str, outcome: Outcome) -> tuple[Outcome, list[Finding], list[WrongEntry]]:
+        """Return why an equation is wrong; of two formulas, c_2 = (x² + y² - …)/…, the one that a slip mends is wrong, or the longer."""
+        why, found = self._explained(latex, outcome)
+        turned = _turned(outcome)
+        if turned is None or any(entry.finding for entry in found):
+            return outcome, why, found
+        otherwise, mended = self._explained(latex, turned)
+        if any(entry.finding for entry in mended) or (_is_short(turned.true) and not _is_short(outcome.true)):
+            return turned, otherwise, mended
+        return outcome, why, found
 
     def _explained(self, latex: str, outcome: Outcome) -> tuple[list[Finding], list[WrongEntry]]:
         """Return why an equation is wrong, as a whole or entry by entry, and its wrong entries."""
@@ -165,6 +191,21 @@ class Diagnostician:
             return ""
         mark = next((mark for mark in ("{,}", ",") if mark in printed), ".")
         return f"{self.checker.members.number(true):.{decimals}f}".replace(".", mark)
+
+
+def _turned(outcome: Outcome) -> Outcome | None:
+    """Return the outcome with its sides exchanged, where neither is a name alone, nor given by samples or stated values."""
+    pair, true, printed = outcome.pair, outcome.true, outcome.printed
+    if pair is None or not pair.is_scalar or true is None or printed is None or outcome.there or outcome.sampled_only:
+        return None
+    if isinstance(bare(true.node), n.Name) or _is_short(true):
+        return None
+    return replace(outcome, true=printed, printed=true, pair=replace(pair, true=pair.printed, printed=pair.true))
+
+
+def _is_short(side: Member | None) -> bool:
+    """Whether a side is a function of an angle, c_{23}: a formula is printed for it."""
+    return side is not None and isinstance(bare(side.node), n.Call)
 
 
 def _summary(entries: list[WrongEntry]) -> Iterator[Finding]:

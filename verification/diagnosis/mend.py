@@ -84,7 +84,9 @@ class LearntNotation:
         revolute = [joint.symbol for joint in arm.joints if joint.kind == "revolute"]
         prismatic = [joint.symbol for joint in arm.joints if joint.kind == "prismatic"]
         joints = [int(found.group(1)) for symbol in revolute if (found := re.search(r"_(\d)$", symbol))]
-        return Letters(tuple(joints), names_of(revolute), names_of([*arm.lengths, *prismatic]))
+        meant = self.names.quantities | self.names.state.inferred
+        coordinates = sorted(key for key, quantity in meant.items() if quantity.kind == "origin" and quantity.scalar)
+        return Letters(tuple(joints), names_of(revolute), names_of([*arm.lengths, *prismatic]), names_of(coordinates))
 
 
 class Mender:

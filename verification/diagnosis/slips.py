@@ -34,11 +34,12 @@ class Edit:
 
 @dataclass(frozen=True)
 class Letters:
-    """What a display may draw on: the joints' indices and the lengths, each as a node in the document's letters."""
+    """What a display may draw on: the joints' indices, the lengths and the coordinates, each as a node in the document's letters."""
 
     joints: tuple[int, ...] = ()
     angles: tuple[n.Name, ...] = ()
     lengths: tuple[n.Name, ...] = ()
+    coordinates: tuple[n.Name, ...] = ()
 
 
 _MOST_CALLS = 6  # sines and cosines of which two may be exchanged
@@ -235,6 +236,7 @@ def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
     for family, kind, slip in (
         (letters.angles, "index", Kind.WRONG_ANGLE),
         (letters.lengths, "length", Kind.WRONG_LENGTH),
+        (letters.coordinates, "index", Kind.WRONG_COORDINATE),
     ):
         if any(other.key == node.key for other in family):
             for other in family:

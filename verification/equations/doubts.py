@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -41,9 +41,13 @@ class Doubts:
                 self.names.doubt(defined)
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(doubt,))
         key = min(self.weak)
-        quantity = self.names.state.inferred.get(key)
+        inferred = self.names.state.inferred
+        meanings = {name: inferred[name] for name in self.weak if name in inferred}
+        quantity = meanings.get(key)
         self.names.state.forget_usual(self.weak)
-        return outcome.left_open(_unusual(key, quantity) if quantity is not None else say(Kind.NOT_BOUND, name=key))
+        if quantity is None:
+            return outcome.left_open(say(Kind.NOT_BOUND, name=key))
+        return replace(outcome.left_open(_unusual(key, quantity)), as_usual=AsUsual(outcome, meanings))
 
 
 def is_of_arm(outcome: Outcome, names: Names) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Identity, Matrix, as_matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.equations.sides import Member
@@ -20,6 +21,14 @@ from armproof.verification.verdict import DECIDED, EquationResult, Role, Verdict
 HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
 
 DEFINES = {Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.NUMBER_HERE, Kind.SIGN}
+
+
+@dataclass(frozen=True)
+class AsUsual:
+    """What became of an equation while its names meant what they usually do."""
+
+    outcome: Outcome
+    meanings: Mapping[str, Quantity]
 
 
 @dataclass
@@ -45,6 +54,7 @@ class Outcome:
     uses: frozenset[tuple[str, int]] = frozenset()
     coarse: list[tuple[int, int]] = field(default_factory=list)  # entries whose numbers are rounded too much to tell
     conditions: tuple[n.Node, ...] = ()  # the sides of an implication
+    as_usual: AsUsual | None = None  # what it would be if its names meant what they usually do
 
     def also(self, finding: Finding) -> None:
         """Add a finding to those of the equation."""

@@ -218,3 +218,39 @@ def test_an_error_of_its_own_follows_from_nothing(check: Check) -> None:
     assert "follows" not in check(LINK, other).equations[1].message
     another = LINK.replace("c_2 & s_2 & 0", "-c_2 & s_2 & 0").replace("s_2 & c_2 & 0", "s_2 & -c_2 & 0")
     assert "same error" not in check(LINK, another).equations[1].message
+
+
+POINT = r"x = l_1 c_1 + l_2 c_{12}, \quad y = l_1 s_1 + l_2 s_{12}"
+FORMULAS = [  # the side of an angle, the formula printed for it, what stands there instead
+    ("c_2", r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", "- l_2^2", "+ l_2^2"),
+    ("s_1", r"\frac{(l_1 + l_2 c_2) y - l_2 s_2 x}{x^2 + y^2}", "c_2", "s_2"),
+    ("s_1", r"\frac{(l_1 + l_2 c_2) y - l_2 s_2 x}{x^2 + y^2}", "s_2 x", "s_2 y"),
+    (r"l_1 l_2 c_2", r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2}", "x^2 + y^2", "x^2 - y^2"),
+]
+
+
+@pytest.mark.parametrize(("side", "formula", "right", "wrong"), FORMULAS)
+@pytest.mark.parametrize("turned", [False, True])
+def test_of_two_formulas_the_one_that_a_slip_mends_is_wrong(
+    check: Check, side: str, formula: str, right: str, wrong: str, turned: bool
+) -> None:
+    printed = formula.replace(right, wrong, 1)
+    said = [f"{one} = {other}" for one, other in ([(printed, side)] if turned else [(side, printed)])]
+    _, record = check(POINT, *said, arm="planar_2r", confirm=False).equations
+    [entry] = record.entries
+    assert (record.verdict, entry.printed, entry.correct) == (Verdict.REFUTED, printed, formula)
+    assert check(POINT, f"{side} = {formula}", arm="planar_2r", confirm=False).equations[1].verdict is Verdict.PROVED
+
+
+def test_a_formula_that_no_slip_mends_is_not_what_the_angle_is(check: Check) -> None:
+    [entry] = check(POINT, r"c_2 = \frac{x + y}{l_1}", arm="planar_2r", confirm=False).equations[1].entries
+    assert (entry.printed, entry.correct, entry.finding) == (r"\frac{x + y}{l_1}", "c_2", None)
+
+
+def test_a_slip_is_told_where_its_letters_are_only_usual(check: Check) -> None:
+    """Nothing says that x is the tool's: the equation is left open, and what would be wrong in it is said."""
+    wrong, other = r"c_2 = \frac{x^2 + y^2 - l_1^2 + l_2^2}{2 l_1 l_2}", r"c_2 = \frac{x + y}{l_1}"
+    near, far = (check(latex, arm="planar_2r").equations[0] for latex in (wrong, other))
+    assert near.verdict is far.verdict is Verdict.UNCHECKED
+    assert "x is usually" in near.message and near.message.endswith(r"- l_2^2}{2 l_1 l_2}: wrong sign of term 4")
+    assert "x is usually" in far.message and "should be" not in far.message
