@@ -25,6 +25,7 @@ from armproof.verification.latex.writer import Notation, Writer, symbol_as_latex
 from armproof.verification.naming.names import Names
 
 MAX_EDITS = 600
+PLAIN = re.compile(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?")
 
 Agreement = Callable[[Scalar], Callable[[n.Node], bool] | None]  # whether trees may have a value, as samples tell
 
@@ -84,9 +85,15 @@ class LearntNotation:
         revolute = [joint.symbol for joint in arm.joints if joint.kind == "revolute"]
         prismatic = [joint.symbol for joint in arm.joints if joint.kind == "prismatic"]
         joints = [int(found.group(1)) for symbol in revolute if (found := re.search(r"_(\d)$", symbol))]
+        return Letters(
+            tuple(joints), names_of(revolute), names_of([*arm.lengths, *prismatic]), names_of(self._coordinates())
+        )
+
+    def _coordinates(self) -> list[str]:
+        """The plain names of coordinates of the arm's points, x or p_y."""
         meant = self.names.quantities | self.names.state.inferred
-        coordinates = sorted(key for key, quantity in meant.items() if quantity.kind == "origin" and quantity.scalar)
-        return Letters(tuple(joints), names_of(revolute), names_of([*arm.lengths, *prismatic]), names_of(coordinates))
+        of_points = (key for key, quantity in meant.items() if quantity.kind == "origin" and quantity.scalar)
+        return sorted(key for key in of_points if PLAIN.fullmatch(key))
 
 
 class Mender:

@@ -218,9 +218,13 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
 
 
 def _wrists(arm: Arm) -> list[str]:
-    """Return the frames that may be that of the wrist, the likeliest first: mostly it is where the last joint but one is."""
-    from_the_end = numbered_frames(arm)[:0:-1]
-    return sorted(from_the_end, key=lambda frame: frame != str(len(arm.joints) - 1))
+    """Return the frames that may be that of the wrist, the likeliest first.
+
+    Mostly it is where the last joint but one is; of three joints that move a point in space, at the end.
+    """
+    joints, from_the_end = len(arm.joints), numbered_frames(arm)[:0:-1]
+    likely = str(joints if joints == 3 and not is_planar(arm) else joints - 1)
+    return sorted(from_the_end, key=lambda frame: frame != likely)
 
 
 def _splits(index: str) -> Iterator[tuple[str, str]]:
