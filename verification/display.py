@@ -30,6 +30,7 @@ from armproof.verification.equations.elementary import is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_targets import asked_of_the_tool
 from armproof.verification.equations.given_values import GivenValues, named_sign
+from armproof.verification.equations.index_ranges import without_index_range
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
@@ -126,7 +127,7 @@ class Statements:
             statements = [written_out(statement, latex, self.names) for statement in statements]
         statements = [
             part
-            for statement in self._without_for_all(statements)
+            for statement in self._without_for_all(without_index_range(statements))
             for part in _without_vanishing_end(self._resolve_subject(statement))
         ]
         display = _Display(statements, line, define, latex)

@@ -20,7 +20,7 @@ def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, l
 
     A wrong one is not refuted here: the text beside it may say of which joints it is.
     """
-    arm, letter = checker.names.arm, _index_of(chain)
+    arm, letter = checker.names.arm, index_of(chain)
     if arm is None or not letter or not 1 < len(arm.joints) <= MOST_JOINTS or len(chain.members) < 2:
         return False
     numbers = [number for number, joint in enumerate(arm.joints, 1) if kind in ("", joint.kind)]
@@ -28,7 +28,7 @@ def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, l
     return bool(numbers) and all(_holds(checker, instance, equation, line) for instance in instances)
 
 
-def _index_of(chain: n.Chain) -> str:
+def index_of(chain: n.Chain) -> str:
     """Return the one letter i, j or k that is an index of names in a chain, "" where there is none or several."""
     found = {each[1] for name in _names(chain) for script in _scripts(name) for each in _INDEX.finditer(script)}
     return found.pop() if len(found) == 1 else ""
