@@ -91,7 +91,7 @@ class LearntNotation:
 
     def _coordinates(self) -> list[str]:
         """The plain names of coordinates of the arm's points, x or p_y."""
-        meant = self.names.quantities | self.names.state.inferred
+        meant = {**self.names.quantities, **self.names.state.inferred}
         of_points = (key for key, quantity in meant.items() if quantity.kind == "origin" and quantity.scalar)
         return sorted(key for key in of_points if PLAIN.fullmatch(key))
 

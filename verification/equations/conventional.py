@@ -220,7 +220,8 @@ class Conventions:
                 if pair is not None and is_usual(name) and not is_constant(pair.printed):
                     self.doubts.open.setdefault(name.key, quantity)
                     may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
-                    near = near or (quantity if may_be_near and is_near(pair) else None)
+                    is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
+                    near = near or (quantity if is_shown or (may_be_near and is_near(pair)) else None)
         for quantity in self._that_values_tell(member.node, name) if near is None else ():
             tried = self._tried(member.node, name, quantity)
             if any(self._agree(tried, other, self._closest(tried, other)) for other in known if tried.known):
@@ -409,6 +410,12 @@ def _plain(node: n.Node) -> n.Name | None:
     if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
         node = node.arguments[0]
     return replace(node, dots=0) if isinstance(node, n.Name) and node.base not in ("words", "=") else None
+
+
+def _is_rate(node: n.Node) -> bool:
+    """Whether a side is a name with dots."""
+    name = bare(node)
+    return isinstance(name, n.Name) and bool(name.dots)
 
 
 def _is_placed_above(node: n.Node) -> bool:
