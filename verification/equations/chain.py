@@ -144,7 +144,7 @@ class ChainChecker:
                 Torques(self.members).judge(each) if each.verdict is Verdict.DEFINED else each for each in outcomes
             ]
         check = partial(self.check, first_equation=first_equation, line=line)
-        if define and (letters := letters_meant_anew(outcomes)):
+        if define and (letters := letters_meant_anew(outcomes)) & self.names.state.definitions.keys():
             self.names.forget(letters)
             outcomes = check(chain)
             self.names.leave_unknown(letters, line)

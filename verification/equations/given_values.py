@@ -249,8 +249,9 @@ def new_name(names: Names, chain: n.Chain) -> str | None:
 
 
 def new_letters(names: Names, chain: n.Chain) -> frozenset[str]:
-    """The letters of the first matrix that holds nothing but new letters and numbers: a formula's value defines them."""
-    for member in chain.members if not any(bare_key(node) for node in chain.members) else ():
+    """The letters of the first matrix that holds nothing but new letters and numbers: a value defines them, R = [r_ij]."""
+    named = {key for node in chain.members if (key := bare_key(node)) is not None}
+    for member in chain.members if named <= names.state.definitions.keys() else ():
         letters = names_alone(member)
         if (
             letters
