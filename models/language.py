@@ -10,6 +10,7 @@ from contextvars import ContextVar
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from io import BytesIO
+from numbers import Number
 from pathlib import Path
 
 ENGLISH = "en"  # what the sources say; it needs no catalogue, and imports none
@@ -106,9 +107,9 @@ def noted_plural(one: str, many: str) -> tuple[str, str]:
 
 
 def number_text(value: object, form: str = "") -> str:
-    """Return a value, a number as the language writes it: 0.05 is 0,05 in French."""
+    """Return a value, a number as the language writes it: 0.05 is 0,05 in French; the path a.tex stays as it is."""
     text = format(value, form)
-    return text if spoken() == ENGLISH or isinstance(value, str) else text.translate(_signs(spoken()))
+    return text.translate(_signs(spoken())) if isinstance(value, Number) and spoken() != ENGLISH else text
 
 
 def separator(texts: Sequence[str]) -> str:

@@ -13,7 +13,8 @@ import armproof.course
 import armproof.models
 import armproof.verification
 from armproof.models.catalogue import load_arm
-from armproof.models.errors import ArmproofError, Fault, ModelError
+from armproof.models.errors import ArmproofError, Fault, ModelError, written
+from armproof.models.language import use
 from tests.sources import nodes_in
 
 ROOMS = [Path(room.__path__[0]) for room in (armproof.course, armproof.models, armproof.verification)]
@@ -123,3 +124,9 @@ def test_an_error_comes_out_of_a_process_whole() -> None:
     assert str(again) == str(error) == "DH table, row 1, a: 'w' is not understood"
     assert again.kind is Fault.IN_TABLE
     assert ArmproofError("a text").kind is None
+
+
+def test_a_number_is_written_as_the_language_writes_it_and_a_path_as_it_is():
+    with use("fr"):
+        assert written("{path}: {number}", path=Path("a.tex"), number=1 / 4) == "a.tex: 0,25"
+    assert written("{path}: {number}", path=Path("a.tex"), number=1 / 4) == "a.tex: 0.25"

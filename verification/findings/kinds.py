@@ -14,7 +14,10 @@ from armproof.models.errors import MessageKind
 
 # Terms that are words of the language, not names: they are translated as the templates are.
 WORDS = frozenset(
-    "table matrices classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres".split()
+    [
+        "closed form",
+        *"table matrices classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres".split(),
+    ]
 )
 
 
