@@ -29,7 +29,7 @@ from armproof.verification.latex.unicode import normalise_unicode, original_offs
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.quantities import leads_outwards, tells_frame
 from armproof.verification.naming.reading import read_names, spelling_of
-from armproof.verification.naming.state import DocumentState, Stated, Told, settle_definitions
+from armproof.verification.naming.state import DocumentState, Stated, Told, links_told, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -431,7 +431,9 @@ class DocumentChecker:
         taken, where = self.inferred.arm, self._exercise_of_arm
         if outcome.verdict is not Verdict.REFUTED or taken is None:
             return outcome
-        if where not in (0, self.names.state.apart):
+        links = links_told(self.names.state.section)
+        other = links is not None and self.arm is not None and links != len(self.arm.joints)
+        if other or where not in (0, self.names.state.apart):
             return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
         if (other := next(filter(self._is_other_variable, _names_in(outcome)), None)) is not None:
             joint = self.names.known_symbol(other.key)

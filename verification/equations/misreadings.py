@@ -9,6 +9,7 @@ from itertools import pairwise
 from armproof.verification.algebra.calculus import symbol_of, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.document.heading import encloses
 from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
@@ -23,6 +24,7 @@ SIZES = (
     Kind.WRONG_SIZE, Kind.WRONG_SIZE_OF_VALUE, Kind.SUM_OF_SIZES, Kind.PRODUCT_OF_SIZES, Kind.SUM_WITH_SCALAR,
     Kind.NO_INVERSE_OF_SIZE, Kind.NO_DETERMINANT, Kind.NO_COFACTORS,
 )  # fmt: skip
+BLOCKS = (Kind.SCALAR_FOR_BLOCK, Kind.RAGGED_BLOCKS, Kind.RAGGED_BLOCK_ROWS)
 ELEMENTARY = ("Rot", "Rot3", "Trans")
 TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
 
@@ -126,14 +128,25 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
     What is known of the arm has one value: d_3 = d_3 + 2π is wrong. A matrix may be a product of itself and of others: J = J J^+ J.
     """
     for alone, other in (outcome.nodes, outcome.nodes[::-1]) if len(outcome.nodes) == 2 else ():
-        name, meant = bare(alone), [side.value for side in (outcome.true, outcome.printed) if side is not None]
+        name, meant = (
+            _of_degrees(bare(alone)),
+            [side.value for side in (outcome.true, outcome.printed) if side is not None],
+        )
         again = [below for below in n.walk(other) if isinstance(below, n.Name) and below == name]
+        if again and name is not bare(alone):  # θ^∘ = θ · 180/π: how many degrees it is
+            return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
         if not again or names.known_symbol(again[0].key) is not None:
             continue
-        is_scalar = isinstance(bare(other), n.Sum | n.Call) and all(isinstance(value, Scalar) for value in meant)
-        if (is_scalar and names.arm is None) or any(bare(cell) == name for cell in _cells(other)):
+        is_scalar = all(isinstance(value, Scalar) for value in meant)
+        definition = names.state.definitions.get(again[0].key)
+        unknown = definition is None or definition.node is None
+        if (names.arm is None and (is_scalar or unknown)) or any(bare(cell) == name for cell in _cells(other)):
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
     return None
+
+
+def _of_degrees(node: n.Node) -> n.Node:
+    return bare(node.base) if isinstance(node, n.Postfix) and node.operator == "deg" else node
 
 
 def _cells(node: n.Node) -> Iterator[n.Node]:
@@ -170,10 +183,10 @@ def _has_its_joints(call: n.Call, names: Names) -> bool:
 
 def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Finding | None:
     """Sizes that do not fit tell a slip where the front matter or explicit frames say what the names are, on both sides."""
+    if names.arm is None and outcome.findings and outcome.findings[0].kind in (*SIZES, *BLOCKS):
+        return say(Kind.NO_ARM_TO_COMPARE)  # a letter may be a column, and a row of letters a matrix
     if not _tells_sizes(outcome):
         return None
-    if names.arm is None:  # a letter may be a column, and a row of letters a matrix
-        return say(Kind.NO_ARM_TO_COMPARE)
     held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
     if outcome.findings[0].kind is not Kind.SUM_WITH_SCALAR:  # there the scalar may be a vector: ẍ - J̇ q̇
         held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
@@ -223,8 +236,12 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     written = any(isinstance(b, n.Matrix) for b in below)
     if any(isinstance(b, n.Name) and ((b.pre_sup and not written) or b.key in names.quantities) for b in below):
         return None  # a law of link matrices
-    if _gives_letter(outcome, names) or _is_to_vanish(outcome, names):
+    if _gives_letter(outcome, names) or _is_to_vanish(outcome, names) or _labels(outcome):
         return say(Kind.NO_ARM_TO_COMPARE)
+    state = names.state
+    met = sorted((key, line) for key, line in state.consulted if key in state.definitions)
+    if other := [each for each in met if not encloses(state.definitions[each[0]].section, state.section)]:
+        return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
     first, *others = [_letters(member, names) for member in chain.members]
     defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
@@ -236,8 +253,9 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
         first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
     if defined or angles:  # an identity of angles, or a slip in one
         alike = all(found == first for found in others) and not (defined and (numbers or _gives_name(outcome, chain)))
-        near = erratum or elementary or alike or _are_written(outcome)
-        near = near or (outcome.pair is not None and is_near(outcome.pair))
+        is_slip = outcome.pair is not None and is_near(outcome.pair)
+        same = all(found == first for found in others)  # what lacks a letter may say that it is zero
+        near = erratum or elementary or alike or (same and _are_written(outcome)) or is_slip
         bound = near and not (of_letters or has_value) and all(found <= first or first <= found for found in others)
     else:
         bound = all(found == first for found in others)
@@ -257,6 +275,13 @@ def _gives_letter(outcome: Outcome, names: Names) -> bool:
         (letters & own) - symbols_in(others)
         for letters, own, others in zip(written, alone, reversed(values), strict=True)
     )
+
+
+def _labels(outcome: Outcome) -> bool:
+    """Whether a number alone is equated to a list: 1 = (0, 1, 0) is how something is written, and no number."""
+    numbers = [isinstance(bare(node), n.Number) for node in outcome.nodes]
+    lists = [isinstance(bare(node), n.Sequence) for node in outcome.nodes]
+    return any(numbers) and any(lists)
 
 
 def _is_to_vanish(outcome: Outcome, names: Names) -> bool:

@@ -124,6 +124,7 @@ _OPENS_SPACED = re.compile(r"\s*\{(?:(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:
 _FORMULA = re.compile(r"\$([^$]*)\$")
 _RELATES = re.compile(r"[=<>]|\\(?:approx|[lg]eq?|neq?|in)(?![A-Za-z])")
 _PARENTHESIS = re.compile(r"\s*(?:\\left|\\[bB]igg?l?)?\s*\(")
+_POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\d|\{\s*-?\d\s*\})")
 _TAN_TWO = re.compile(r"((?:\s|~|\\[,;:! ])*)\\?tan\s*_?\s*\{?\s*2\s*\}?")
 _QUANTITY = re.compile(r"([+-]?)(\d{1,20}(?:[.,]\d{1,20})?|[.,]\d{1,20})(?:[eE]([+-]?\d))?")
 _OUTSIDE = re.compile(
@@ -454,6 +455,9 @@ class _Scanner:
         if self.previous in ("NUMBER", "RBRACE", "SUP") and content in UNITS and content not in self.words:
             if content in ("m", "s") and self.previous != "NUMBER":
                 return [], end
+            if power := _POWER_OF_UNIT.match(self.text, after):  # 5 m^2 is no square of 5, and 2 s^{-1} no half
+                text = self.text[start : power.end()]
+                return ([self.token("TEXT", text, start, power.end())] if UNITS[content] else []), power.end()
             return ([self.token("SUP", UNITS[content], start, after)] if UNITS[content] else []), after
         if content in FUNCTIONS:
             return self._function(content, start, after)

@@ -10,7 +10,7 @@ from typing import Any
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.document.heading import encloses
+from armproof.verification.document.heading import encloses, sections_around
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -21,6 +21,10 @@ Key = tuple[str, int]  # a name and the line of the display that defines it
 _OF_ITS_OWN = r"exerci[sc]e|exercício|ejercicio|esercizio|problem|problema|problème|aufgabe|example|exemple|beispiel|ejemplo|esempio"
 _KINDS = rf"{_OF_ITS_OWN}|question|task|tâche|part|partie"
 _NUMBER = r"\s*(?:n[°o]\.?\s*)?(?:\d+|[ivx]+|[a-z])\b"
+_COUNTS = {word: count for count, word in enumerate(("two", "three", "four", "five", "six", "seven"), 2)}
+_OF_LINKS = re.compile(
+    rf"\b(\d|{'|'.join(_COUNTS)})[- ]*(?:links?|dofs?|r|joints?|axis|axes|segments?|degrees?[ -]of[ -]freedom)\b", re.I
+)
 EXERCISE = re.compile(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
 WITH_ITS_ARM = re.compile(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
 
@@ -32,6 +36,14 @@ def undecided(doubt: Finding) -> Callable[[Any], Value]:
         raise EvaluationError(doubt)
 
     return evaluate
+
+
+def links_told(section: str) -> int | None:
+    """Return how many links or joints the arm of a section has, as its heading, or one around it, says: "For 2 Link"."""
+    for heading in (section, *sections_around(section)):
+        if found := _OF_LINKS.search(heading):
+            return _COUNTS.get(found[1].lower()) or int(found[1])
+    return None
 
 
 @dataclass(frozen=True)
