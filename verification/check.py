@@ -432,8 +432,8 @@ class DocumentChecker:
         if outcome.verdict is not Verdict.REFUTED or taken is None:
             return outcome
         links = links_told(self.names.state.section)
-        other = links is not None and self.arm is not None and links != len(self.arm.joints)
-        if other or where not in (0, self.names.state.apart):
+        is_other = links is not None and self.arm is not None and links != len(self.arm.joints)
+        if is_other or where not in (0, self.names.state.apart):
             return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
         if (other := next(filter(self._is_other_variable, _names_in(outcome)), None)) is not None:
             joint = self.names.known_symbol(other.key)

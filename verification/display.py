@@ -14,6 +14,7 @@ from armproof.verification.conditions.implication import (
     connectives_among,
     find_implication,
     goes_on,
+    is_condition,
     is_under_words,
 )
 from armproof.verification.conditions.implications import Implications, Judgement
@@ -204,6 +205,11 @@ class Statements:
         self.checker.redefinitions.enabled = False
         steps = [self._chain(chain, display.equation, display.line, display.define) for chain in premises]
         self.checker.redefinitions.enabled = True
+        if self.names.arm is None:  # θ_1 = θ_2 = 0 gives no letter a meaning: it is a condition
+            given_here = zip(premises, steps, strict=True)
+            self.names.forget(
+                key for chain, found in given_here if is_condition(chain) for o in found for key in o.defines
+            )
         moved, self.names.state.told = self.names.state.told, told
         self._begin()
         premised = [outcome for found in steps for outcome in found]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
 from armproof.verification.algebra.calculus import symbols_in
@@ -233,6 +234,9 @@ class Circumstances:
             posture = say(Kind.POSTURE_IN_WORDS)
             return [rank_everywhere(self.checker, chain, each, posture) for each in outcomes]
         found = [rank_there(self.checker, chain, each, given) for each in outcomes]
+        again = partial(rank_there, self.checker, chain, given=given)
+        if doubt := self.checker.rows.others((chain,), found, lambda: [again(outcome=each) for each in outcomes]):
+            return [each.left_open(doubt) for each in found]
         is_near = not told.conditions or told.line == line
         return found if is_near else [each.unless_refuted(say(Kind.OTHER_AS_TOLD)) for each in found]
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from armproof.verification.conditions.implication import Implication, is_condition, is_rank_condition
+from armproof.verification.conditions.implication import (
+    WHOLE_NUMBERS,
+    Implication,
+    is_condition,
+    is_rank_condition,
+)
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.misreadings import sizes_of_convention
+from armproof.verification.equations.misreadings import letters_held, sizes_of_convention
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -36,6 +41,8 @@ class Implications:
         sizes = [sizes_of_convention(judged[0], chain, self.names) for chain in implication.chains]
         if judged[0].verdict is Verdict.REFUTED and any(sizes):
             return judged[0].left_open(next(filter(None, sizes))), {}
+        if judged[0].verdict is Verdict.REFUTED and not self._is_of_same_letters(implication):
+            return judged[0].left_open(say(Kind.NO_ARM_TO_COMPARE)), {}
         again = partial(self._judged, implication, steps, equation, links)
         doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
         if judged[0].verdict in DECIDED:
@@ -47,6 +54,24 @@ class Implications:
                 implication.chains, verdict, lambda: (again() or judged)[0].verdict
             )
         return (judged[0].left_open(doubt), {}) if doubt is not None else judged
+
+    def _is_of_same_letters(self, implication: Implication) -> bool:
+        """Whether, without an arm, all that is concluded is of letters that both sides hold, but for those of what is given.
+
+        θ = 0 ⇒ x = l says what x is there.
+        """
+        if self.names.arm is not None:
+            return True
+        sides = (implication.premises, implication.conclusions)
+        asked = sides[implication.arrow != "⇐"]
+        held = [{key for c in side for m in c.members for key in letters_held(m, self.names)} for side in sides]
+        return all(
+            len({frozenset(letters_held(m, self.names) - given - {*WHOLE_NUMBERS}) for m in chain.members}) == 1
+            and any(letters_held(m, self.names) & given for m in chain.members)
+            for side, given in zip(sides, reversed(held), strict=True)
+            for chain in side
+            if side is asked or implication.arrow == "⇔"
+        )
 
     def of_the_tool(
         self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]
@@ -81,6 +106,7 @@ class Implications:
         holds = not any(
             o.verdict in (Verdict.REFUTED, Verdict.UNCHECKED) or o.is_condition or o.holds_there for o in steps
         )
+        holds = holds and not (self.names.arm is None and any(map(is_condition, premises)))  # α = 90° defines no α
         if implication.kind != "if" and holds and not any(is_rank_condition(chain) for chain in premises):
             return None  # what holds everywhere is no premise: what follows is a claim itself
         with self.ring.budget.paused():  # few documents hold one: the import is none of its time

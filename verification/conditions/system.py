@@ -18,6 +18,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import ANGLES
 from armproof.verification.latex.nodes import bare, has_branches
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.linear import maximal_minors
@@ -131,6 +132,8 @@ def _fixed(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evalua
 def _value(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evaluator) -> tuple[tuple[str, Scalar], ...]:
     """The joint angle that θ = α fixes; nothing where the left side is no joint angle, or the right side holds it."""
     symbol = checker.names.known_symbol(left.key) if isinstance(left, n.Name) else None
+    if isinstance(left, n.Name) and checker.names.is_free(left):
+        symbol = left.key
     if symbol is None or any(isinstance(b, n.Name) and b.key in WHOLE_NUMBERS for b in n.walk(right)):
         return ()
     value = as_scalar(evaluator.evaluate(right))
@@ -236,7 +239,7 @@ def _angle_or_difference(checker: ChainChecker, left: n.Node, right: n.Node, eva
 
 
 def is_angle(checker: ChainChecker, value: Scalar) -> bool:
-    """Whether a scalar is a sum of joint angles and multiples of π."""
+    """Whether a scalar is a sum of joint angles and multiples of π; without an arm, of letters that mostly are angles."""
     arm = checker.names.arm
     revolute = {joint.symbol for joint in arm.joints if joint.kind == "revolute"} if arm is not None else set()
     if not value.denominator.is_one():
@@ -244,7 +247,10 @@ def is_angle(checker: ChainChecker, value: Scalar) -> bool:
     terms = [powers for powers, _ in checker.exact.ring.terms(value.numerator)]
     symbols = [generator for powers in terms for generator in powers]
     linear = all(sum(powers.values()) == 1 for powers in terms)
-    allowed = all(kind == "pi" or (kind == "symbol" and name in revolute) for kind, name in symbols)
+    allowed = all(
+        kind == "pi" or (kind == "symbol" and (name in revolute or (arm is None and name.partition("_")[0] in ANGLES)))
+        for kind, name in symbols
+    )
     return linear and allowed and any(kind == "symbol" for kind, _ in symbols)
 
 

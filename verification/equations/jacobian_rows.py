@@ -36,9 +36,9 @@ class RowsOfJacobians:
             if not shown[printed.key].printed or shown[printed.key].section != self.names.state.section:
                 del shown[printed.key]
         rows = rows_told(chain, self.names)
-        for below in n.walk(chain) if rows is not None else ():
-            if self._is_open(below) and not isinstance(below, n.Group):
-                shown[replace(below, dots=0).key] = JacobianRows(rows, self.names.state.section, printed=False)  # type: ignore
+        for below in n.walk(chain):
+            if rows is not None and isinstance(below, n.Name) and self._is_open(below):
+                shown[replace(below, dots=0).key] = JacobianRows(rows, self.names.state.section, printed=False)
         for below in [*n.walk(chain)]:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
             if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):

@@ -243,11 +243,11 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     if other := [each for each in met if not encloses(state.definitions[each[0]].section, state.section)]:
         return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
-    first, *others = [_letters(member, names) for member in chain.members]
+    first, *others = [letters_held(member, names) for member in chain.members]
     defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
     angles = any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below)
     of_letters = any(_is_of_letters(node) for node in defined if node is not None)  # a rotation obeys more than they do
-    numbers = [m for m in chain.members if not _letters(m, names) and not _is_nought(m)]
+    numbers = [m for m in chain.members if not letters_held(m, names) and not _is_nought(m)]
     has_value = bool(numbers) and any(map(bare_key, chain.members))  # that of a name alone
     if defined and outcome.true is not None and outcome.printed is not None:
         first, *others = _letters_of(outcome.true, names), _letters_of(outcome.printed, names)
@@ -322,10 +322,10 @@ def _letters_of(side: Member, names: Names) -> set[str]:
     cells = as_matrix(side.value).cells
     if all(isinstance(cell, Scalar) for cell in cells):
         return symbols_in([cell.normal() for cell in cells])
-    return _letters(side.node, names)
+    return letters_held(side.node, names)
 
 
-def _letters(member: n.Node, names: Names, of: frozenset[str] = frozenset()) -> set[str]:
+def letters_held(member: n.Node, names: Names, of: frozenset[str] = frozenset()) -> set[str]:
     """Return the letters of a side, those of the names that the document defines, and the joint angles that it holds."""
     found: set[str] = set()
     for below in n.walk(member):
@@ -334,7 +334,7 @@ def _letters(member: n.Node, names: Names, of: frozenset[str] = frozenset()) -> 
         elif isinstance(below, n.Name) and below.key not in ("pi", "I"):
             definition = names.state.definitions.get(below.key) if below.key not in of else None
             node = definition.node if definition is not None else None
-            found |= {below.key} if node is None else _letters(node, names, of | {below.key})
+            found |= {below.key} if node is None else letters_held(node, names, of | {below.key})
     return found
 
 

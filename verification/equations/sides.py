@@ -15,6 +15,7 @@ from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
+from armproof.verification.evaluation.calls import WHOLE_VECTORS
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, finding_of, say
@@ -138,15 +139,22 @@ class Members:
     def jacobian_name(self, node: n.Node, parts: bool = False) -> n.Name | None:
         """Return the name of a Jacobian that notation implies (the front matter lists no rows for it), or None.
 
-        It is that of all six rows, or with `parts` that of some, J_v.
+        It is that of all six rows, or with `parts` that of some, J_v; J(q) and J(θ_1, θ_2) are J.
         """
-        node = n.ungrouped(node)
+        node = self._without_variables(n.ungrouped(node))
         if not isinstance(node, n.Name) or node.base != "J" or node.key in self.names.quantities:
             return None
         quantity = self.names.quantity(replace(node, dots=0))
         return (
             node if quantity is not None and quantity.kind == "jacobian" and (parts or quantity.rows is None) else None
         )
+
+    def _without_variables(self, node: n.Node) -> n.Node:
+        if not isinstance(node, n.Call) or node.function != "name":
+            return node
+        name, *arguments = node.arguments
+        plain = all(isinstance(a, n.Name) and (a.key in WHOLE_VECTORS or self.is_symbol(a)) for a in arguments)
+        return name if plain else node
 
     def speaks_of_jacobian(self, *chains: n.Chain) -> bool:
         """Whether the name of a Jacobian that notation implies stands in chains."""
