@@ -199,6 +199,7 @@ class Statements:
 
     def _take_implication(self, display: _Display, implication: Implication) -> None:
         given, told = dict(self.names.state.configuration), self.names.state.told
+        compared = [*self.names.state.comparisons]
         implication = implication.with_each(self.checker.rows.choose)
         self.checker.conventions.take_coordinates(implication.chains)
         premises = implication.premises
@@ -237,6 +238,7 @@ class Statements:
             display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
             return
         display.under = implication if implication.kind in ("⇒", "if") else None
+        self.names.state.comparisons = compared
         self.names.state.configuration = given  # a premise holds in its implication alone, and so does what it defines
         self.names.forget(key for found in steps for o in found for key in o.defines if not o.is_condition)
         outcome, counterexample = judged

@@ -68,6 +68,8 @@ class Circumstances:
             try:
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 chains = [chain for chain in found if not self.given.repeats(chain)]
+                for bound in filter(_is_bound, chains):
+                    self.names.state.compare(bound, self.given.lengths)
                 bounds = bounds or any(map(_is_bound, chains))
                 chains = [chain for chain in chains if not _is_bound(chain)]
                 if found and not chains:

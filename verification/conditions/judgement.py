@@ -78,7 +78,8 @@ def _of_signs(checker: ChainChecker, implication: Implication, equation: int) ->
             if others or conclusion.has_equation or not conclusion.signs:
                 raise Undecided(say(Kind.SIGNS_NOT_SHOWN))
             left = [each for each in given if not follow(each.signs, conclusion.signs, positive)]
-            points = (_point(checker, each, conclusion) for each in left)
+            compared = Reader(checker).read(checker.names.state.comparisons)
+            points = (_point(checker, each, compared, conclusion) for each in left)
             if left and (point := next(filter(None, points), None)) is None:
                 raise Undecided(say(Kind.SIGNS_NOT_SHOWN))
             if point is not None:
@@ -95,14 +96,15 @@ def _positive(checker: ChainChecker) -> frozenset[str]:
     return frozenset(name for name, length in arm.lengths.items() if length > 0) if arm is not None else frozenset()
 
 
-def _point(checker: ChainChecker, given: Signs, asked: Signs) -> dict[str, float] | None:
+def _point(checker: ChainChecker, given: Signs, compared: Signs, asked: Signs) -> dict[str, float] | None:
+    """Return a configuration that refutes what is asked, for lengths as the document compares them."""
     if given.has_equation:
         return None
     checker.sampled()  # raises where nothing may be drawn
     with checker.exact.budget.paused():
         from armproof.verification.conditions.signed_points import signed_point
 
-    return signed_point(checker, given.signs, asked.signs)
+    return signed_point(checker, (*given.signs, *compared.signs), asked.signs)
 
 
 def states_condition(checker: ChainChecker, chain: n.Chain) -> bool:

@@ -59,6 +59,8 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
     if (isinstance(left, n.Name) or isinstance(right, n.Name)) and not constant:
         of_arm = known and any(map(checker.members.is_symbol, (left, right)))
         checker.names.state.compares_lengths |= of_arm or checker.names.arm is None
+        lengths = checker.names.arm.lengths if checker.names.arm is not None else ()
+        checker.names.state.compare(n.Chain((left, right), (relation,)), lengths)
         return outcome  # a bound on a variable: a condition
     if relation not in ("≤", "<", "≥", ">", "≈"):
         return outcome

@@ -180,6 +180,7 @@ class DocumentState:
         told: what the text between displays says: no display is judged there, but what holds there is not refuted.
         told_lengths: lengths → the value that the text between displays gave them last.
         compares_lengths: whether a display says which lengths are larger.
+        comparisons: what displays, and the text between them, say so.
         rounded: names made of rounded numbers → to how many decimals.
         shown: the rows in which a Jacobian is read that only convention binds.
         signs: the named signs.
@@ -208,6 +209,7 @@ class DocumentState:
     told: Told = field(default_factory=Told)
     told_lengths: dict[str, Stated] = field(default_factory=dict)
     compares_lengths: bool = False
+    comparisons: list[n.Chain] = field(default_factory=list)
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, JacobianRows] = field(default_factory=dict)
     signs: NamedSigns = field(default_factory=NamedSigns)
@@ -280,6 +282,12 @@ class DocumentState:
         for key in keys:
             self.inferred.pop(key, None)
             self.conventional.discard(key)
+
+    def compare(self, chain: n.Chain, lengths: Iterable[str]) -> None:
+        """Remember a comparison if it is one of lengths: l_1 > l_2."""
+        names = {below.key for below in n.walk(chain) if isinstance(below, n.Name)}
+        if names and names <= set(lengths) and set(chain.relations) <= {"<", "≤", ">", "≥"}:
+            self.comparisons.append(chain)
 
     def forget_text(self, key: str) -> None:
         """Take back what the text said of a name: a display says it."""
