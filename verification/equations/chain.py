@@ -8,6 +8,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.equations.alignment import is_near
 from armproof.verification.equations.catalogue import Catalogue
 from armproof.verification.equations.compositions import is_product_of_links
 from armproof.verification.equations.conventional import Conventions
@@ -22,8 +23,16 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import heed_forces, unless_left_out
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
-from armproof.verification.equations.letter_matrices import await_value, awaited, forget_letters, stale
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.letter_matrices import (
+    await_value,
+    awaited,
+    entries_elsewhere,
+    forget_letters,
+    printed_rotation,
+    stale,
+    take_entries,
+)
+from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.readings import Check, Readings
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
@@ -58,6 +67,8 @@ class ChainChecker:
         self.conventions = Conventions(self.equality)
         self.redefinitions = Redefinitions(names)
         self.catalogue = Catalogue(self.members)
+        self.of_entries = False  # whether a chain is read with r_{ij} of another matrix
+        self.of_coordinates = False  # whether a chain is read with x for a coordinate
 
     @cached_property
     def rows(self) -> RowsOfJacobians:
@@ -133,6 +144,7 @@ class ChainChecker:
                 outcomes.append(definitions.define(true, member, equation))
         again = partial(self._again, before, first_equation, line, define)
         outcomes = self._read_otherwise(chain, outcomes, settled, again)
+        outcomes = self._of_other_matrix(chain, outcomes, first_equation, line)
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
         outcomes = [self._left_open_for_places(outcome, placed) for outcome in outcomes]
         outcomes = [self._left_open_for_section(outcome, ended) for outcome in outcomes]
@@ -166,6 +178,8 @@ class ChainChecker:
         self.conventions.restore(outcomes)
         if define and self.names.state.awaited:
             self._give_letters(chain, definitions)
+        if define and all(outcome.verdict in HOLDS for outcome in outcomes):
+            self.names.state.printed = printed_rotation(self.names, chain) or self.names.state.printed
         return [*outcomes, *_labels(chain, first_equation, definitions)]
 
     def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:
@@ -198,8 +212,12 @@ class ChainChecker:
     def _of_coordinates(self, chain: n.Chain, first: list[Outcome], check: Check) -> list[Outcome]:
         """Return the outcomes where x is a coordinate, and no vector as in an equation before, if none is refuted then."""
         before = self.names.state.copy()
-        if self.conventions.take_coordinates(chain.members, beside=False):
-            tried = check(chain)
+        if not self.of_coordinates and self.conventions.take_coordinates(chain.members, beside=False):
+            self.of_coordinates = True  # 𝐱 = [x y z]^T asks again what x is
+            try:
+                tried = check(chain)
+            finally:
+                self.of_coordinates = False
             if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
                 return tried
             self.names.state.become(before)
@@ -219,6 +237,26 @@ class ChainChecker:
         first = min(ended)
         self.names.leave_unknown(ended, ended[first], Kind.OTHER_SECTION)
         return outcome.left_open(say(Kind.OTHER_SECTION, name=first, line=ended[first]))
+
+    def _of_other_matrix(self, chain: n.Chain, first: list[Outcome], equation: int, line: int) -> list[Outcome]:
+        """Return the outcomes where r_{ij} are of another matrix than the tool's, if all hold; what else is no slip is left open."""
+        if self.of_entries or all(outcome.verdict in HOLDS for outcome in first):
+            return first
+        readings = [*entries_elsewhere(self.names, chain)]
+        for entries in readings:
+            before, meant = self.names.state.copy(), (self.conventions.doubts, self.conventions.before)
+            take_entries(self.names, entries)
+            self.of_entries = True
+            tried = self.check(chain, equation, line, define=False)
+            self.of_entries = False
+            self.names.state.become(before)
+            self.conventions.doubts, self.conventions.before = meant
+            if all(outcome.verdict in (Verdict.PROVED, Verdict.CONFIRMED) for outcome in tried):
+                return tried
+        made = self.names.state.definitions
+        others = [key for entries in readings for key in entries if key in made and made[key].by_place]
+        doubt = say(Kind.SECOND_MEANING, name=others[0], line=made[others[0]].line) if others else None
+        return [each if doubt is None or _is_slip(each) else each.left_open(doubt) for each in first]
 
     def _give_letters(self, chain: n.Chain, definitions: Definitions) -> None:
         """Let the letters of a matrix mean the entries of a name that a chain gives a value."""
@@ -255,6 +293,10 @@ class ChainChecker:
         """Check another reading of a chain, without what its first reading defined."""
         self.names.state.definitions = before.copy()
         return self.check(chain, first_equation, line, define)
+
+
+def _is_slip(outcome: Outcome) -> bool:
+    return outcome.verdict is not Verdict.REFUTED or (outcome.pair is not None and is_near(outcome.pair))
 
 
 def _all_proved(outcomes: Iterable[Outcome]) -> bool:

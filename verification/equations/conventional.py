@@ -120,7 +120,9 @@ class Conventions:
             usual = self._usual(name.key) if name is not None and isinstance(member.problem, UnboundName) else None
             if name is not None and usual is not None and self.names.is_open(name):
                 shown = self._tried(member.node, name, usual)
-                return [*members[:place], shown, *members[place + 1 :]], [shown]
+                others = [each if each is member else self.members.evaluate(each.node) for each in members]
+                others[place] = shown
+                return others, [each for each in others if each.known]
         return members, []
 
     def _of_letters(self, members: list[Member]) -> tuple[list[Member], list[Member]]:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.given_values import keys_alone, names_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import UnboundName
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key
-from armproof.verification.naming.conventions import ENTRIES
+from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.naming.conventions import ENTRIES, is_entry
 from armproof.verification.naming.names import Names
+from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import Verdict
 
 FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
@@ -30,6 +34,36 @@ def stale(members: Sequence[Member]) -> n.Node | None:
     """Return a matrix of letters whose meaning is not known any more, beside a name with a value; else None."""
     pairs = (letters.node for name, letters in _of_letters(members) if name.known and letters.problem is not None)
     return next(pairs, None)
+
+
+def entries_elsewhere(names: Names, chain: n.Chain) -> Iterator[dict[str, Quantity]]:
+    """Yield what the r_{ij} of a chain may be of: the rotation that was printed last, or that of a wrist of three joints."""
+    found = {each.key: each for m in chain.members for each in n.walk(m) if isinstance(each, n.Name) and is_entry(each)}
+    if names.arm is None or not found:
+        return
+    frames = numbered_frames(names.arm)
+    wrist = [Quantity("rotation", frames[-1], frames[-4])] if len(names.arm.joints) == len(frames) - 1 >= 6 else []
+    for rotation in dict.fromkeys((*filter(None, [names.state.printed]), *wrist)):
+        places = {key: ((int(each.sub[0]),), (int(each.sub[-1]),)) for key, each in found.items()}
+        yield {key: replace(rotation, rows=r, columns=c, scalar=True) for key, (r, c) in places.items()}
+
+
+def take_entries(names: Names, entries: Mapping[str, Quantity]) -> None:
+    """Let r_{ij} be entries of a rotation."""
+    names.forget(entries)
+    names.state.inferred.update(entries)
+
+
+def printed_rotation(names: Names, chain: n.Chain) -> Quantity | None:
+    """Return the rotation of which a chain prints the matrix, or the one in the pose of which it does."""
+    sizes = {
+        (len(rows), len(rows[0])) for each in chain.members if (rows := written_rows(each)) and not keys_alone(each)
+    }
+    alone = [each for each in map(bare, chain.members) if isinstance(each, n.Name)]
+    quantities = [quantity for each in alone if (quantity := names.quantity(each)) is not None]
+    found = (each for each in quantities if each.kind in ("rotation", "pose") and each.rows is None)
+    quantity = next(found, None) if sizes & {(3, 3), (4, 4)} else None
+    return replace(quantity, kind="rotation") if quantity is not None else None
 
 
 def _of_letters(members: Sequence[Member]) -> Iterator[tuple[Member, Member]]:

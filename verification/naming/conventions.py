@@ -48,7 +48,7 @@ def is_usual(name: n.Name) -> bool:
     """Whether a name is so common for a quantity of the arm that another value for it is worth a word."""
     is_point = name.base in ("t", "o", "O") and name.sup == "0" and name.sub.isdigit()  # t_2^0, seen from the base
     usual = USUAL | MODELS
-    return (name.base in usual and name.sub not in PERHAPS_END) or "to" in name.sub or _is_entry(name) or is_point
+    return (name.base in usual and name.sub not in PERHAPS_END) or "to" in name.sub or is_entry(name) or is_point
 
 
 def reads_as_length(letter: str) -> bool:
@@ -100,10 +100,10 @@ def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
             Quantity(kind, each, reference) for each in dict.fromkeys((_tool(arm), _last(arm))) for kind in kinds
         )
         return
-    if _is_entry(name) or (name.base in NORMALS and name.sub in tuple(AXES)):
+    if is_entry(name) or (name.base in NORMALS and name.sub in tuple(AXES)):
         row, column = (
             (int(name.sub[0]), int(name.sub[-1]))
-            if _is_entry(name)
+            if is_entry(name)
             else (AXES.index(name.sub) + 1, NORMALS.index(name.base) + 1)
         )
         for each in dict.fromkeys((_tool(arm), _last(arm))):
@@ -112,7 +112,7 @@ def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
     yield from _all(name.base, name.pre_sub or name.sub, reference, arm, False)
 
 
-def _is_entry(name: n.Name) -> bool:
+def is_entry(name: n.Name) -> bool:
     """Whether a name is r_{13}, an entry of a rotation."""
     return name.base == "r" and re.fullmatch("[123],?[123]", name.sub) is not None
 

@@ -172,6 +172,7 @@ class DocumentState:
         conventional: those of them that only convention binds.
         placed: names of blocks that are what convention says, as their place in a matrix showed → the line and the section of its display.
         awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
+        printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
@@ -200,6 +201,7 @@ class DocumentState:
     conventional: set[str] = field(default_factory=set)
     placed: dict[str, tuple[int, str]] = field(default_factory=dict)
     awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
+    printed: Quantity | None = None
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)

@@ -45,6 +45,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "conventional": lambda state: state.conventional.add("p_x"),
     "placed": lambda state: state.placed.update(R=(1, "")),
     "awaited": lambda state: state.awaited.update({"R_t": (Name("r", "11"), 3)}),
+    "printed": lambda state: setattr(state, "printed", Quantity("rotation", "2")),
     "usual": lambda state: state.usual.update({("p_x", "A title"): Quantity("origin", "2")}),
     "used": lambda state: state.used.add("a"),
     "used_in_general": lambda state: state.used_in_general.add("a"),

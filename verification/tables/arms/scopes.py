@@ -9,6 +9,7 @@ from itertools import pairwise
 
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.errors import EvaluationError
+from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
@@ -109,6 +110,8 @@ def _starts(document: Document) -> Iterator[Place]:
 
 def _is_other(arm: Candidate, before: Candidate) -> bool:
     """Whether an arm is another than one before it; a closed form is that of the table behind it, if it has as many joints."""
+    if arm.source == before.source == "closed form":  # of two exercises
+        return (arm.rows, arm.joints) != (before.rows, before.joints)
     if before.source == "closed form":
         return sum(map(bool, arm.joints)) != sum(map(bool, before.joints))
     return arm.is_other_than(before)
@@ -122,11 +125,35 @@ def _sources(document: Document) -> Iterator[_Source]:
         if (form := candidate_of_closed_form(above, plain_names(document))) is not None:
             at = next(each for each in above.displays if _place(each) == (form.cell or 0, form.line))
             yield _Source(_place(at), at.section, form)
+    yield from _of_exercises(document)
     for table in dh_tables(document):
         if isinstance(found := arms_of(document, table), list):
             yield _Source(_place(table), table.section, found[0])
     for display, entries in first_links(document, plain_names(document)):
         yield _Source(_place(display), display.section, entries=entries)
+
+
+def _of_exercises(document: Document) -> Iterator[_Source]:
+    """Yield the closed forms of exercises that show neither a table nor a link matrix: each may be about an arm of its own."""
+    begins, names = [*_exercises(document)], plain_names(document)
+    for begin, end in pairwise([*begins, (10**9, 0)]) if len(begins) > 1 else ():
+        part = _between(document, begin, end)
+        if any(dh_tables(part)) or any(first_links(part, names)):
+            continue
+        if (form := candidate_of_closed_form(part, names)) is not None:
+            at = next(each for each in part.displays if _place(each) == (form.cell or 0, form.line))
+            yield _Source(_place(at), at.section, form)
+
+
+def _exercises(document: Document) -> Iterator[Place]:
+    """Yield where each exercise of its own begins, by the headings above its displays and tables."""
+    name = ""
+    parts: list[Display | Table] = [*document.displays, *document.tables]
+    for part in sorted(parts, key=_place):
+        head = WITH_ITS_ARM.match(part.section)
+        if head is not None and head[0] != name:
+            name = head[0]
+            yield _place(part)
 
 
 def _start(document: Document, before: _Source, source: _Source) -> Place:
