@@ -38,6 +38,7 @@ from armproof.course.feedback.terms import terms_astray
 from armproof.course.feedback.wholes import part_astray
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up
+from armproof.verification.errors import ShapeError
 from armproof.verification.findings import Kind, say
 from armproof.verification.functions.guarded_call import CallError, Guard
 from armproof.verification.functions.latex import write_matrix
@@ -203,6 +204,8 @@ class Formula:
             bound = set(self.arguments) & set(self.given)
             words = relation(self._true[:FEW], self._values_of(answer), {}) if bound else ""
             return words or first_said(self._unbound._relations(answer, self._drawn))
+        except ShapeError as problem:  # c_{23} of an arm without an angle 3
+            return str(problem)
         except ArmproofError:
             return ""
 

@@ -35,6 +35,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
 from armproof.models.language import noted
 from armproof.verification.algebra.quantity_kinds import kind_of
+from armproof.verification.errors import ShapeError
 from armproof.verification.findings.finding import write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.arguments import read_layout
@@ -149,6 +150,8 @@ class Quantity:
         """Return how an answer with no known slip relates to what is asked, in its letters and in values."""
         try:
             return first_said(self._relations(answer))
+        except ShapeError as problem:  # c_{23} of an arm without an angle 3
+            return str(problem)
         except ArmproofError:
             return ""
 

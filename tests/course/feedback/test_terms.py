@@ -43,6 +43,8 @@ _V = r"-l_1 S_1 - l_2 S_{12} - l_3 S_{123} & -l_2 S_{12} - l_3 S_{123} & -l_3 S_
         (JACOBIAN, rf"\begin{{bmatrix}} {_V} \\ 1 & 1 & 1 \end{{bmatrix}}", "rows 1, 2, 6 of what is asked"),
         (TOOL, r"\begin{bmatrix} l_1 C_1 + l_2 C_{12} \\ l_1 S_1 + l_2 S_{12} \\ 0 \end{bmatrix}", "rows 1 to 2 of your answer are right"),
         (TOOL, lambda q, l_1, l_2: [l_1 * np.cos(q[0]) + l_2 * np.cos(q[0] + q[1])], "row 1 of what is asked"),
+        (TOOL, r"\begin{bmatrix} l_1 C_1 + l_2 C_{23} \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}", "index 3 where 1 belongs"),
+        (END, r"\begin{bmatrix} (b + d_3 S_2) C_1 \\ (b - d_3 S_{23}) C_1 \\ h + d_3 C_2 \end{bmatrix}", "no joint angle 3"),
         (Number((0.4, 0.3), "m"), [0.4, 0.31], "number 2: too large; all else is right"),
         (Number((0.4, 0.3, 0.1), "m"), [0.43, 0.3, 0.07], "number 1: too large; number 3: too small"),
         (Number(-1.0), 2, "wrong by a factor of 2, and in sign"),
