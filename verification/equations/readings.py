@@ -211,8 +211,11 @@ class Readings:
 
 
 def counted(chain: n.Chain, names: Names) -> Finding | None:
-    """Say that a joint variable has a script above it that may count it: θ^{(2)}, θ^1, or a θ^2 alone on its side."""
+    """Say that a script above a letter may be no power: θ^{(2)}, θ^1, a θ^2 alone on its side, which may count solutions; a θ° alone."""
     for member in chain.members:
+        alone = bare(member)
+        if isinstance(alone, n.Postfix) and alone.operator == "deg" and (key := bare_key(alone.base)) is not None:
+            return say(Kind.DEGREES_OF_LETTER, name=key)
         for below in n.walk(member):
             if not isinstance(below, n.Power) or not _is_joint(below.base, names):
                 continue
