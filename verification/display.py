@@ -19,6 +19,7 @@ from armproof.verification.conditions.implication import (
 )
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
+from armproof.verification.equations.any_jacobian import holds_of_any_jacobian
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
@@ -581,6 +582,9 @@ class Statements:
             return outcomes
         if is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line):
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
+        if holds_of_any_jacobian(chain, self.names):
+            known = (say(Kind.OF_ANY_JACOBIAN),)
+            return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
         if (rates := with_rates(chain, self.names)) is not None:
             tried = self.checker.check(rates, equation, line, False)
             if all(

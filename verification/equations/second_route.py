@@ -182,7 +182,8 @@ class SecondRoute:
         """
         node = bare(node)
         calls = [below for below in n.walk(by) if isinstance(below, n.Call)]
-        if any(below == node for below in n.walk(by)) or any(call.function in ("abs", "norm") for call in calls):
+        by_itself = any(below == node for below in n.walk(by)) and not _is_of_both_sides(node, by)
+        if by_itself or any(call.function in ("abs", "norm") for call in calls):
             return False
         if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan"):
             value = self.members.evaluate(node).value
@@ -241,6 +242,15 @@ class SecondRoute:
 
         nodes = outcome.true.node, outcome.printed.node
         return errors_between(self.names, sampled, *nodes, outcome.pair, branches)
+
+
+def _is_of_both_sides(node: n.Node, by: n.Node) -> bool:
+    """Whether an angle is solved for by its sine and its cosine, which were found before: θ_2 = arctan(sin θ_2 / cos θ_2)."""
+    by = bare(by)
+    quotient = bare(by.arguments[0]) if isinstance(by, n.Call) and by.function == "atan" else None
+    sides = (quotient.numerator, quotient.denominator) if isinstance(quotient, n.Quotient) else ()
+    calls = [side for side in map(bare, sides) if isinstance(side, n.Call) and side.arguments == (node,)]
+    return [call.function for call in calls] == ["sin", "cos"]
 
 
 def _holds_arcs(outcome: Outcome) -> bool:

@@ -33,6 +33,16 @@ _DOUBLED = re.compile(r"\\\\(?:\\\\|(?=[A-Za-z]{2,}|[{},;:!|]))")
 _AT_THE_END = re.compile(
     r"\\q?quad[\s~]*(?:\\left)?\((?P<stated>[^()&]{0,200}(?:[=<>]|\\n?eq?\b|\\[lg]eq?\b|\\in\b)[^()&]{0,200}?)(?:\\right)?\)(?=[\s.,;]*$)"
 )
+_WORDS = r"\\(?:text|textrm|textit|mathrm|mbox)\s*\{[^\W\d_][^{}\\$=<>]*\}"
+_BETWEEN_WORDS = r"(?:\\[ ,;:!]|\\[pm]{2}(?![A-Za-z])|[\s~,;/+±-])*"
+_REMARK = re.compile(  # x = a + b \, (\text{elbow up} +): words in brackets behind a space are no factor
+    rf"(?P<gap>(?:\\[ ,;:!]|\\q?quad|~)\s*)(?:\\left\s*)?\(\s*(?P<said>(?:{_WORDS}{_BETWEEN_WORDS})+)(?:\\right\s*)?\)"
+)
+_SIGN = re.compile(rf"(?P<words>{_WORDS})|(?:\\[pm]{{2}}(?![A-Za-z])|[,;/+±-])")
+_LOST_BREAK = re.compile(
+    r"(?<=&)(?P<line>[^\n\\]*(?:\\[^\n][^\n\\]*)*)(?<!\\)\\(?P<end>[ \t]*\n)(?=[^\n]*&)"
+)  # \ for \\
+_OF_PANDOC = re.compile(r"(?<=[A-Za-z}])~(?P<below>\d{1,3}|[ijkn])~(?:\^(?P<above>[\dijkn])\^)?")  # H~0~^4^
 _NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
 _BARS = re.compile(r"\\(?:abs|(?P<norm>norm))\*?\s*(?P<brace>\{)")
 
@@ -44,6 +54,9 @@ def prepared(text: str) -> str:
     ):  # \\begin{matrix} a \\\\ b, from a string of Python
         text = _DOUBLED.sub(lambda found: found.group()[: len(found.group()) // 2].rjust(len(found.group())), text)
     text = _NUMBERED.sub(lambda found: _blank(found.group()), text)
+    if "&" in text:
+        text = _LOST_BREAK.sub(lambda found: found["line"] + "\\\\" + found["end"][1:], text)
+    text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
     return _SILENT.sub(_plain, _AT_THE_END.sub(_for, text))
 
@@ -52,6 +65,18 @@ def _for(found: re.Match[str]) -> str:
     """R = I \\quad (θ = 0) says at the end where it holds."""
     start = found.start("stated") - found.start()
     return " for".ljust(start) + found["stated"].ljust(len(found.group()) - start)
+
+
+def _said_beside(found: re.Match[str]) -> str:
+    """Leave of a remark its words alone."""
+    said = _SIGN.sub(lambda part: part["words"] or _blank(part.group()), found["said"])
+    before, behind = found.group().split(found["said"], 1)
+    return found["gap"] + _blank(before[len(found["gap"]) :]) + said + _blank(behind)
+
+
+def _scripts(found: re.Match[str]) -> str:
+    """Write the scripts of Pandoc's Markdown as those of LaTeX."""
+    return f"_{found['below']} " + (f"^{found['above']} " if found["above"] else "")
 
 
 def _plain(found: re.Match[str]) -> str:

@@ -22,29 +22,39 @@ COMMANDS |= {
     for styled in _STYLED
     if (letter := unicodedata.normalize("NFKC", styled)) != styled
 }
-_SIGNS = re.compile("[" + "".join(COMMANDS) + "]")
+COMMANDS |= {"∅": r"\varnothing ", "⌀": r"\varnothing ", "⊖": r"\ominus ", "⊕": r"\oplus "}
+_BELOW = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₐₑᵢⱼₖₗₘₙₚᵣₛₜₓ", "0123456789+-aeijklmnprstx", strict=True))
+_ABOVE = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿᵀᵗ", "0123456789+-inTt", strict=True))
+_SCRIPTS = re.compile(f"(?P<below>[{''.join(_BELOW)}]+)|(?P<above>[{''.join(_ABOVE)}]+)")
 _BEHIND_A_COMMAND = re.compile(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
 
 
 def normalise_unicode(text: str) -> str:
     """Write the Unicode signs of mathematics as their LaTeX commands."""
-    if text.isascii():
-        return text
-    apart = {found.start() for found in _BEHIND_A_COMMAND.finditer(text)}
-    return _SIGNS.sub(lambda found: _written(found.group(), found.start() in apart), text)
-
-
-def _written(character: str, is_apart: bool) -> str:
-    command = COMMANDS.get(character, character)
-    return f" {command}" if is_apart and command != character and not command.startswith("\\") else command
+    return text if text.isascii() else "".join(_written(text))
 
 
 def original_offset(text: str, offset: int) -> int:
     """Return the place in `text` of a place in its normalised form."""
-    apart = {found.start() for found in _BEHIND_A_COMMAND.finditer(text)}
     position = 0
-    for index, character in enumerate(text):
+    for index, written in enumerate(_written(text)):
         if position >= offset:
             return index
-        position += len(_written(character, index in apart))
+        position += len(written)
     return len(text)
+
+
+def _written(text: str) -> list[str]:
+    """Return what each character is written as."""
+    apart = {found.start() for found in _BEHIND_A_COMMAND.finditer(text)}
+    written = [_command(character, index in apart) for index, character in enumerate(text)]
+    for run in _SCRIPTS.finditer(text):  # θ₁₂, J⁻¹
+        written[run.start() : run.end()] = [(_BELOW if run["below"] else _ABOVE)[character] for character in run[0]]
+        written[run.start()] = ("_{" if run["below"] else "^{") + written[run.start()]
+        written[run.end() - 1] += "}"
+    return written
+
+
+def _command(character: str, is_apart: bool) -> str:
+    command = COMMANDS.get(character, character)
+    return f" {command}" if is_apart and command != character and not command.startswith("\\") else command

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from armproof.verification.latex import greek
 
-VARIANTS = {**greek.VARIANTS, "ell": "l"}
-LETTERS = frozenset([*greek.GREEK, "ell"])  # commands that are letters
+VARIANTS = {**greek.VARIANTS, "ell": "l", "emptyset": "varnothing"}
+LETTERS = frozenset([*greek.GREEK, "ell", "varnothing", "emptyset"])  # commands that are letters
 
 # how the functions of kinematics are spelt: the spelling → the function
 FUNCTIONS = {
@@ -97,7 +97,7 @@ COMMANDS = {
     "pm": "PM", "mp": "PM", "cdot": "CDOT", "times": "TIMES", "wedge": "TIMES", "ast": "CDOT", "star": "CDOT",
     "bullet": "CDOT", "circ": "CDOT", "div": "SLASH", "frac": "FRAC", "dfrac": "FRAC", "tfrac": "FRAC", "cfrac": "FRAC",
     "sqrt": "SQRT", "partial": "PARTIAL", "dots": "DOTS", "ldots": "DOTS", "cdots": "DOTS", "vdots": "DOTS",
-    "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "dotsm": "DOTS", "prod": "DOTS", "sum": "DOTS", "int": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
+    "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "dotsm": "DOTS", "prod": "DOTS", "sum": "DOTS", "int": "DOTS", "oplus": "DOTS", "ominus": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
     "overset": "OVERSET", "underset": "OVERSET", "stackrel": "OVERSET",
     "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "colon": "SEP",
     "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",

@@ -18,6 +18,7 @@ from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.general_link import shown_convention
+from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
 from armproof.verification.tables.arms.matrices import candidate_of_matrices
 from armproof.verification.tables.arms.rows import candidates
@@ -49,7 +50,7 @@ def infer_arm(document: Document) -> Inference:
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
-    if found is None and of_table.problem is None:
+    if found is None:
         found = _of_formulas(document, plain_names(document))
     settled = _settle(document, [found]) if found is not None else of_table
     return settled if settled.arm is not None else of_table
@@ -58,7 +59,8 @@ def infer_arm(document: Document) -> Inference:
 def _of_formulas(document: Document, names: Names) -> Candidate | None:
     """Return the arm that a document's formulas pin: its tool's coordinates, else a law of cosines."""
     found = candidate_of_closed_form(document, names)
-    return with_point_of_law(found, document, names) if found is not None else candidate_of_law(document, names)
+    found = with_point_of_law(found, document, names) if found is not None else candidate_of_law(document, names)
+    return with_last_turn(found, document, names) if found is not None else None
 
 
 def _of_tables(document: Document) -> Inference:

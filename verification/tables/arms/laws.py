@@ -200,13 +200,16 @@ class _Reader:
             square = (value * a * b * 2 + a * a + b * b).normal() if value is not None else None
             if square is None or not _is_polynomial(square) or {one, other} & symbols_in([square]):
                 continue
-            if (found := self._point(self._with_meanings(square))) is not None:
+            square = self._with_meanings(square)
+            if (found := self._point(square) or self._point_before_hand(square)) is not None:
                 return _Law(joint, (one, other), *found, display)
         return None
 
     def _with_meanings(self, square: Scalar) -> Scalar:
         """Return the square of a distance with letters for what the document says they are: r² + s² = x² + y² + (z − d_1)²."""
-        for key in sorted(symbols_in([square])):
+        met: set[str] = set()
+        while (new := symbols_in([square]) - met) and (key := min(new)):  # b² = e² + c², where e² = x² + y²
+            met.add(key)
             letter = self.algebra.ring.symbol(key)
             rest = (square - letter * letter).normal()
             if key in self.squares and key not in symbols_in([rest]):
@@ -214,6 +217,22 @@ class _Reader:
             elif key in self.letters:
                 square = substitute(square, {key: self.letters[key]}).normal()
         return square
+
+    def _point_before_hand(self, square: Scalar) -> tuple[tuple[str, ...], Scalar] | None:
+        """Return the letters of a wrist in the plane whose squares these are: e² + c², where e = P_x − l_3 cos φ."""
+        ring, keys = self.algebra.ring, sorted(symbols_in([square]))
+        total = sum((ring.symbol(key) * ring.symbol(key) for key in keys), ring.zero)
+        given = {key: self.given.get(key, []) for key in keys}
+        if len(keys) != 2 or any(len(each) != 1 for each in given.values()) or not (square - total).normal().is_zero():
+            return None
+        turned = {key: substitute(value, dict.fromkeys(angles_in(value), ring.zero)) for key, (value,) in given.items()}
+        axes = [key for key in keys if not (turned[key] - given[key][0]).normal().is_zero()]
+        along = [key for key in axes if len(symbols_in([turned[key]])) > 1]  # cos 0 leaves the length of the hand
+        return (
+            ((along[0], next(key for key in keys if key != along[0])), ring.zero)
+            if len(along) == 1 == len(axes) - 1
+            else None
+        )
 
     def _point(self, square: Scalar) -> tuple[tuple[str, ...], Scalar] | None:
         """Return the names of the coordinates whose squares these are, and the height from which the last one counts."""

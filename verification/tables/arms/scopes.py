@@ -9,16 +9,20 @@ from itertools import pairwise
 
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.errors import EvaluationError
+from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
+from armproof.verification.tables.arms.laws import candidate_of_law
+from armproof.verification.tables.arms.letters import equations_of
 from armproof.verification.tables.arms.matrices import candidate_of_matrices, first_links
 from armproof.verification.tables.arms.sections import named_sections, without_arms
 
 _FRAMES = re.compile(
     r"(?<![A-Za-z])[TRAH]\s*_\s*\{?\s*(\d)\s*\}?\s*\^\s*\{?\s*(\d)|(?<![A-Za-z])[TRAH]\s*\^\s*\{?\s*(\d)\s*\}?\s*_\s*\{?\s*(\d)"
 )
+_SOLVED = re.compile(r"(?:theta|q)_\d")
 Place = tuple[int, int]  # cell (0 where there is none) and line
 
 
@@ -57,7 +61,7 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
         found = None if tables else candidate_of_matrices(document, names) or candidate_of_closed_form(document, names)
     except EvaluationError:
         found = None
-    start = _of_other_joints(document, found) if found is not None else None
+    start = _of_other_joints(document, found) if found is not None else None if tables else _of_other_law(document)
     if start is None:
         yield document
         return
@@ -75,6 +79,30 @@ def _of_other_joints(document: Document, found: Candidate) -> Place | None:
                 _place(each) for each in document.displays if each.section == display.section and _place(each) > place
             )
     return None
+
+
+def _of_other_law(document: Document) -> Place | None:
+    """Return where a heading begins under which a joint is solved for once more, by a law of cosines of another joint or of other links."""
+    names, before = plain_names(document), None
+    solved: dict[str, set[str]] = {}
+    start: Place = (-1, 0)
+    for display in document.displays:
+        start = start if before is not None and display.section == before.section else _place(display)
+        before = display
+        for chain in equations_of(display, names) if "=" in display.latex else ():
+            key, formula = bare_key(chain.members[0]) or "", display.latex.strip()
+            if not _SOLVED.fullmatch(key):
+                continue
+            if solved.get(key, {formula}) != {formula} and _are_of_other_laws(document, start):
+                return start
+            solved.setdefault(key, {formula})
+    return None
+
+
+def _are_of_other_laws(document: Document, start: Place) -> bool:
+    parts = (_between(document, (-1, 0), start), _between(document, start, (10**9, 0)))
+    arms = [candidate_of_law(part, plain_names(part)) for part in parts]
+    return None not in arms and (arms[0].rows, arms[0].joints) != (arms[1].rows, arms[1].joints)  # type: ignore[union-attr]
 
 
 def _spoken_of(display: Display) -> set[int]:

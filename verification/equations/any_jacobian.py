@@ -1,0 +1,195 @@
+r"""What holds of any Jacobian: \dot x = J \dot q, τ = J^T F, τ^T \dot q = F^T \dot x, J^+ = J^T (J J^T)^{-1}, damped least squares.
+
+A statement is evaluated with Jacobians of letters, square, wide and tall. It is a law where it holds in each of these sizes in
+which it has a value, the square one among them, and another one but for J^{-1}.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+from operator import mul
+
+from armproof.verification.algebra.matrix import Matrix, as_matrix, is_zero
+from armproof.verification.algebra.protocol import Algebra, Value
+from armproof.verification.algebra.ring import Ring
+from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.evaluator import Evaluator
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.names import Names
+from armproof.verification.naming.state import DocumentState
+
+SECONDS = 0.5
+SIZES = ((2, 2), (2, 3), (3, 2))  # rows and columns of J
+JACOBIAN, RATES, OTHER_RATES, VELOCITY, FORCE, TORQUE = KINDS = (
+    "jacobian", "rates", "otherrates", "velocity", "force", "torque",
+)  # fmt: skip
+_JOINTS, _TASK = ("q", "theta", "Theta"), ("x", "X", "p", "P", "r")
+_OF_TOOL = ("", "e", "E", "ee", "EE", "end", "tip", "t", "d", "des", "n", "c")
+_SIGNS = ("d", "delta")  # of what is small; Δq = J^+ e is one step, and Δx = J Δq holds nearly
+_DAMPING = ("lambda", "mu", "rho", "k", "alpha", "epsilon", "sigma")
+
+
+def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
+    """Whether a chain of = about a Jacobian, joint rates, velocities, forces and torques holds whatever these are."""
+    if len(chain.members) < 2 or set(chain.relations) != {"="} or not _may_be_of_jacobian(chain):
+        return False
+    spoken: set[tuple[str, str]] = set()
+    members = [_usual(member, spoken) for member in chain.members]
+    kinds = [kind for kind, _ in spoken]
+    if any(
+        isinstance(alone := bare(member), n.Name) and alone.dots == 0 and _kind_of(alone) == VELOCITY
+        for member in chain.members
+    ):
+        return False  # v = J \dot q says what v is
+    others = {each.key for member in members for each in n.walk(member) if isinstance(each, n.Name)} - set(kinds)
+    is_about = JACOBIAN in kinds or {RATES, VELOCITY, FORCE, TORQUE} <= set(kinds)
+    if not is_about or len(set(kinds)) < len(kinds) or others - {"I", *_DAMPING}:
+        return False  # what is said of two velocities holds of them alone
+    square, *oblong = [_Size(*size, names, frozenset(kinds)).holds(members) for size in SIZES]
+    return square is True and False not in oblong and (True in oblong or _has_inverse(members))
+
+
+def _has_inverse(members: Sequence[n.Node]) -> bool:
+    """Whether J^{-1} tells that J is square."""
+    below = (each for member in members for each in n.walk(member) if isinstance(each, n.Postfix))
+    return any(each.operator in ("-1", "-T") and bare(each.base) == n.Name(JACOBIAN) for each in below)
+
+
+def _may_be_of_jacobian(chain: n.Chain) -> bool:
+    bases = {each.base for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)}
+    return bool(bases & {"J", "tau"})
+
+
+def _usual(node: n.Node, spoken: set[tuple[str, str]]) -> n.Node:
+    """Return a tree with one name for what is of a kind; collect the kinds with the names that they have."""
+    node = bare(node)
+    if isinstance(node, n.Call) and node.function == "name":
+        node = bare(node.arguments[0])
+    if isinstance(node, n.Derivative) and isinstance(name := bare(node.operand), n.Name):
+        in_time = isinstance(node.variable, n.Name) and node.variable.key == "t" and node.order == 1
+        node = replace(name, dots=1) if in_time and not name.dots else node
+    if isinstance(node, n.Product):
+        node = _with_displacements(node)
+    if isinstance(node, n.Name):
+        kind = _kind_of(node)
+        spoken |= {(kind, node.key)} if kind else set()
+        return n.Name(kind) if kind else node
+    return n.substitute_each(node, {id(below): _usual(below, spoken) for below in n.children(node)})
+
+
+def _with_displacements(node: n.Product) -> n.Node:
+    r"""Return a product with \dot q for each Δq: one step of what has rates."""
+    factors, operators = [*node.factors], ["", *node.operators]
+    for at in reversed(range(1, len(factors))):
+        sign, name = map(bare, factors[at - 1 : at + 1])
+        if not (isinstance(name, n.Name) and isinstance(sign, n.Name)) or operators[at] or name.dots:
+            continue
+        signs = (*_SIGNS, "Delta") if name.base in _JOINTS else _SIGNS
+        if sign.key in signs and name.base in (*_JOINTS, *_TASK):
+            factors[at - 1 : at + 1] = [replace(name, dots=1)]
+            del operators[at]
+    return factors[0] if len(factors) == 1 else replace(node, factors=tuple(factors), operators=tuple(operators[1:]))
+
+
+def _kind_of(name: n.Name) -> str:
+    """Return of which kind a name is by convention, or an empty text."""
+    if name.primes or name.sup or name.pre_sub or name.pre_sup or name.dots > 1:
+        return ""
+    if name.dots:
+        if name.base in _JOINTS:
+            return RATES if name.sub in ("", "d") else OTHER_RATES if name.sub in ("0", "N", "null") else ""
+        return VELOCITY if name.base in _TASK and name.sub in _OF_TOOL else ""
+    if name.base == "J":
+        return JACOBIAN if name.sub in ("", "v", "A", "a") else ""
+    if name.base in ("v", "V", "nu", "xi", "e") and name.sub in _OF_TOOL:
+        return VELOCITY
+    if name.base in ("F", "f", "w", "W") and name.sub in (*_OF_TOOL, "ext"):
+        return FORCE
+    return TORQUE if name.base == "tau" and not name.sub else ""
+
+
+@dataclass(frozen=True)
+class _Size:
+    """A Jacobian of letters with so many rows and columns."""
+
+    rows: int
+    columns: int
+    names: Names
+    kinds: Collection[str]
+
+    def holds(self, members: Sequence[n.Node]) -> bool | None:
+        """Whether a chain of these members holds; None where one has no value, such as the inverse of what is not square."""
+        algebra = ExactAlgebra(Ring(), None)
+        with algebra.budget.of(SECONDS):
+            try:
+                return self._are_equal(members, algebra) or self._is_solution(members, algebra)
+            except (EvaluationError, RecursionError):
+                return None
+
+    def _are_equal(self, members: Sequence[n.Node], algebra: ExactAlgebra) -> bool:
+        first, *others = map(as_matrix, self._values(members, algebra, free_velocity=False))
+        return all(_is_equal(first, other) for other in others)
+
+    def _is_solution(self, members: Sequence[n.Node], algebra: ExactAlgebra) -> bool:
+        r"""Whether \dot q = J^+ v says the rates of least squares, J^T J \dot q = J^T v, or damped ones, (J^T J + μ I) \dot q = J^T v."""
+        first, *others = members
+        damping = [each for member in others for each in map(_damping, n.walk(member)) if each is not None]
+        if bare(first) != n.Name(RATES) or VELOCITY not in self.kinds or len(damping) > 1:
+            return False
+        nodes = [n.Name(JACOBIAN), n.Name(VELOCITY), *(damping or [n.Number(Fraction(0))]), *others]
+        j, v, scale, *rates = self._values(nodes, algebra, free_velocity=True)
+        j, v = as_matrix(j), as_matrix(v)
+        return all(
+            _is_equal(j.transpose @ (j @ each) + each.map(partial(mul, scale)), j.transpose @ v)
+            for each in map(as_matrix, rates)
+        )
+
+    def _values(self, nodes: Sequence[n.Node], algebra: ExactAlgebra, free_velocity: bool) -> list[Value]:
+        letters = {letter: letter for letter in _DAMPING}
+        names = Names(None, letters, reader=self.names.reader, state=DocumentState())
+        for kind, value in self._meanings(free_velocity).items():
+            names.define(kind, value)
+        evaluator = Evaluator(names, algebra)
+        return [evaluator.evaluate(node) for node in nodes]
+
+    def _meanings(self, free_velocity: bool) -> dict[str, partial[Matrix]]:
+        m, k = self.rows, self.columns
+        letters = {JACOBIAN: (m, k), RATES: (k, 1), OTHER_RATES: (k, 1), FORCE: (m, 1)}
+        found = {kind: partial(_letters, kind, *size) for kind, size in letters.items()}
+        of_letters = partial(_letters, VELOCITY, m, 1)
+        velocity = of_letters if free_velocity else partial(_product, found[JACOBIAN], found[RATES], False)
+        return {**found, VELOCITY: velocity, TORQUE: partial(_product, found[JACOBIAN], found[FORCE], True)}
+
+
+def _letters(kind: str, rows: int, columns: int, algebra: Algebra) -> Matrix:
+    cells = (tuple(algebra.symbol(f"{kind}_{r}{c}") for c in range(columns)) for r in range(rows))
+    return Matrix(tuple(cells))
+
+
+def _product(jacobian: partial[Matrix], other: partial[Matrix], is_transposed: bool, algebra: Algebra) -> Matrix:
+    matrix = jacobian(algebra)
+    return (matrix.transpose if is_transposed else matrix) @ other(algebra)
+
+
+def _damping(node: n.Node) -> n.Node | None:
+    """Return the scalar μ of a (… + μ I)^{-1}."""
+    if not (isinstance(node, n.Postfix) and node.operator == "-1" and isinstance(added := bare(node.base), n.Sum)):
+        return None
+    for sign, term in added.terms:
+        factors = term.factors if isinstance(term, n.Product) else (term,)
+        rest = [factor for factor in factors if bare(factor) != n.Name("I")]
+        if sign == "+" and len(rest) == len(factors) - 1:
+            return (
+                n.Product(tuple(rest), ("",) * (len(rest) - 1)) if len(rest) > 1 else (*rest, n.Number(Fraction(1)))[0]
+            )
+    return None
+
+
+def _is_equal(one: Matrix, other: Matrix) -> bool:
+    same = one.shape == other.shape
+    return same and all(is_zero(a - b) for a, b in zip(one.cells, other.cells, strict=True))

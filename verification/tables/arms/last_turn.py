@@ -1,0 +1,67 @@
+"""The hand behind the point of a closed form: a last joint that turns it, where a document says its direction, θ_3 = φ − θ_1 − θ_2."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import combinations
+
+from armproof.verification.algebra.angles import cos_sin
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.ring import Ring, Scalar
+from armproof.verification.document import Document
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.naming.names import Names
+from armproof.verification.tables.arms.candidate import Candidate
+from armproof.verification.tables.arms.letters import equations_of, value_in_letters
+
+_JOINT = re.compile(r"(theta|q)_(\d+)")
+_DIRECTION = re.compile(r"(?:phi|varphi|psi|alpha|beta|gamma|theta)(?:_[A-Za-z]\w*)?")
+_HAND = {"a": "0", "alpha": "0", "d": "0"}
+SECONDS = 0.3
+
+
+def with_last_turn(found: Candidate, document: Document, names: Names) -> Candidate:
+    """Return an arm with the joint behind its last one, where an equation says the direction of the hand that it turns."""
+    match = _JOINT.fullmatch(found.joints[-1])
+    if match is None or "" in found.joints or found.frames or found.last != int(match[2]):
+        return found
+    last = f"{match[1]}_{found.last + 1}"
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        directions = {
+            key for value in _differences(document, names, algebra) for key in _directions(value, found, last)
+        }
+    if len(directions) != 1:
+        return found
+    named = {key: {"angle": found.last + 1} for key in directions}
+    return replace(
+        found,
+        rows=(*found.rows, {**_HAND, "theta": last}),
+        joints=(*found.joints, last),
+        quantities={**named, **found.quantities},
+    )
+
+
+def _differences(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[Scalar]:
+    """Yield the differences of two sides of equations, in their letters."""
+    for display in document.displays:
+        for chain in equations_of(display, names):
+            sides = [value_in_letters(member, names, algebra) for member in chain.members]
+            values = [side[0].normal() for side in sides if side is not None and isinstance(side[0], Scalar)]
+            yield from ((one - other).normal() for one, other in combinations(values, 2))
+
+
+def _directions(difference: Scalar, found: Candidate, last: str) -> Iterator[str]:
+    """Yield the letter that an equation says to be the sum of the joints in the plane of the last one, or to have its cosine."""
+    turned = max((k for k, row in enumerate(found.rows, 1) if row["alpha"] != "0"), default=0)
+    joints = [*found.joints[turned:], last]
+    others = symbols_in([difference]) - set(joints)
+    if len(others) != 1 or not _DIRECTION.fullmatch(min(others)):
+        return
+    ring = difference.ring
+    letter, total = ring.symbol(min(others)), sum(map(ring.symbol, joints), ring.zero)
+    apart = [total - letter, *(a - b for a, b in zip(cos_sin(total), cos_sin(letter), strict=True))]
+    if any((difference - each).is_zero() or (difference + each).is_zero() for each in apart):
+        yield min(others)
