@@ -475,11 +475,19 @@ class DocumentChecker:
         if self.inferred.arm is not None:
             source, told_by = self.inferred.arm.source, self.inferred.arm.told_by
             result = replace(result, links=links_of(outcome, self.checker.members, source, told_by))
+            result = replace(result, usual=self._keys_in(outcome) & self.names.state.conventional)
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:
             result = replace(result, explained_by=links_that_explain(outcome, self.checker.members))
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
+
+    def _keys_in(self, outcome: Outcome) -> frozenset[str]:
+        """Return the names in an equation, and those that stand behind names that the document defines."""
+        keys = {name.key for name in _names_in(outcome)}
+        made = (self.names.state.definitions[key].node for key in keys & self.names.state.definitions.keys())
+        behind = {b.key for node in made if node is not None for b in n.walk(node) if isinstance(b, n.Name)}
+        return frozenset(keys | behind)
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
         if record.verdict is not Verdict.REFUTED or not self.correct:

@@ -70,6 +70,7 @@ class EquationResult:
             the display that defines it.
         links: the links of the arm that it tells of.
         explained_by: those of them of which another one would make it right; None where that is not known.
+        usual: the names in it that convention alone binds.
     """
 
     index: int
@@ -83,6 +84,7 @@ class EquationResult:
     uses: frozenset[tuple[str, int]] = frozenset()
     links: frozenset[int] = frozenset()
     explained_by: frozenset[int] | None = None
+    usual: frozenset[str] = frozenset()
 
     @property
     def is_remark(self) -> bool:

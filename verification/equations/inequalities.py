@@ -7,7 +7,6 @@ from dataclasses import replace
 from itertools import groupby
 from typing import Any
 
-from armproof.verification.algebra.calculus import symbol_of
 from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
@@ -121,7 +120,8 @@ def _membership(checker: ChainChecker, left: n.Node, right: n.Node, outcome: Out
     if (size := _size_of_space(right)) is not None:
         if value.shape == size:
             return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.IN_SPACE),))
-        if checker.names.arm is None and _may_be_blocks(value, size):
+        smaller = all(one <= other for one, other in zip(value.shape, size, strict=True))
+        if smaller and any(_may_be_block(cell, checker) for row in written_rows(left) for cell in row):
             return outcome
         other = say(Kind.NOT_IN_SPACE, size=value.size, space=f"{size[0]}×{size[1]}")
         return replace(outcome, verdict=Verdict.REFUTED, findings=(other,))
@@ -139,10 +139,10 @@ def _membership(checker: ChainChecker, left: n.Node, right: n.Node, outcome: Out
     return replace(outcome, verdict=Verdict.REFUTED, findings=(say(Kind.NOT_IN_GROUP, group=name),))
 
 
-def _may_be_blocks(value: Matrix, size: tuple[int, int]) -> bool:
-    """Whether letters that nothing binds may be blocks of a larger matrix: [ω; v] ∈ ℝ^6."""
-    smaller = all(one <= other for one, other in zip(value.shape, size, strict=True))
-    return smaller and any(isinstance(cell, Scalar) and symbol_of(cell) for cell in value.cells)
+def _may_be_block(cell: n.Node, checker: ChainChecker) -> bool:
+    """Whether a cell holds a letter that may be a block of a larger matrix, [ω; v] ∈ ℝ^6: nothing binds it."""
+    letters = [below for below in n.walk(cell) if isinstance(below, n.Name) and below.key != "pi"]
+    return any(not checker.members.is_symbol(each) and checker.quantity_of(each) is None for each in letters)
 
 
 def _is_rotation(matrix: Matrix) -> bool:

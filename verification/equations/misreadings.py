@@ -11,6 +11,7 @@ from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, i
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import encloses
 from armproof.verification.equations.alignment import is_constant, is_near
+from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.stated_rates import are_rates, is_rate
@@ -22,7 +23,7 @@ from armproof.verification.verdict import Role
 
 SIZES = (
     Kind.WRONG_SIZE, Kind.WRONG_SIZE_OF_VALUE, Kind.SUM_OF_SIZES, Kind.PRODUCT_OF_SIZES, Kind.SUM_WITH_SCALAR,
-    Kind.NO_INVERSE_OF_SIZE, Kind.NO_DETERMINANT, Kind.NO_COFACTORS,
+    Kind.NO_INVERSE_OF_SIZE, Kind.NO_DETERMINANT, Kind.NO_COFACTORS, Kind.SCALAR_FOR_BLOCK,
 )  # fmt: skip
 BLOCKS = (Kind.SCALAR_FOR_BLOCK, Kind.RAGGED_BLOCKS, Kind.RAGGED_BLOCK_ROWS)
 ELEMENTARY = ("Rot", "Rot3", "Trans")
@@ -138,9 +139,12 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
         if not again or names.known_symbol(again[0].key) is not None:
             continue
         is_scalar = all(isinstance(value, Scalar) for value in meant)
+        formula = n.Sum | n.Call | n.Quotient | n.Product
+        is_formula = isinstance(bare(other), formula) and not any(isinstance(value, Matrix) for value in meant)
         definition = names.state.definitions.get(again[0].key)
         unknown = definition is None or definition.node is None
-        if (names.arm is None and (is_scalar or unknown)) or any(bare(cell) == name for cell in _cells(other)):
+        is_open = names.arm is None and (is_scalar or is_formula or unknown)
+        if is_open or any(bare(cell) == name for cell in _cells(other)):
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
     return None
 
@@ -236,7 +240,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     written = any(isinstance(b, n.Matrix) for b in below)
     if any(isinstance(b, n.Name) and ((b.pre_sup and not written) or b.key in names.quantities) for b in below):
         return None  # a law of link matrices
-    if _gives_letter(outcome, names) or _is_to_vanish(outcome, names) or _labels(outcome):
+    is_anew = _is_to_vanish(outcome, names) or _labels(outcome) or _is_said_anew(chain, names)
+    if _gives_letter(outcome, names) or is_anew:
         return say(Kind.NO_ARM_TO_COMPARE)
     state = names.state
     met = sorted((key, line) for key, line in state.consulted if key in state.definitions)
@@ -282,6 +287,26 @@ def _labels(outcome: Outcome) -> bool:
     numbers = [isinstance(bare(node), n.Number) for node in outcome.nodes]
     lists = [isinstance(bare(node), n.Sequence) for node in outcome.nodes]
     return any(numbers) and any(lists)
+
+
+def _is_said_anew(chain: n.Chain, names: Names) -> bool:
+    """Whether an equation says once more what a joint is, another solution, or a column whose letters another section gave; or of which kind matrices of letters are, A^{-1} = A^T."""
+    made = names.state.definitions
+    first = bare(chain.members[0])
+    if isinstance(first, n.Name) and first.base in ("theta", "q") and first.sub and first.key in made:
+        return True
+    told = keys_alone(first) & made.keys()
+    if told and any(made[key].section not in ("", names.state.section) for key in told):
+        return True
+    spoken = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+    nodes = [made[each.key].node for each in spoken if each.key in made]
+    return len(nodes) == sum(each.key != "I" for each in spoken) and any(map(_is_any_matrix, nodes))
+
+
+def _is_any_matrix(node: n.Node | None) -> bool:
+    """Whether a matrix has a letter of its own in each place."""
+    cells = bare(node).cells if node is not None and isinstance(bare(node), n.Matrix) else ()  # type: ignore[attr-defined]
+    return len(cells) > 1 and len({bare_key(cell) for cell in cells} - {None}) == len(cells)
 
 
 def _is_to_vanish(outcome: Outcome, names: Names) -> bool:

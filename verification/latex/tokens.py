@@ -101,6 +101,7 @@ _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
 _TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
+_POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
 _STYLED_WORD = re.compile(r"\s*\{\s*([^\W\d_][^{}\\$]*?)\s*\}")
 _FENCES = {
     ".": ".", r"\{": "{", r"\lbrace": "{", r"\}": "{", r"\rbrace": "{",

@@ -9,7 +9,7 @@ from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.document import Document
+from armproof.verification.document import Display, Document, Table
 from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
@@ -142,8 +142,29 @@ def settle_data(
         frozenset(link for each in claims if each.verdict in HOLDS for link in each.links),
         any(each.is_decided and each.links for each in claims) or _shown_twice(taken, tables),
         {key: each.links for each in claims for key in each.defines},
+        _never_as_usual(inferred, equations),
     )
     return tuple(map(settled.display, equations)), tuple(map(settled.table, tables))
+
+
+def _never_as_usual(inferred: Inference, records: Iterable[Record]) -> frozenset[str]:
+    """Return the names that convention binds, and of which nothing holds while several displays are refuted, not only beside the arm's source.
+
+    They are not what they were taken for: x and y of a planar arm in a section of its own.
+    """
+    taken = inferred.arm
+    assert taken is not None
+    parts: list[Display | Table] = [*inferred.document.displays, *inferred.document.tables]
+    here = {each.section for each in parts if (each.cell, each.line) in taken.lines}
+    refuted: dict[str, set[tuple[int, int]]] = {}
+    held: set[str] = set()
+    for record in records:
+        for outcome in record.outcomes:
+            if outcome.verdict in HOLDS:
+                held |= outcome.usual
+            for key in outcome.usual if outcome.verdict is Verdict.REFUTED and record.section not in here else ():
+                refuted.setdefault(key, set()).add((record.cell or 0, record.line))
+    return frozenset(key for key, places in refuted.items() if len(places) > 1 and key not in held)
 
 
 def _shown_twice(taken: TakenArm, tables: Iterable[Record]) -> bool:
@@ -180,12 +201,14 @@ class _Settled:
         confirmed: the links of which something that is no data holds.
         is_used: whether anything else is decided with this arm.
         named: what defined names tell of.
+        never_as_usual: the names that convention binds and that are none of the arm's.
     """
 
     taken: TakenArm
     confirmed: frozenset[int]
     is_used: bool
     named: Mapping[tuple[str, int], frozenset[int]]
+    never_as_usual: frozenset[str] = frozenset()
 
     def table(self, record: Record) -> Record:
         """Return the record of a table: data, or another table, which is not refuted by this one."""
@@ -229,7 +252,12 @@ class _Settled:
         )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_sure = has_sides and (self.taken.source == "matrices" or links <= self.confirmed)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
-        if result.verdict is not Verdict.REFUTED or is_sure or record.erratum:
+        if result.verdict is not Verdict.REFUTED or record.erratum:
+            return result
+        if others := result.usual & self.never_as_usual:
+            doubt = say(Kind.NEVER_AS_USUAL, name=min(others))
+            return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index),))
+        if is_sure:
             return result
         doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)
         return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index), *result.findings))
