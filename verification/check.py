@@ -20,6 +20,7 @@ from armproof.verification.display import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
+from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
 from armproof.verification.equations.outcome import Outcome, new_one
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -43,7 +44,7 @@ from armproof.verification.tables.arms import (
     stated_lengths,
     table_of_named,
 )
-from armproof.verification.verdict import DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
+from armproof.verification.verdict import DECIDED, DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
 
 if TYPE_CHECKING:
     from armproof.verification.correction.corrector import Corrector
@@ -165,6 +166,7 @@ class DocumentChecker:
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm
         self.statements = Statements(self.checker)
+        self._lacked: set[tuple[int, str]] = set()
         self.correct = correct
         self.samples = samples
         self.direction = self.direction_in(document)
@@ -249,7 +251,7 @@ class DocumentChecker:
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
-        equations = settle_definitions(self._with_names_given_later(equations))
+        equations = settle_definitions(equations)
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         index = None if self.arm is None else 0
@@ -265,35 +267,6 @@ class DocumentChecker:
             front=self.document.front,
             remarks=(*self.document.remarks, *self._named()),
         )
-
-    def _with_names_given_later(self, equations: tuple[Record, ...]) -> tuple[Record, ...]:
-        """Return the records; what is open for a name that a later display of its section defines is tried with that meaning.
-
-        It counts where it holds: what does not may be about another thing of that name.
-        """
-        behind = self.names.state.copy()
-        tried = []
-        for display, record in zip(self.document.displays, equations, strict=True):
-            is_open = record.verdict is Verdict.UNCHECKED and not record.erratum
-            if is_open and any(self._is_given_later(finding, display, behind) for finding in record.findings):
-                record = self._tried_again(display, record)
-                self.names.state.become(behind)
-            tried.append(record)
-        return tuple(tried)
-
-    def _is_given_later(self, finding: Finding, display: Display, state: DocumentState) -> bool:
-        given = state.definitions.get(str(finding.terms.get("name", ""))) if finding.kind is Kind.NOT_BOUND else None
-        if given is None or given.has_two_meanings or given.is_last or given.is_doubted or given.is_given:
-            return False
-        return given.line > display.line and given.section == display.section
-
-    def _tried_again(self, display: Display, record: Record) -> Record:
-        """Return the record of a display with the names of the whole document, at no configuration; the old one unless it holds."""
-        state = self.names.state
-        state.configuration, state.told = {}, Told()
-        again = self.check_display(display, define=False)
-        holds = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.DEFINED)
-        return again if again.verdict in holds and len(again.outcomes) == len(record.outcomes) else record
 
     def _arms(self) -> tuple[TakenArm, ...]:
         if self.inferred.arm is not None or self.arm is None:
@@ -333,8 +306,29 @@ class DocumentChecker:
 
     # -- displays ---------------------------------------------------------------------------------------------------
 
-    def check_display(self, display: Display, *, define: bool = True) -> Record:
-        """Return the record of one display, whose names have from there on the meanings that it gives, if it is to `define`."""
+    def check_display(self, display: Display) -> Record:
+        """Return the record of one display; what it lacks may be said right behind it."""
+        record = self._check(display)
+        after, missing = self.names.state.copy() if names_lacking(record) else None, frozenset[str]()
+        again = record
+        while new := names_lacking(again) - missing:
+            missing |= new
+            behind = definitions_behind(self.document.displays, display, missing, self.names.reader)
+            if not behind:
+                break
+            for each in (*behind, display):
+                again = self._check(each)
+        if after is not None:
+            self._lacked.add((display.line, display.latex))
+            self.names.state.become(after)
+        return again if again.verdict in (*DECIDED, Verdict.REFUTED) else record
+
+    def lacked(self, display: Display) -> bool:
+        """Whether a display lacked names by what stands above it."""
+        return (display.line, display.latex) in self._lacked
+
+    def _check(self, display: Display) -> Record:
+        """Return the record of one display by what stands above it."""
         record = Record(
             display.line,
             display.latex,
@@ -359,7 +353,7 @@ class DocumentChecker:
                 statements = self.names.reader.read(display.latex)
                 if display.said_behind:
                     self.statements.circumstances.heed_behind(display.said_behind, statements, display.line)
-                return self._judge(record, display, statements, define and not display.erratum)
+                return self._judge(record, display, statements)
         except ReadError as error:
             return replace(record, findings=(_unreadable(display, error),))
         except NotSampled as error:
@@ -373,8 +367,8 @@ class DocumentChecker:
         except Exception as error:  # a fault of ours must not cost the other displays their verdicts
             return replace(record, findings=(say(Kind.INTERNAL_ERROR, type=type(error).__name__, reason=str(error)),))
 
-    def _judge(self, record: Record, display: Display, statements: list[n.Statement], define: bool) -> Record:
-        outcomes, extra = self._with_later_definitions(statements, display, define)
+    def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
+        outcomes, extra = self._with_later_definitions(statements, display)
         if not outcomes:
             return replace(record, verdict=Verdict.DEFINED, findings=(say(Kind.NO_EQUATION),))
         if self.direction == ("lower", display.line):
@@ -503,12 +497,12 @@ class DocumentChecker:
         return self.statements.check(read, 0, define=False, latex=normalise_unicode(latex))[0]
 
     def _with_later_definitions(
-        self, statements: list[n.Statement], display: Display, define: bool
+        self, statements: list[n.Statement], display: Display
     ) -> tuple[list[Outcome], dict[str, float]]:
         """Return the outcomes; a name may be defined after its use in the display ("…, where D = …")."""
         known = len(self.names.state.definitions)
         check = partial(
-            self.statements.check, statements, display.line, define=define,
+            self.statements.check, statements, display.line, define=not display.erratum,
             latex=normalise_unicode(display.latex),
         )  # fmt: skip
         outcomes, extra = check()

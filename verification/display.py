@@ -582,9 +582,6 @@ class Statements:
             return outcomes
         if is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line):
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
-        if holds_of_any_jacobian(chain, self.names):
-            known = (say(Kind.OF_ANY_JACOBIAN),)
-            return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
         if (rates := with_rates(chain, self.names)) is not None:
             tried = self.checker.check(rates, equation, line, False)
             if all(
@@ -597,6 +594,9 @@ class Statements:
             return [
                 replace(each, verdict=Verdict.PROVED, findings=by_joint, role=Role.LAW, defines=()) for each in outcomes
             ]
+        if holds_of_any_jacobian(chain, self.names):
+            known = (say(Kind.OF_ANY_JACOBIAN),)
+            return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
         if self.names.arm is not None and (found := self.general.product(chain, equation, line)):
             return found
         open_alone = all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)

@@ -25,6 +25,7 @@ COMPARISONS = frozenset("<>≤≥")
 CHANGES = re.compile(r"\b(?:not|unless|except|only|never|or|pas|sauf|ne|ou|jamais|nicht|außer|oder)\b", re.I)
 
 
+_SPACES_BEFORE = re.compile(r"\A(?:[\s.,;:]|\\[,;:! ]|\\q?quad(?![A-Za-z]))+")
 Comparison = tuple[n.Node, str, n.Node]
 
 
@@ -104,7 +105,7 @@ def _where(checker: ChainChecker, case: Case, outcome: Outcome) -> Outcome:
 
     sides = outcome.true.node, outcome.printed.node
     with checker.exact.budget.paused():
-        count = holds_where(checker, sampled, sides, case.where, case.is_rest)
+        count = holds_where(checker, sampled, sides, outcome.pair, case.where, case.is_rest)
     found = (say(Kind.HOLDS_WHERE, text=case.text, count=count),)
     return replace(outcome, verdict=Verdict.CONFIRMED, findings=found, samples=count, wrong=[]) if count else left_open
 
@@ -125,6 +126,7 @@ def read_cases(cases: n.Cases, names: Names) -> list[Case]:
 
 
 def _read(value: n.Node, condition: str, names: Names) -> Case:
+    condition = _SPACES_BEFORE.sub("", condition)
     said = condition.strip(" .,;")
     if REST.fullmatch(re.sub(r"\\[A-Za-z]+\s*|[{}~]", " ", said).strip(" .,;")):
         return Case(value, said, is_rest=True)

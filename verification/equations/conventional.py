@@ -346,8 +346,24 @@ class Conventions:
             return outcome.left_open(say(Kind.WHICH_INDEX))  # p_0^2 may place frame 2 in frame 0
         if refuted and (key := self._seen_from_elsewhere(outcome)):
             return outcome.left_open(say(Kind.NOT_BOUND, name=key))
+        near = near and not self._is_of_triangle(outcome)
         doubtful = (self.doubts.weak and not near) if refuted else (outcome.defines and self.doubts.open)
         return self.doubts.judge(outcome) if doubtful else outcome
+
+    def _is_of_triangle(self, outcome: Outcome) -> bool:
+        """Whether the usual letter of the tool's direction stands alone in a cosine: h² = l_1² + l_2² - 2 l_1 l_2 cos φ."""
+        spoken = [
+            b for node in outcome.nodes for b in n.walk(node) if isinstance(b, n.Name) and b.key in self.doubts.weak
+        ]
+        cosines = [b for node in outcome.nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function == "cos"]
+        quantity = self.names.quantity(spoken[0]) if len(spoken) == 1 else None
+        in_sum = any(isinstance(bare(node), n.Sum) for node in outcome.nodes)
+        return (
+            in_sum
+            and quantity is not None
+            and quantity.kind == "angle"
+            and [c.arguments for c in cosines] == [(*spoken,)]
+        )
 
     def restore(self, outcomes: Iterable[Outcome]) -> None:
         """Let a slip show nothing: where it looks like the point of another frame, the name keeps what it meant.

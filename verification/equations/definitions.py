@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
@@ -17,6 +18,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, partition, written_rows
 from armproof.verification.findings import Finding, Kind, finding_of, say
+from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.names import Names
@@ -84,10 +86,10 @@ class Definitions:
                 if isinstance(member.node, n.Name):
                     self.names.add_frame(member.node)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=key),), equation, true, member, defines=(key,))
-        if (root := _squared_name(member.node)) is not None:
+        if (solved := _solved(member, true.node)) is not None:
+            root, formula = solved
             if self.defines:
-                square_root = n.Call("sqrt", (true.node,), "\\sqrt", span=true.node.span)
-                self.names.define(root, self.members.meaning(square_root), self.line)
+                self.names.define(root, self.members.meaning(formula), self.line)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,))
         pattern = self.define_entries(true, member, equation, self.defines)
         if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
@@ -191,6 +193,26 @@ class Definitions:
         problem = other or unbound
         findings = (finding_of(problem),) if problem is not None else ()
         return [Outcome(Verdict.UNCHECKED, findings, equation)]
+
+
+def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
+    """Return a name with what an equation says that it is: r of r² = x² + y², an angle of a triangle by its cosine."""
+    if (root := _squared_name(member.node)) is not None:
+        return root, n.Call("sqrt", (true,), "\\sqrt", span=true.span)
+    key = member.problem.name if isinstance(member.problem, UnboundName) else ""
+    spoken = [below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key == key]
+    cosines = [
+        b for b in n.walk(member.node) if isinstance(b, n.Call) and b.function == "cos" and b.arguments == (*spoken,)
+    ]
+    if len(spoken) != 1 or len(cosines) != 1 or not _is_angle(spoken[0]):
+        return None
+    at_right_angle, at_none = (n.substitute(member.node, cosines[0], n.Number(Fraction(k))) for k in (0, 1))
+    above, below = (n.Sum((("+", one), ("-", n.Group(at_right_angle)))) for one in (true, at_none))
+    return key, n.placed(n.Call("acos", (n.Quotient(above, below, "frac"),), "arccos"), true.span)
+
+
+def _is_angle(name: n.Name) -> bool:
+    return name.base in greek.ANGLES and not name.dots and not name.sub.isdigit()
 
 
 def _squared_name(node: n.Node) -> str | None:

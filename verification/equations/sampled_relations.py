@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar
+from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import fewest_decimals
 from armproof.verification.equations.outcome import Outcome
@@ -52,11 +53,15 @@ def holds_where(
     checker: ChainChecker,
     sampled: SampledAlgebra,
     sides: Sides,
+    exact: Pair | None,
     where: Sequence[tuple[n.Node, str, n.Node]],
     not_so: bool,
 ) -> int:
-    """Return at how many configurations an equation holds, of all where comparisons do (or one does not); 0 where it fails."""
-    errors = errors_between(checker.names, sampled, *sides, None, False)
+    """Return at how many configurations an equation holds, of all where comparisons do (or one does not); 0 where it fails.
+
+    An angle that is compared, θ_2 < 0, is one of at most half a turn.
+    """
+    errors = errors_between(checker.names, sampled, *sides, exact, False)
     if errors is None:
         return 0
     try:
@@ -64,13 +69,24 @@ def holds_where(
             at = errors.counted & errors.at_random
             for left, relation, right in where:
                 evaluator = Evaluator(checker.names, sampled)
-                apart = as_scalar(evaluator.evaluate(left)) - as_scalar(evaluator.evaluate(right))
+                one, other = (as_scalar(evaluator.evaluate(side)) for side in (left, right))
+                apart = (_within_half_a_turn(one) if _is_angle(left, checker) else one) - other
                 is_so = apart > 0 if relation in ">≥" else apart < 0
                 at &= (is_so != not_so) & (np.abs(apart) > 1e-6)
     except (EvaluationError, TypeError):
         return 0
     good = (errors.scaled[..., at] <= TOLERANCE).all()
     return int(at.sum()) if good and at.sum() >= ENOUGH else 0
+
+
+def _is_angle(node: n.Node, checker: ChainChecker) -> bool:
+    symbol = checker.names.known_symbol(node.key) if isinstance(node, n.Name) else None
+    joints = checker.names.arm.joints if checker.names.arm is not None else ()
+    return any(joint.symbol == symbol and joint.kind == "revolute" for joint in joints)
+
+
+def _within_half_a_turn(angle: Any) -> Any:
+    return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
 
 
 def check_approximation(

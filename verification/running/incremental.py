@@ -13,6 +13,7 @@ from pathlib import Path
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.diagnosis.accepted import accepted, with_accepted
 from armproof.verification.document import Display, Document
+from armproof.verification.equations.later_definitions import AHEAD
 from armproof.verification.naming.reading import spelling_of
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.tables.arms import Inference, infer_arm, scopes
@@ -82,6 +83,8 @@ class IncrementalChecker:
             (k for k, (a, b) in enumerate(zip(document.displays, old, strict=False)) if not _alike(a, b.display)),
             min(len(document.displays), len(old)),
         )
+        changed = kept
+        kept = min((k for k in range(max(0, kept - AHEAD), kept) if checker.lacked(old[k].display)), default=kept)
         self._checked = checked = old[:kept]
         checker.names.state.become(checked[-1].after if checked else self._before)
         checker.document, checker.inferred = document, found
@@ -94,7 +97,8 @@ class IncrementalChecker:
             display = document.displays[index]
             record = checker.check_display(display)
             checked.append(_Checked(display, record, checker.names.state.copy()))
-            if _key(display) not in known or index == kept:
+            is_other = index < changed and record != old[index].record
+            if _key(display) not in known or index == changed or is_other:
                 yield accepted(document, record)
         self.result = with_accepted(document, checker.result_of(tuple(each.record for each in checked)))
 

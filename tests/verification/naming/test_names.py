@@ -54,8 +54,8 @@ def test_the_documents_letters_are_the_models_by_the_front_matter(judge: Judge) 
 
 
 def test_a_free_letter_stands_for_any_value(judge: Judge) -> None:
-    damped = r"J^T(J J^T + \lambda^2 I)^{-1} = (J^T J + \lambda^2 I)^{-1} J^T"
-    front = {"symbols": {r"\lambda": "free"}, "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}}
+    damped = r"J^T(J J^T + h^2 I)^{-1} = (J^T J + h^2 I)^{-1} J^T"
+    front = {"symbols": {"h": "free"}, "quantities": {"J": {"jacobian": 2, "rows": [1, 2]}}}
     assert judge(damped, arm="planar_2r").verdict is Verdict.UNCHECKED
     assert judge(damped, arm="planar_2r", **front).verdict is Verdict.PROVED
     assert judge(damped.replace("^{-1} J^T", "^{-1} 2J^T"), arm="planar_2r", **front).verdict is Verdict.REFUTED

@@ -25,6 +25,8 @@ SECONDS = 0.3
 def with_last_turn(found: Candidate, document: Document, names: Names) -> Candidate:
     """Return an arm with the joint behind its last one, where an equation says the direction of the hand that it turns."""
     match = _JOINT.fullmatch(found.joints[-1])
+    if any("origin" in meant for meant in found.quantities.values()):  # x_w: the tool is another point
+        return found
     if match is None or "" in found.joints or found.frames or found.last != int(match[2]):
         return found
     last = f"{match[1]}_{found.last + 1}"

@@ -14,6 +14,7 @@ from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
+from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
 from armproof.verification.tables.arms.letters import equations_of
 from armproof.verification.tables.arms.matrices import candidate_of_matrices, first_links
@@ -59,9 +60,13 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
     try:
         tables = any(dh_tables(document))
         found = None if tables else candidate_of_matrices(document, names) or candidate_of_closed_form(document, names)
+        found = with_last_turn(found, document, names) if found is not None and found.source == "closed form" else found
     except EvaluationError:
         found = None
-    start = _of_other_joints(document, found) if found is not None else None if tables else _of_other_law(document)
+    if found is not None:
+        start = _of_other_joints(document, found) or _behind_other_joints(document, found)
+    else:
+        start = None if tables else _of_other_law(document)
     if start is None:
         yield document
         return
@@ -79,6 +84,19 @@ def _of_other_joints(document: Document, found: Candidate) -> Place | None:
                 _place(each) for each in document.displays if each.section == display.section and _place(each) > place
             )
     return None
+
+
+def _behind_other_joints(document: Document, found: Candidate) -> Place | None:
+    """Return where the section begins behind the last one that speaks of joints which a closed form below it lacks."""
+    place = (found.cell or 0, found.line)
+    before = [each for each in document.displays if _place(each) < place]
+    last = next((k for k, each in reversed([*enumerate(before)]) if found.lacks(joints_used([each]))), None)
+    if found.source != "closed form" or last is None:
+        return None
+    behind = (each for each in document.displays if _place(each) > _place(before[last]))
+    return next(
+        (_place(each) for each in behind if each.section != before[last].section and _place(each) <= place), None
+    )
 
 
 def _of_other_law(document: Document) -> Place | None:
