@@ -564,7 +564,12 @@ class Statements:
             self.given.remember(outcome.gives, line)
         if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
             self.circumstances.of_display(chain)
-        return [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        is_open = bool(outcomes) and all(o.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for o in outcomes)
+        if is_open and holds_of_any_jacobian(chain, self.names):
+            known = (say(Kind.OF_ANY_JACOBIAN),)
+            return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
+        return outcomes
 
     def _understood(self, outcome: Outcome, chain: n.Chain, define: bool) -> Outcome:
         """Return a refuted outcome, left open where the chain or what the text says may be meant otherwise."""
@@ -594,9 +599,6 @@ class Statements:
             return [
                 replace(each, verdict=Verdict.PROVED, findings=by_joint, role=Role.LAW, defines=()) for each in outcomes
             ]
-        if holds_of_any_jacobian(chain, self.names):
-            known = (say(Kind.OF_ANY_JACOBIAN),)
-            return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
         if self.names.arm is not None and (found := self.general.product(chain, equation, line)):
             return found
         open_alone = all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)

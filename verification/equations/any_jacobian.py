@@ -48,9 +48,10 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
         return False  # v = J \dot q says what v is
     others = {each.key for member in members for each in n.walk(member) if isinstance(each, n.Name)} - set(kinds)
     is_about = JACOBIAN in kinds or {RATES, VELOCITY, FORCE, TORQUE} <= set(kinds)
-    if not is_about or len(set(kinds)) < len(kinds) or others - {"I", *_DAMPING}:
+    damping = others - {"I"}
+    if not is_about or len(set(kinds)) < len(kinds) or any(key.partition("_")[0] not in _DAMPING for key in damping):
         return False  # what is said of two velocities holds of them alone
-    square, *oblong = [_Size(*size, names, frozenset(kinds)).holds(members) for size in SIZES]
+    square, *oblong = [_Size(*size, names, frozenset(kinds), damping).holds(members) for size in SIZES]
     return square is True and False not in oblong and (True in oblong or _has_inverse(members))
 
 
@@ -121,6 +122,7 @@ class _Size:
     columns: int
     names: Names
     kinds: Collection[str]
+    damping: Collection[str]
 
     def holds(self, members: Sequence[n.Node]) -> bool | None:
         """Whether a chain of these members holds; None where one has no value, such as the inverse of what is not square."""
@@ -150,7 +152,7 @@ class _Size:
         )
 
     def _values(self, nodes: Sequence[n.Node], algebra: ExactAlgebra, free_velocity: bool) -> list[Value]:
-        letters = {letter: letter for letter in _DAMPING}
+        letters = {letter: letter for letter in self.damping}
         names = Names(None, letters, reader=self.names.reader, state=DocumentState())
         for kind, value in self._meanings(free_velocity).items():
             names.define(kind, value)

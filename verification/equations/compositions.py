@@ -11,6 +11,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
 _TRANSFORMS = "TAHR"
+_POINTS = ("P", "p")
 _INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijkn]))(?:(?P<sign>[+-])(?P<step>\d))?")
 _ENDS = {
     "B": -1,
@@ -45,7 +46,8 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
         return False
     for reference in ("upper", "lower"):
         ends = [_ends(member, reference) for member in chain.members]
-        if None not in ends and len(set(ends)) == 1 and any(isinstance(bare(m), n.Product) for m in chain.members):
+        tells = any(isinstance(bare(m), n.Product | n.Postfix) for m in chain.members)  # {}^B_AR = {}^A_BR^T
+        if None not in ends and len(set(ends)) == 1 and tells:
             return True
     return False
 
@@ -75,6 +77,9 @@ def _ends(node: n.Node, reference: str) -> tuple[str, str] | None:
     if None in steps or not steps:
         return None
     found = [step for step in steps if step is not None]
+    turned = any(isinstance(below, n.Name) and below.base == "R" for below in n.walk(node))
+    if turned and any(step.end in _POINTS for step in found):
+        return None  # of a point a rotation alone does not tell where it is seen
     cancels = all(_follows(*pair) if pair[1].open else pair[0].end == pair[1].start for pair in pairwise(found))
     return (found[0].start, found[-1].end) if cancels and not found[0].open else None
 
@@ -114,8 +119,16 @@ def _pair(node: n.Node, reference: str) -> tuple[str, str] | None:
     if isinstance(node, n.Postfix) and node.operator in ("-1", "T"):
         inner = bare(node.base)
         of_rotation = isinstance(inner, n.Name) and inner.base == "R"
-        pair = _pair(inner, reference) if node.operator == "-1" or of_rotation else None
+        is_point = isinstance(inner, n.Name) and inner.base in _POINTS
+        pair = _pair(inner, reference) if (node.operator == "-1" and not is_point) or of_rotation else None
         return (pair[1], pair[0]) if pair is not None else None
+    if (
+        isinstance(node, n.Name)
+        and node.base in _POINTS
+        and node.pre_sup
+        and node == n.Name(node.base, pre_sup=node.pre_sup)
+    ):
+        return node.pre_sup, node.base  # {}^0P = {}^0_3T {}^3P
     if not isinstance(node, n.Name) or node.base not in _TRANSFORMS or node.primes or node.dots:
         return None
     if node.pre_sup and not node.sup and bool(node.sub) != bool(node.pre_sub):
