@@ -30,7 +30,7 @@ from armproof.verification.latex.unicode import normalise_unicode, original_offs
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.quantities import leads_outwards, tells_frame
 from armproof.verification.naming.reading import read_names, spelling_of
-from armproof.verification.naming.state import DocumentState, Stated, Told, links_told, settle_definitions
+from armproof.verification.naming.state import DocumentState, Stated, links_told, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
