@@ -6,6 +6,7 @@ none. Here it shows. `python -m tests.labelled --update` writes the records anew
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
@@ -54,6 +55,7 @@ def read_record_of_pages() -> dict[str, str]:
 
 def said_of_pages() -> Iterator[tuple[str, str]]:
     """Yield what is said of each attack, of its true twin, of the strangers' pages and of the documents without front matter."""
+    gc.freeze()  # what was judged before is no garbage: to look through it would take the time of a page
     for page in load_pages():
         yield page.title, said_of_document(page.result)
     for document in bare.load():
