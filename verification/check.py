@@ -21,7 +21,7 @@ from armproof.verification.document import Display, Document, Table, parse_docum
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
-from armproof.verification.equations.outcome import Outcome, new_one
+from armproof.verification.equations.outcome import HOLDS, Outcome, new_one
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
@@ -97,8 +97,46 @@ def check_document(
     parts = [infer_arm(part) for part in scopes(document)] if seeks else [Inference(document)]
     options = confirm and samples, correct and samples, samples
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
+    results = [_unless_of_another_arm(k, parts, result) for k, result in enumerate(results)] if samples else results
     result = results[0] if len(results) == 1 else joined(document, results)
     return with_accepted(document, result) if document.accepts else result
+
+
+def _unless_of_another_arm(place: int, parts: Sequence[Inference], result: DocumentResult) -> DocumentResult:
+    """Leave open what is refuted in the part of one arm, and holds of another that the document shows."""
+    refuted = any(each.verdict is Verdict.REFUTED and not each.erratum for each in result.equations)
+    others = [part for k, part in enumerate(parts) if k != place and part.arm is not None]
+    if parts[place].arm is None or not refuted:
+        return result
+    for part in others:
+        there = replace(part.document, displays=parts[place].document.displays, tables=())
+        records = DocumentChecker(there, load_arm_of(there), False, False, True, replace(part, document=there)).run()
+        holding = {(each.cell, each.line) for each in records.equations if each.verdict in HOLDS}
+        doubt = say(Kind.HOLDS_OF_OTHER_ARM, line=part.arm.line) if part.arm is not None else None
+        found = (_left_open(each, doubt) if (each.cell, each.line) in holding else each for each in result.equations)
+        result = replace(result, equations=tuple(found))
+    return result
+
+
+def _left_open(record: Record, doubt: Finding | None) -> Record:
+    """Return a refuted record as one that is not decided."""
+    if record.verdict is not Verdict.REFUTED or doubt is None:
+        return record
+    outcomes = tuple(
+        replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),))
+        if each.verdict is Verdict.REFUTED
+        else each
+        for each in record.outcomes
+    )
+    return replace(
+        record,
+        verdict=Verdict.UNCHECKED,
+        findings=(doubt,),
+        outcomes=outcomes,
+        entries=(),
+        counterexample={},
+        discrepancy=None,
+    )
 
 
 def joined(document: Document, results: Sequence[DocumentResult]) -> DocumentResult:

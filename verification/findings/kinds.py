@@ -89,6 +89,7 @@ class Kind(MessageKind):
     OF_A_SIGN = "of_a_sign", "it holds for one value of `{name}` alone: that chooses the sign, and claims nothing of the arm"
     OTHER_SECTION = "other_section", "`{name}` is a block of a matrix in another section, at line {line}: say here what it is"
     DEFINED_ELSEWHERE = "defined_elsewhere", "`{name}` is what line {line} says in another section, and may be something else here: say here what it is"
+    HOLDS_OF_OTHER_ARM = "holds_of_other_arm", "that is not so of this section's arm, and it is so of the one at line {line}: say which is meant, by section under arms"
     ARM_OF_OTHER_EXERCISE = "arm_of_other_exercise", "that is not so of the arm that another exercise shows at line {line}: name this one's in the front matter, by section under arms"
     UNTOLD_VARIABLE = "untold_variable", "that is not so where `{name}` is the joint's `{joint}`, and the document has both letters: say what one is by the other"
     OTHER_EXERCISE = "other_exercise", "that is not so for the `{name}` of line {line}, which another exercise defines: say here what it means"
