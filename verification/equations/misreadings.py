@@ -245,7 +245,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
         return say(Kind.NO_ARM_TO_COMPARE)
     state = names.state
     met = sorted((key, line) for key, line in state.consulted if key in state.definitions)
-    if other := [each for each in met if not encloses(state.definitions[each[0]].section, state.section)]:
+    elsewhere = [] if erratum else met  # what is said to be an error is meant of them
+    if other := [each for each in elsewhere if not encloses(state.definitions[each[0]].section, state.section)]:
         return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
     first, *others = [letters_held(member, names) for member in chain.members]

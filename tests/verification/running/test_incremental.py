@@ -14,7 +14,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document, find_documents, parse_document
 from armproof.verification.errors import DocumentError
-from armproof.verification.latex.nodes import Name
+from armproof.verification.latex.nodes import Chain, Name
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import Definition, DocumentState, JacobianRows, PrintedError, Stated, Told
 from armproof.verification.running.incremental import IncrementalChecker
@@ -59,6 +59,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "signs": lambda state: state.signs.values.update(sigma=1),
     "errors": lambda state: state.errors.append(PrintedError(1, "a", Name("a"), {(1, 1): "b"})),
     "compares_lengths": lambda state: setattr(state, "compares_lengths", True),
+    "comparisons": lambda state: state.comparisons.append(Chain((Name("l"), Name("a")), (">",))),
     "consulted": lambda state: state.consulted.add(("x", 1)),
     "notation": lambda state: setattr(state, "notation", Notation(cosine="C")),
 }
