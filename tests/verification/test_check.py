@@ -82,27 +82,6 @@ def test_a_display_may_go_on_with_the_subject_of_the_one_before(check: Check) ->
     assert [record.verdict for record in result.equations] == [Verdict.PROVED, Verdict.PROVED, Verdict.REFUTED]
 
 
-@pytest.mark.parametrize(
-    ("before", "said", "expected"),
-    [
-        ("", r"c_\beta \sqrt{x^2 + y^2} = l_1 + l_2 c_2", Verdict.PROVED),
-        ("", r"c_\beta \sqrt{x^2 + y^2} = l_1 - l_2 c_2", Verdict.UNCHECKED),  # β may be another angle here
-        (
-            "## Part B\n\n",
-            r"c_\beta \sqrt{x^2 + y^2} = l_1 + l_2 c_2",
-            Verdict.UNCHECKED,
-        ),  # given under another heading
-    ],
-)
-def test_a_name_may_be_given_by_a_later_display_of_its_section(before: str, said: str, expected: Verdict) -> None:
-    point = r"x = l_1 c_1 + l_2 c_{12}, \quad y = l_1 s_1 + l_2 s_{12}"
-    angle = r"\beta = \arccos\frac{x^2 + y^2 + l_1^2 - l_2^2}{2 l_1 \sqrt{x^2 + y^2}}"
-    text = f"---\narm: planar_2r\n---\n\n# Part A\n\n$$ {point} $$\n\n$$ {said} $$\n\n{before}$$ {angle} $$\n"
-    _, record, given = verify_text(text).equations
-    assert record.verdict is expected
-    assert given.verdict is (Verdict.DEFINED if expected is Verdict.PROVED else Verdict.UNCHECKED)
-
-
 def test_half_angles_start_the_document_again_with_finer_angles(check: Check) -> None:
     result = check("c_1 = c_1", r"c_1 = 1 - 2\sin^2\frac{\theta_1}{2}", r"s_2 = 2\sin\frac{\theta_2}{3}", r"p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \end{bmatrix}")  # fmt: skip
     assert [record.verdict for record in result.equations] == [

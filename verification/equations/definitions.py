@@ -204,7 +204,8 @@ def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
     cosines = [
         b for b in n.walk(member.node) if isinstance(b, n.Call) and b.function == "cos" and b.arguments == (*spoken,)
     ]
-    if len(spoken) != 1 or len(cosines) != 1 or not _is_angle(spoken[0]):
+    is_matrix = any(isinstance(below, n.Matrix) for side in (member.node, true) for below in n.walk(side))
+    if is_matrix or len(spoken) != 1 or len(cosines) != 1 or not _is_angle(spoken[0]):
         return None
     at_right_angle, at_none = (n.substitute(member.node, cosines[0], n.Number(Fraction(k))) for k in (0, 1))
     above, below = (n.Sum((("+", one), ("-", n.Group(at_right_angle)))) for one in (true, at_none))

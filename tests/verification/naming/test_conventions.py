@@ -232,7 +232,7 @@ v  ⟶  velocity P|0 123; velocity 3|0 123
 w  ⟶  velocity P|0 456; velocity P|0 6.; velocity 3|0 456; velocity 3|0 6.; manipulability 3|0.; manipulability P|0.
 \varphi  ⟶
 p_n  ⟶  origin 3|0
-p_W  ⟶  origin 2|0; origin 3|0; origin 1|0
+p_W  ⟶  origin 3|0; origin 2|0; origin 1|0
 J_v  ⟶  jacobian 3|0 123
 f  ⟶  origin P|0; pose P|0; origin 3|0; pose 3|0
 """,
