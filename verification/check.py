@@ -16,7 +16,8 @@ from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.diagnosis.accepted import with_accepted
-from armproof.verification.display import Statements
+from armproof.verification.display.statements import Statements
+from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
@@ -27,10 +28,8 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
-from armproof.verification.naming.conventions import conventional, is_usual
-from armproof.verification.naming.quantities import leads_outwards, tells_frame
 from armproof.verification.naming.reading import read_names, spelling_of
-from armproof.verification.naming.state import DocumentState, Stated, links_told, settle_definitions
+from armproof.verification.naming.state import Stated, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -164,10 +163,6 @@ def load_arm_of(document: Document) -> Arm | None:
         return arm_of(document.front, document.path.parent)
     except ArmproofError as error:
         raise document.fault("arm" if "arm" in document.lines else "arms", error) from None
-
-
-def _names_in(outcome: Outcome) -> Iterator[n.Name]:
-    return (below for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name))
 
 
 @lru_cache(maxsize=16)
@@ -383,14 +378,14 @@ class DocumentChecker:
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
                 if display.said:
-                    self.statements.circumstances.heed(
+                    self.statements.claims.circumstances.heed(
                         display.said, display.said_above, display.said_outside, display.line
                     )
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 statements = self.names.reader.read(display.latex)
                 if display.said_behind:
-                    self.statements.circumstances.heed_behind(display.said_behind, statements, display.line)
+                    self.statements.claims.circumstances.heed_behind(display.said_behind, statements, display.line)
                 return self._judge(record, display, statements)
         except ReadError as error:
             return replace(record, findings=(_unreadable(display, error),))
@@ -411,7 +406,9 @@ class DocumentChecker:
             return replace(record, verdict=Verdict.DEFINED, findings=(say(Kind.NO_EQUATION),))
         if self.direction == ("lower", display.line):
             outcomes[0].also(say(Kind.LOWER_IS_REFERENCE))
-        outcomes = [self._of_this_exercise(outcome) for outcome in outcomes]
+        if self.inferred.arm is not None:
+            of_taken_arm = OfTakenArm(self.checker, self.document, self.inferred.arm)
+            outcomes = [of_taken_arm.judge(outcome) for outcome in outcomes]
         for outcome in outcomes:
             if outcome.as_usual is not None and not display.erratum:
                 self._tell_slip(outcome, display)
@@ -445,62 +442,6 @@ class DocumentChecker:
         except TooComplex:
             return
 
-    @cached_property
-    def _exercise_of_arm(self) -> int:
-        """The exercise with an arm of its own in which the arm was shown, counted from 1; 0 where it holds for all of them."""
-        if (taken := self.inferred.arm) is None:
-            return 0
-        both: list[Display | Table] = [*self.document.displays, *self.document.tables]
-        parts = sorted(both, key=lambda one: (one.cell or 0, one.line))
-        begun = DocumentState()
-        for part in parts:
-            if (part.cell or 0, part.line) <= (taken.cell or 0, taken.line):
-                begun.enter(part.section)
-        return begun.apart
-
-    def _of_this_exercise(self, outcome: Outcome) -> Outcome:
-        """The arm of one exercise refutes nothing in another, which may be about one that is only drawn; nor in other variables."""
-        taken, where = self.inferred.arm, self._exercise_of_arm
-        if outcome.verdict is not Verdict.REFUTED or taken is None:
-            return outcome
-        links = links_told(self.names.state.section)
-        is_other = links is not None and self.arm is not None and links != len(self.arm.joints)
-        if is_other or where not in (0, self.names.state.apart):
-            return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
-        if (other := next(filter(self._is_other_variable, _names_in(outcome)), None)) is not None:
-            joint = self.names.known_symbol(other.key)
-            return outcome.left_open(say(Kind.UNTOLD_VARIABLE, name=other.key, joint=str(joint)))
-        if self._is_of_untold_direction(outcome):
-            return outcome.left_open(say(Kind.WHICH_INDEX))
-        if taken.is_part and any(finding.kind is Kind.NO_SUCH_ANGLE for finding in outcome.findings):
-            return outcome.left_open(outcome.findings[0])
-        if taken.several_tools and (untold := next(filter(self._is_of_any_tool, _names_in(outcome)), None)) is not None:
-            return outcome.left_open(say(Kind.SEVERAL_TOOLS, line=taken.line, name=untold.text))
-        return outcome
-
-    def _is_of_untold_direction(self, outcome: Outcome) -> bool:
-        """Whether nothing tells which index is the reference, and names such as T_0^3 lead outwards if that is the lower one."""
-        if self.names.stated_transforms or self.names.state.transforms or self.arm is None:
-            return False
-        indexed = [name for name in _names_in(outcome) if name.base in "TAHR" and name.sub and name.sup]
-        return bool(indexed) and all(leads_outwards(name, self.arm, "lower") for name in indexed)
-
-    def _is_of_any_tool(self, name: n.Name) -> bool:
-        """Whether a name stands for a quantity of the last frame without saying so, or did until it was refuted."""
-        usual = conventional(name, self.arm, self.names.transforms) if self.arm is not None and is_usual(name) else ()
-        quantity = self.checker.quantity_of(name) or next(iter(usual), None)
-        return quantity is not None and not tells_frame(name, quantity)
-
-    def _is_other_variable(self, node: n.Name) -> bool:
-        """Whether a θ_2 stands where the arm's joint is q_2, and the document, which has both, does not say what it is by that."""
-        told = (
-            self.names.reader.spelling.variables != "both" or self.names.offset_joints
-        )  # what a table has beside q_2 is θ_2
-        if told or self.arm is None:
-            return False
-        joints = {joint.symbol for joint in self.arm.joints}
-        return node.key not in joints and node.base in ("theta", "q") and self.names.known_symbol(node.key) in joints
-
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
         result = outcome.result(record.line)
@@ -516,7 +457,7 @@ class DocumentChecker:
 
     def _keys_in(self, outcome: Outcome) -> frozenset[str]:
         """Return the names in an equation, and those that stand behind names that the document defines."""
-        keys = {name.key for name in _names_in(outcome)}
+        keys = {name.key for name in names_in(outcome)}
         made = (self.names.state.definitions[key].node for key in keys & self.names.state.definitions.keys())
         behind = {b.key for node in made if node is not None for b in n.walk(node) if isinstance(b, n.Name)}
         return frozenset(keys | behind)

@@ -15,7 +15,7 @@ from armproof import verify_text
 from armproof.models.errors import ArmproofError
 from armproof.verification.check import check_document, verify
 from armproof.verification.diagnosis.diagnosis import Diagnostician
-from armproof.verification.display import Statements
+from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document
 from armproof.verification.errors import DocumentError, TooComplex
 from armproof.verification.findings import Kind, say

@@ -1,0 +1,1 @@
+"""The statements of a display: what each claims, and whether it holds."""

@@ -1,0 +1,341 @@
+"""What an equation claims: it is read in each way that it may be meant, and decided in the one that holds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property, partial
+
+from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.equations.any_jacobian import holds_of_any_jacobian
+from armproof.verification.equations.at_stated_values import is_mostly_right
+from armproof.verification.equations.case_conditions import check_cases
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.compositions import is_composition
+from armproof.verification.equations.decimals import is_number
+from armproof.verification.equations.differentials import is_of_rates, with_rates
+from armproof.verification.equations.doubts import is_of_arm
+from armproof.verification.equations.each_joint import holds_for_each_joint
+from armproof.verification.equations.elementary import is_elementary_rotation
+from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
+from armproof.verification.equations.given_targets import asked_of_the_tool
+from armproof.verification.equations.given_values import GivenValues, named_sign
+from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
+from armproof.verification.equations.misreadings import without_misreading
+from armproof.verification.equations.named_signs import unless_of_a_sign
+from armproof.verification.equations.outcome import HOLDS, Outcome, hold
+from armproof.verification.equations.readings import counted, side_by_side, without_count
+from armproof.verification.equations.vectors import crossed_letters, of_vectors
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.naming.quantities import is_inverse_link
+from armproof.verification.naming.state import Told
+from armproof.verification.verdict import DECIDED, Role, Verdict
+
+
+class Claims:
+    """What equations claim, each in the readings that it allows, and what leaves open what one of them decides.
+
+    Where `is_closed`, all letters have one meaning that is known, as in the answer to a task: none may be meant otherwise.
+    """
+
+    is_closed: bool = False
+
+    def __init__(self, checker: ChainChecker) -> None:
+        self.checker = checker
+        self.names = checker.names
+        self.ring = checker.exact.ring
+        self.given = GivenValues(checker.equality)
+
+    @cached_property
+    def circumstances(self) -> Circumstances:
+        """Heeds what the text between displays says; made where it says something."""
+        return Circumstances(self.checker, self.given)
+
+    @cached_property
+    def general(self) -> GeneralStatements:
+        """Checks what is said of any link; made where something is."""
+        return GeneralStatements(self.checker)
+
+    def claim(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Return the outcomes of a chain that is no condition: numbers may be those of given values, and of rates in a column."""
+        if rates := self.given.rates_of_column(chain):
+            stated = self.names.state.configuration
+            self.names.state.configuration = {**self.given.stated(rates), **stated}
+            outcomes = self._at_values(chain, equation, line, define)
+            self.names.state.configuration = stated
+            return outcomes
+        return self._at_values(chain, equation, line, define)
+
+    def chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Return the outcomes of a chain, each with the definitions that it rests on."""
+        self.begin()
+        outcomes = self._read_chain(chain, equation, line, define)
+        again = partial(self._read_chain, chain, equation, line, False)
+        if self.names.state.signs.read:
+            outcomes = unless_of_a_sign(self.names, outcomes, again)
+        if self.names.state.given():
+            outcomes = asked_of_the_tool(self.names, outcomes, again)
+        if self.names.offset_joints:
+            outcomes = self.checker.angles.settled(chain, outcomes, define, again)
+        of_jacobian = self.checker.members.speaks_of_jacobian(chain)
+        if of_jacobian and (doubt := self.checker.rows.others((chain,), outcomes, again)) is not None:
+            outcomes = [outcome.left_open(doubt) for outcome in outcomes]
+        if not chain.relations and not outcomes:
+            return [] if _is_label(chain) else [Outcome(Verdict.DEFINED, (say(Kind.NO_EQUATION),), equation)]
+        outcomes = [self._of_own_sums(outcome, chain) for outcome in outcomes]
+        if any(isinstance(below, n.Dots) for below in n.walk(chain)):
+            unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
+            outcomes = [each.unless_refuted(unwritten) for each in outcomes]
+        foreign = self.names.state.foreign()
+        for outcome in outcomes if foreign else ():
+            if outcome.verdict is Verdict.REFUTED:
+                other = say(Kind.OTHER_EXERCISE, name=foreign[0][0], line=foreign[0][1])
+                outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
+        outcomes = [self.unless_doubted(outcome) for outcome in outcomes]
+        if by_table := self.names.state.from_table():
+            doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
+            outcomes = [each.unless_refuted(doubt) for each in outcomes]
+        if (
+            text := self.names.state.from_text()
+        ):  # it may speak of one case: only a slip in what follows from it is refuted
+            outcomes = [each.unless_near(say(Kind.AS_TEXT_SAYS, name=text[0])) for each in outcomes]
+        defined = {(key, line) for outcome in outcomes for key in outcome.defines}
+        for outcome in outcomes:  # c_3 = … := D names what is decided beside it
+            met = {key for key in self.consulted() if key[0] not in outcome.defines and key != outcome.repeats}
+            outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
+        return outcomes
+
+    def unless_doubted(self, outcome: Outcome) -> Outcome:
+        """Leave open what a definition that may be a mistake decides: it proves nothing, and may be the mistake itself.
+
+        The last of two meanings is no mistake where a joint or a quantity of the arm is what it then says.
+        """
+        if outcome.verdict not in DECIDED or self.is_closed:
+            return outcome
+        doubted, of_two = self.names.state.doubted(), self.names.state.with_two_meanings()
+        if of_two and (outcome.verdict is Verdict.REFUTED or not is_of_arm(outcome, self.names)):
+            doubted = doubted or of_two
+        if not doubted:
+            return outcome
+        kind = Kind.RESTS_ON_DOUBT if outcome.verdict is Verdict.REFUTED else Kind.FOLLOWS_FROM_DOUBT
+        return outcome.left_open(say(kind, name=doubted[0][0], line=doubted[0][1]))
+
+    def begin(self) -> None:
+        """Forget what was consulted: what follows is another equation."""
+        self.names.state.consulted.clear()
+        self.names.state.signs.read.clear()
+
+    def consulted(self) -> frozenset[tuple[str, int]]:
+        """Return the definitions and the named signs that were met since the last beginning."""
+        signs = self.names.state.signs
+        return frozenset(self.names.state.consulted) | {(key, signs.lines.get(key, 0)) for key in signs.read}
+
+    def _at_values(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        self.begin()
+        if _is_of_rank(chain):
+            return self.circumstances.of_ranks(chain, self.chain(chain, equation, line, define), line)
+        there = self._at_told_values(chain, equation, line)
+        if any(outcome.verdict in DECIDED for outcome in there):
+            return [replace(self.unless_doubted(outcome), uses=self.consulted()) for outcome in there]
+        outcomes = self.chain(chain, equation, line, define)
+        for outcome in outcomes if there else ():
+            if any(finding.kind is Kind.NUMBERS_OF_NOWHERE for finding in outcome.findings):
+                outcome.findings = there[0].findings
+        return outcomes
+
+    def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+        """Return what becomes of numbers at the values that the text before gives; [] where there are none.
+
+        What is not decided there leaves no trace. Only numbers right behind the text are refuted there, and few of many.
+        """
+        state = self.names.state
+        speaks = state.told.conditions or state.told_lengths
+        if not speaks or len(chain.members) < 2 or not any(map(is_numbers, chain.members)):
+            return []
+        before = state.copy()
+        state.configuration = self.circumstances.told_values() | state.configuration
+        outcomes = self._read_chain(chain, equation, line, False)
+        wrong = [each for each in outcomes if each.verdict not in HOLDS]
+        if not wrong or (state.told.line == line and all(map(is_mostly_right, wrong))):
+            state.configuration = before.configuration
+            return outcomes
+        state.become(before)
+        return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]
+
+    def _of_own_sums(self, outcome: Outcome, chain: n.Chain) -> Outcome:
+        """A θ_{34} that the document says to be θ_3 - θ_4 is what it says: that is no claim, and what then fails is left open."""
+        digits = next(filter(None, map(self.names.own_sum, n.walk(chain))), "")
+        alone = [each.arguments[0] if isinstance(each, n.Call) else each for each in map(bare, chain.members)]
+        says_so = any(self.names.own_sum(each) for each in alone)
+        if not digits or not (outcome.verdict is Verdict.REFUTED or (says_so and outcome.verdict is Verdict.PROVED)):
+            return outcome
+        return outcome.left_open(say(Kind.OWN_SUM, digits=digits))
+
+    def _read_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
+        if unclear:
+            return self._either_reading(chain, unclear, equation, line, define)
+        if letters := crossed_letters(self.names, chain):
+            check = partial(self._clear_chain, chain, equation, line)
+            return of_vectors(self.names, chain, letters, line, check)
+        if parts := side_by_side(chain):
+            return self._side_by_side(chain, parts, equation, line, define)
+        return self._clear_chain(chain, equation, line, define)
+
+    def _side_by_side(
+        self, chain: n.Chain, parts: Sequence[n.Chain], equation: int, line: int, define: bool
+    ) -> list[Outcome]:
+        """A = […] B = […] is two equations, unless it holds as one: what is wrong in one reading alone is left open."""
+        as_one = self._clear_chain(chain, equation, line, False)
+        if hold(as_one):
+            return self._clear_chain(chain, equation, line, define)
+        apart = [o for k, part in enumerate(parts) for o in self._clear_chain(part, equation + k, line, define)]
+        if any(outcome.verdict is Verdict.REFUTED for outcome in as_one):
+            return apart
+        doubt = say(Kind.SIDE_BY_SIDE, name=parts[1].members[0].text)  # type: ignore[attr-defined]
+        return [outcome.unless_refuted(doubt) for outcome in apart]
+
+    def _either_reading(
+        self, chain: n.Chain, unclear: list[n.Ambiguous], equation: int, line: int, define: bool
+    ) -> list[Outcome]:
+        """Take the reading of a/2b under which the equation holds; the message names the choice."""
+        chains = []
+        for k in (0, 1):
+            read = chain
+            for below in unclear:
+                read = n.substitute(read, below, below.readings[k])  # type: ignore[assignment]
+            chains.append(read)
+        tried = [self._clear_chain(read, equation, line, False) for read in chains]
+        good = [all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) for o in outcomes) for outcomes in tried]
+        chosen = 1 if good[1] and not good[0] else 0
+        outcomes = self._clear_chain(chains[chosen], equation, line, define)
+        whole = isinstance(unclear[0].readings[chosen], n.Quotient)
+        choice = Kind.SLASH_OVER_ALL if whole else Kind.SLASH_OVER_NEXT
+        for outcome in outcomes:
+            outcome.also(say(choice if any(good) else Kind.SLASH_UNCLEAR, text=unclear[0].text))
+        return outcomes
+
+    def _clear_chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if (plain := without_count(chain, self.names)) is not None:
+            outcomes = self._clear_chain(plain, equation, line, False)
+            if outcomes and all(outcome.verdict in HOLDS for outcome in outcomes):
+                outcomes[0].also(say(Kind.COUNTS_SOLUTIONS))
+                self._claimed(chain, equation, line, define)  # what is said of that solution from here on
+                return outcomes
+        if (said := self._stated(chain, equation, line, define)) is not None:
+            return [said, *self._numbers_behind(chain, said, equation, line)]
+        if any(relation != "=" for relation in chain.relations):
+            parts = [(equation + at, part) for at, part in parts_of(chain)]
+            return [outcome for number, part in parts for outcome in self._related(part, number, line, define)]
+        if any(isinstance(member, n.Cases) for member in chain.members):
+            return check_cases(self.checker, chain, equation, line, define)
+        return self._claimed(chain, equation, line, define)
+
+    def _stated(self, chain: n.Chain, equation: int, line: int, define: bool) -> Outcome | None:
+        """Return what becomes of a chain that claims nothing: a sign, a configuration, a condition, a doubt; else None."""
+        sign = named_sign(chain)
+        if sign is not None and self.names.defines_sign(sign):
+            if define:
+                self.names.state.signs.name(sign, line)
+            return Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))
+        if any(relation != "=" for relation in chain.relations):
+            return None
+        if is_sum_of_indices(chain):
+            return Outcome(Verdict.PROVED, (), equation, role=Role.LAW)
+        if (doubt := counted(chain, self.names)) is not None:
+            return Outcome(Verdict.UNCHECKED, (doubt,), equation)
+        if (given := self.given.read(chain, line, define)) is not None:
+            return Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)
+        if not self.given.is_condition(chain):
+            return None
+        if define:
+            self._relate(chain, line)
+        return Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
+
+    def _relate(self, chain: n.Chain, line: int) -> None:
+        """Keep what joints, or lengths, are said to be: l_1 = l_2, of which l may be the letter."""
+        related = self.given.related(chain)
+        if not related:
+            return
+        self.circumstances.of_display(replace(chain, members=tuple(related), relations=("=",) * (len(related) - 1)))
+        for letter in (bare_key(each) for each in chain.members if each not in related):
+            self.names.define(str(letter), self.checker.members.meaning(related[0]), line, node=related[0])
+
+    def _numbers_behind(self, chain: n.Chain, said: Outcome, equation: int, line: int) -> list[Outcome]:
+        """θ_1 = atan2(1, 0) = 90°: the numbers of a value that is given are to be equal."""
+        if len(chain.members) < 3 or said.role is not Role.CLAIM or not all(map(is_number, chain.members[1:])):
+            return []
+        rest = replace(chain, members=chain.members[1:], relations=chain.relations[1:])
+        return [each for each in self._claimed(rest, equation + 1, line, False) if each.verdict is Verdict.REFUTED]
+
+    def _related(self, part: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if part.relations[0] == "=":
+            return self._clear_chain(part, equation, line, define)
+        return [check_relation(self.checker, part, equation)]
+
+    def _claimed(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in chain.members)
+        found = self.general.check(chain, equation, line, define) if is_general else None
+        for outcome in found or ():
+            outcome.role = Role.LAW
+        outcomes = found or self._decided(chain, equation, line, define)
+        for outcome in outcomes if define else ():
+            self.given.remember(outcome.gives, line)
+        if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
+            self.circumstances.of_display(chain)
+        outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        is_open = bool(outcomes) and all(o.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for o in outcomes)
+        if is_open and holds_of_any_jacobian(chain, self.names):
+            known = (say(Kind.OF_ANY_JACOBIAN),)
+            return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
+        return outcomes
+
+    def _understood(self, outcome: Outcome, chain: n.Chain, define: bool) -> Outcome:
+        """Return a refuted outcome, left open where the chain or what the text says may be meant otherwise."""
+        outcome = without_misreading(outcome, chain, self.names, not define, self.is_closed)
+        if self.names.arm is None and self.names.state.compares_lengths and self.ring.signs_chosen:
+            outcome = outcome.unless_refuted(say(Kind.ROOTS_POSITIVE))  # a > b says which sign √((a − b)²) has
+        speaks = self.names.state.told != Told() and outcome.verdict is Verdict.REFUTED
+        return self.circumstances.judge(outcome) if speaks else outcome
+
+    def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        outcomes = self.checker.check(chain, equation, line, define)
+        undecided = all(outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for outcome in outcomes)
+        frames = self.names.arm.frames if self.names.arm is not None else ()
+        if not (undecided and outcomes):
+            return outcomes
+        if is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line):
+            return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
+        if (rates := with_rates(chain, self.names)) is not None:
+            tried = self.checker.check(rates, equation, line, False)
+            if all(
+                outcome.verdict in HOLDS or (outcome.is_slip and is_of_rates(rates, self.names)) for outcome in tried
+            ):
+                return tried
+        kinds = ("", kind) if (kind := self.names.state.told.kind) else ("",)
+        if any(holds_for_each_joint(self.checker, chain, equation, line, kind) for kind in kinds):
+            by_joint = (say(Kind.EACH_JOINT),)
+            return [
+                replace(each, verdict=Verdict.PROVED, findings=by_joint, role=Role.LAW, defines=()) for each in outcomes
+            ]
+        if self.names.arm is not None and (found := self.general.product(chain, equation, line)):
+            return found
+        open_alone = all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)
+        if self.names.arm is not None and open_alone:
+            return self.general.identity(chain, equation, line) or outcomes
+        return outcomes
+
+
+def _is_of_rank(chain: n.Chain) -> bool:
+    """Whether a rank stands in a chain that does not say itself at which values."""
+    below = [*n.walk(chain)]
+    ranks = any(isinstance(each, n.Call) and each.function == "rank" for each in below)
+    return ranks and not any(isinstance(each, n.At) for each in below)
+
+
+def _is_label(chain: n.Chain) -> bool:
+    """Whether a number in brackets stands alone, as equations are numbered: (3)."""
+    (member,) = chain.members
+    return isinstance(member, n.Group) and isinstance(member.inner, n.Number)

@@ -1,0 +1,95 @@
+"""The statements of a display as they are to be decided: each with its subject, without what every one says."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from armproof.verification.equations.index_ranges import without_index_range
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.latex.vocabulary import ASKED
+from armproof.verification.naming.names import Names
+
+WHOLE = ("Z", "N")  # the sets of k in θ = kπ
+FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
+
+
+def prepared(statements: list[n.Statement], names: Names) -> list[n.Statement]:
+    """Return the statements that are to be decided: without "for all", with their subjects, what vanishes at its end apart."""
+    if len(statements) > 1:
+        statements = without_index_range(statements)
+    return [
+        part
+        for statement in _without_for_all(statements, names)
+        for part in _without_vanishing_end(_resolve_subject(statement, names))
+    ]
+
+
+def asked(statement: n.Statement) -> n.Statement:
+    """What is asked for, by an = with a mark above it, is a condition beside an arrow."""
+    if not isinstance(statement, n.Chain):
+        return statement
+    return replace(statement, relations=tuple("=" if r == ASKED else r for r in statement.relations))
+
+
+def _without_for_all(statements: list[n.Statement], names: Names) -> list[n.Statement]:
+    """Leave out "for all θ_1, θ_2", which every equation says without it."""
+    kept: list[n.Statement] = []
+    index = 0
+    while index < len(statements):
+        after = index + 1
+        statement = statements[index]
+        if len(statements) > 1 and _is_whole_number(statement, names):
+            if kept and isinstance(quantifier := kept[-1], n.Connective) and quantifier.text in ("exists", "forall"):
+                kept.pop()
+            index = after
+            continue
+        if isinstance(statement, n.Connective) and statement.text.strip(" .,;:").lower() in FOR_ALL:
+            while after < len(statements) and _is_any_configuration(statements[after], names):
+                after += 1
+        if after == index + 1:
+            kept.append(statement)
+        index = after
+    return kept
+
+
+def _is_whole_number(statement: n.Statement, names: Names) -> bool:
+    """k ∈ ℤ: so it is read in θ = kπ without being said."""
+    if not isinstance(statement, n.Chain) or statement.relations != ("∈",):
+        return False
+    k, numbers = (member.key if isinstance(member, n.Name) else "" for member in statement.members)
+    return k in ("k", "n", "m") and numbers in WHOLE and names.known_symbol(k) is None
+
+
+def _is_any_configuration(statement: n.Statement, names: Names) -> bool:
+    node = statement.members[0] if isinstance(statement, n.Chain) and not statement.relations else None
+    if names.arm is None or not isinstance(node, n.Name):
+        return False
+    joints = {joint.symbol for joint in names.arm.joints}
+    return node.key in ("q", "theta") or names.known_symbol(node.key) in joints
+
+
+def _resolve_subject(statement: n.Statement, names: Names) -> n.Statement:
+    """A display that begins with a relation goes on about the subject of the one before."""
+    subject = names.state.subject
+    if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and subject is not None:
+        return replace(statement, members=(subject, *statement.members[1:]))
+    return statement
+
+
+def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:
+    """det J = l_1 l_2 s_2 = 0 is an equation and a condition, and so is a derivative that is to vanish."""
+    if not isinstance(statement, n.Chain) or len(statement.members) < 3 or set(statement.relations) != {"="}:
+        return [statement]
+    *first, last = statement.members
+    if (
+        not isinstance(last, n.Number)
+        or last.value != 0
+        or any(isinstance(member, n.Number | n.Matrix) for member in first)
+    ):
+        return [statement]
+    determinant = isinstance(first[0], n.Call) and first[0].function in ("det", "abs")
+    if not determinant and not isinstance(first[0], n.Derivative):
+        return [statement]
+    claim = replace(statement, members=tuple(first), relations=statement.relations[:-1])
+    return [claim, replace(statement, members=(first[0], last), relations=("=",))]

@@ -1,0 +1,259 @@
+"""The statements of a display, one after the other: equations, relations, cases and implications."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from armproof.models.errors import together
+from armproof.verification.conditions.implication import (
+    Implication,
+    connectives_among,
+    find_implication,
+    goes_on,
+    is_condition,
+    is_under_words,
+)
+from armproof.verification.conditions.implications import Implications, Judgement
+from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
+from armproof.verification.display.claims import Claims
+from armproof.verification.display.prepared import asked, prepared
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.outcome import HOLDS, Outcome, with_role
+from armproof.verification.equations.series import unless_added, written_out
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Role, Verdict
+
+SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
+
+
+@dataclass
+class _Display:
+    """A display whose statements are taken one after the other.
+
+    Attributes:
+        latex: in which the nodes have their places.
+        equation, index: the number of the next equation, the place of the next statement.
+        links: of a chain of arrows: what stands before the arrow at hand has been concluded.
+        above: the implications of the lines before.
+        under: the implication whose conclusion stands before: what follows it on its line may be one more.
+        stated: configurations and conditions, each with the count of the outcomes before it.
+        assumed: whether nothing is decided of the conditions before the arrow at hand.
+    """
+
+    statements: list[n.Statement]
+    line: int
+    define: bool
+    latex: str
+    outcomes: list[Outcome] = field(default_factory=list)
+    counterexample: dict[str, float] = field(default_factory=dict)
+    equation: int = 1
+    index: int = 0
+    links: list[Implication] = field(default_factory=list)
+    above: list[Implication] = field(default_factory=list)
+    under: Implication | None = None
+    stated: list[tuple[int, n.Chain]] = field(default_factory=list)
+    assumed: bool = False
+
+    @cached_property
+    def asked(self) -> list[n.Statement]:
+        """The statements, with what is asked for as an equation."""
+        return [asked(statement) for statement in self.statements]
+
+    @cached_property
+    def is_connected(self) -> bool:
+        """Whether a connective stands among the statements."""
+        return any(isinstance(statement, n.Connective) for statement in self.statements)
+
+
+class Statements:
+    """Checks the statements of displays; one that begins with a relation goes on about the subject of the one before."""
+
+    def __init__(self, checker: ChainChecker) -> None:
+        self.checker = checker
+        self.names = checker.names
+        self.ring = checker.exact.ring
+        self.claims = Claims(checker)
+
+    @cached_property
+    def implications(self) -> Implications:
+        """Judges implications; made where there is one."""
+        return Implications(self.checker)
+
+    def check(
+        self, statements: list[n.Statement], line: int, *, define: bool = True, latex: str = ""
+    ) -> tuple[list[Outcome], dict[str, float]]:
+        """Return the outcomes of a display's statements and, for a refuted condition, its counterexample.
+
+        `latex` is the display in which the nodes have their places, to quote what is left out.
+        """
+        if "\\sum" in latex or "\\prod" in latex:
+            statements = [written_out(statement, latex, self.names) for statement in statements]
+        statements = prepared(statements, self.names)
+        display = _Display(statements, line, define, latex)
+        while display.index < len(statements):
+            self.ring.budget.check()
+            self._take_next(display)
+        self._heed_behind(display)
+        if display.is_connected:
+            tell_words_that_change(statements, display.outcomes)
+        undecided = [each for each in display.outcomes if each.verdict is Verdict.UNCHECKED] if define else []
+        for key in (key for outcome in undecided for key in outcome.defines):
+            self.names.doubt(key)  # what follows from it is not decided either
+        first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
+        if first_chain is not None and define:
+            self.names.state.subject = first_chain.members[0]
+        return display.outcomes, display.counterexample
+
+    def _take_next(self, display: _Display) -> None:
+        statement = display.statements[display.index]
+        implication = find_implication(display.asked, display.index) if display.is_connected else None
+        if implication is not None:
+            self._take_implication(display, implication)
+        elif isinstance(statement, n.Chain):
+            self._take_chain(display, statement)
+        else:
+            display.index += 1
+
+    def _take_chain(self, display: _Display, chain: n.Chain) -> None:
+        statements, index = display.statements, display.index
+        given = dict(self.names.state.configuration)
+        is_connected = display.is_connected
+        alternative = is_connected and is_alternative(statements, index)
+        found = self.claims.claim(chain, display.equation, display.line, display.define and not alternative)
+        found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
+        under_words = is_connected and is_under_words(statements, index)
+        if under_words or any(map(self.claims.given.places_joints, (each for _, each in display.stated))):
+            found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
+        if is_connected and is_concluded(statements, index):
+            self.names.state.configuration = given  # what is concluded is no data
+            found = [each.unless_refuted(say(Kind.UNDER_MORE)) for each in found] if display.assumed else found
+        if "\\sum" in display.latex[slice(*chain.span)]:
+            found = [unless_added(outcome, self.checker.quantity_of) for outcome in found]
+        found = self._concluded_too(display, chain, found)
+        if any(outcome.is_condition for outcome in found):
+            display.stated.append((len(display.outcomes), chain))
+        display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
+        self._tell_what_is_left_out(chain, statements, found, display.latex)
+        display.equation += len(chain.relations)
+        display.index += 1
+
+    def _concluded_too(self, display: _Display, chain: n.Chain, found: list[Outcome]) -> list[Outcome]:
+        """θ_2 = 0 ⇒ P_x = (l_1 + l_2) c_1, P_y = (l_1 + l_2) s_1: what does not hold everywhere may be a second conclusion."""
+        statements, index, under = display.statements, display.index, display.under
+        follows = index and isinstance(before := statements[index - 1], n.Chain) and chain.relations
+        if under is None or not follows or "\\\\" in display.latex[before.span[1] : chain.span[0]]:
+            display.under = None
+            return found
+        if all(outcome.verdict in HOLDS for outcome in found):
+            return found
+        wider = replace(under, before=[[chain]]) if under.kind == "if" else replace(under, behind=[[chain]])
+        judged = self.implications.of_the_tool(wider, found, display.equation, display.links)
+        self.names.forget(key for outcome in found for key in outcome.defines)  # what a name means there alone
+        judged = judged or self.implications.judge(wider, [Outcome(Verdict.UNCHECKED)], display.equation, [])
+        if judged is not None and judged[0].verdict in HOLDS:
+            return [replace(self.claims.unless_doubted(judged[0]), role=Role.CONDITION)]
+        is_wrong = judged is not None and judged[0].verdict is Verdict.REFUTED and not self.names.has_tool
+        return found if is_wrong else [outcome.unless_refuted(say(Kind.UNDER_MORE)) for outcome in found]
+
+    def _take_implication(self, display: _Display, implication: Implication) -> None:
+        given, told = dict(self.names.state.configuration), self.names.state.told
+        compared = [*self.names.state.comparisons]
+        implication = implication.with_each(self.checker.rows.choose)
+        self.checker.conventions.take_coordinates(implication.chains)
+        premises = implication.premises
+        self.checker.redefinitions.enabled = False
+        steps = [self.claims.chain(chain, display.equation, display.line, display.define) for chain in premises]
+        self.checker.redefinitions.enabled = True
+        if self.names.arm is None:  # θ_1 = θ_2 = 0 gives no letter a meaning: it is a condition
+            given_here = zip(premises, steps, strict=True)
+            self.names.forget(
+                key for chain, found in given_here if is_condition(chain) for o in found for key in o.defines
+            )
+        moved, self.names.state.told = self.names.state.told, told
+        self.claims.begin()
+        premised = [outcome for found in steps for outcome in found]
+        judged = self.implications.judge(implication, premised, display.equation, display.links)
+        judged = self.implications.beside(judged, implication, display.above, display.equation)
+        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
+            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
+            judged = of_the_tool or judged
+        if judged is None or judged[0].verdict not in HOLDS:
+            there = self.claims.circumstances.at_premised(implication, display.equation)
+            judged = (there, {}) if there is not None else judged
+        if judged is not None:
+            judged = (
+                self.claims.circumstances.of_implication(self.claims.unless_doubted(judged[0]), implication),
+                judged[1],
+            )
+        if judged is not None and any(outcome.holds_there for outcome in premised):
+            judged = self._unless_meant_there(display, implication, judged)
+        display.above.append(implication)
+        if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
+            self.names.state.told = moved
+            steps = [*map(self._without_numbers, steps)]
+            display.assumed = all(outcome.is_condition for found in steps for outcome in found)
+            for chain, found in zip(premises, steps, strict=True):
+                display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
+            display.equation += sum(len(chain.relations) for chain in premises)
+            display.links = []
+            display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+            return
+        display.under = implication if implication.kind in ("⇒", "if") else None
+        self.names.state.comparisons = compared
+        self.names.state.configuration = given  # a premise holds in its implication alone, and so does what it defines
+        self.names.forget(key for found in steps for o in found for key in o.defines if not o.is_condition)
+        outcome, counterexample = judged
+        read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
+        sides = tuple(member for chain in implication.chains for member in chain.members)
+        of_all = replace(outcome, role=Role.CONDITION, uses=self.claims.consulted(), read_as=read_as, conditions=sides)
+        display.outcomes.append(of_all)
+        display.counterexample.update(counterexample)
+        leads_on = goes_on(display.statements, implication)
+        display.links = [*display.links, implication] if leads_on else []
+        display.equation += sum(len(chain.relations) for chain in (premises if leads_on else implication.chains))
+        display.index = implication.behind_at if leads_on else implication.after
+
+    def _without_numbers(self, step: list[Outcome]) -> list[Outcome]:
+        """φ = 0 ⇒ …: a number is no meaning that a name has from there on; the equation is a condition."""
+        self.names.forget(key for outcome in step if outcome.gives_numbers for key in outcome.defines)
+        condition = Outcome(Verdict.DEFINED, (say(Kind.CONDITION),))
+        return [replace(condition, equation=o.equation) if o.gives_numbers else o for o in step]
+
+    def _unless_meant_there(
+        self, display: _Display, implication: Implication, judged: tuple[Outcome, dict[str, float]]
+    ) -> Judgement:
+        """Leave open what does not follow, where both sides may be claims at the values stated before: x = 0.5 ⇒ y = 1."""
+        if judged[0].verdict is not Verdict.REFUTED:
+            return judged
+        claims = [
+            o
+            for chain in implication.conclusions
+            for o in self.claims.chain(chain, display.equation, display.line, False)
+        ]
+        refuted = any(outcome.verdict is Verdict.REFUTED for outcome in claims)
+        return judged if refuted else (judged[0].left_open(say(Kind.HOLDS_THERE_ALONE)), {})
+
+    def _heed_behind(self, display: _Display) -> None:
+        """R = R_z(θ_1), θ_2 = 0: what is refuted may be meant where the values behind it say."""
+        for place, outcome in enumerate(display.outcomes):
+            behind = [chain for at, chain in display.stated if at > place]
+            if outcome.verdict is Verdict.REFUTED and behind:
+                display.outcomes[place] = self.claims.circumstances.judge_before(outcome, behind)
+
+    def _tell_what_is_left_out(
+        self, statement: n.Statement, statements: list[n.Statement], outcomes: list[Outcome], latex: str
+    ) -> None:
+        """An expression beside an equation is part of no claim, and what was meant by it is not known."""
+        dots = [below for below in n.walk(statement) if isinstance(below, n.Dots)]
+        for outcome in outcomes if dots and latex else ():
+            if any(finding.kind is Kind.PATTERN for finding in outcome.findings):
+                sign = SCRIPTED.match(latex, dots[0].span[0])
+                outcome.findings = (say(Kind.TERMS_UNWRITTEN, text=sign.group() if sign else "…"),)
+        if any(isinstance(each, n.Chain) and each.relations for each in statements):
+            for outcome in outcomes:
+                if any(finding.kind is Kind.NO_EQUATION for finding in outcome.findings):
+                    text = latex[statement.span[0] : statement.span[1]].strip()
+                    outcome.role, outcome.findings = Role.CLAIM, (say(Kind.LEFT_OUT, text=text),)
