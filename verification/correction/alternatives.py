@@ -58,12 +58,17 @@ def write_value(latex: str, value: Value, notation: Notation) -> str | None:
 def _of_entries(latex: str, outcome: Outcome, entries: Sequence[WrongEntry]) -> Corrections:
     """Return the wrong entries where they stand, or nothing where one has no place or cannot be written."""
     own = [entry for entry in entries if entry.equation == outcome.equation]
-    if outcome.printed is not None and (span := outcome.printed.node.span) != (0, 0):
-        own = [entry for entry in own if entry.span is None or span[0] <= entry.span[0] <= entry.span[1] <= span[1]]
+    if outcome.printed is not None and outcome.printed.node.span != (0, 0):
+        sides = [node.span for node in outcome.nodes]  # of two formulas the slip may stand in either
+        own = [entry for entry in own if entry.span is None or any(_holds(side, entry.span) for side in sides)]
     if any(entry.span is None or not entry.correct or ELLIPSIS in entry.correct for entry in own):
         return ()
     found = {trimmed(latex, Correction(*entry.span, entry.correct)) for entry in own if entry.span is not None}
     return tuple(sorted(found, key=lambda correction: correction.start))
+
+
+def _holds(outer: tuple[int, int], inner: tuple[int, int]) -> bool:
+    return outer[0] <= inner[0] <= inner[1] <= outer[1]
 
 
 def trimmed(latex: str, correction: Correction) -> Correction:

@@ -104,9 +104,15 @@ class Diagnostician:
         if turned is None or any(entry.finding for entry in found):
             return outcome, why, found
         otherwise, mended = self._explained(latex, turned)
-        if any(entry.finding for entry in mended) or (_is_short(turned.true) and not _is_short(outcome.true)):
+        if any(entry.finding for entry in mended) or (_is_short(turned.true) and self._has_lengths(outcome.true)):
             return turned, otherwise, mended
         return outcome, why, found
+
+    def _has_lengths(self, side: Member | None) -> bool:
+        """Whether a formula is one of the author's: it holds lengths of the arm beside its quantities."""
+        names = [each for each in n.walk(side.node) if isinstance(each, n.Name)] if side is not None else []
+        lengths = self.checker.names.arm.lengths if self.checker.names.arm is not None else {}
+        return any(self.checker.names.known_symbol(each.key) in lengths for each in names)
 
     def _explained(self, latex: str, outcome: Outcome) -> tuple[list[Finding], list[WrongEntry]]:
         """Return why an equation is wrong, as a whole or entry by entry, and its wrong entries."""

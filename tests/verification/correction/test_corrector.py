@@ -43,6 +43,8 @@ def record(display: str) -> Record:
 # A wrong display and the right one that is nearest to it.
 SLIPS = {
     "a sign in a cell": (f"J_v = {WRONG_J}", f"J_v = {J}"),
+    "a formula beside an angle": (r"\cos\theta_2 = \frac{x^2 + y^2 - l_1^2 + l_2^2}{2 l_1 l_2}",
+                                  r"\cos\theta_2 = \frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}"),
     "a scalar": (r"\det J_v = l_1 l_2 \cos\theta_2", r"\det J_v = l_1 l_2 \sin\theta_2"),
     "two equations": (r"l_1 + C_1^2 = l_1 + S_1^2 + 1, \quad S_2^2 = 1 + C_2^2", None),
     "a dot for a cross": (r"p_1 \cdot p_2 = \begin{bmatrix} 0 \\ 0 \\ l_1 l_2 S_2 \end{bmatrix}",

@@ -247,6 +247,11 @@ def test_a_formula_that_no_slip_mends_is_not_what_the_angle_is(check: Check) -> 
     assert (entry.printed, entry.correct, entry.finding) == (r"\frac{x + y}{l_1}", "c_2", None)
 
 
+def test_quantities_alone_are_no_formula_that_is_wrong(check: Check) -> None:
+    [entry] = check(POINT, r"x^2 + y^2 = c_2", arm="planar_2r", confirm=False).equations[1].entries
+    assert entry.printed == "c_2"
+
+
 def test_a_slip_is_told_where_its_letters_are_only_usual(check: Check) -> None:
     """Nothing says that x is the tool's: the equation is left open, and what would be wrong in it is said."""
     wrong, other = r"c_2 = \frac{x^2 + y^2 - l_1^2 + l_2^2}{2 l_1 l_2}", r"c_2 = \frac{x + y}{l_1}"
