@@ -104,22 +104,22 @@ def check_document(
 def _unless_of_another_arm(place: int, parts: Sequence[Inference], result: DocumentResult) -> DocumentResult:
     """Leave open what is refuted in the part of one arm, and holds of another that the document shows."""
     refuted = any(each.verdict is Verdict.REFUTED and not each.erratum for each in result.equations)
-    others = [part for k, part in enumerate(parts) if k != place and part.arm is not None]
+    others = [(part, part.arm) for k, part in enumerate(parts) if k != place and part.arm is not None]
     if parts[place].arm is None or not refuted:
         return result
-    for part in others:
+    for part, arm in others:
         there = replace(part.document, displays=parts[place].document.displays, tables=())
         records = DocumentChecker(there, load_arm_of(there), False, False, True, replace(part, document=there)).run()
         holding = {(each.cell, each.line) for each in records.equations if each.verdict in HOLDS}
-        doubt = say(Kind.HOLDS_OF_OTHER_ARM, line=part.arm.line) if part.arm is not None else None
+        doubt = say(Kind.HOLDS_OF_OTHER_ARM, line=arm.line)
         found = (_left_open(each, doubt) if (each.cell, each.line) in holding else each for each in result.equations)
         result = replace(result, equations=tuple(found))
     return result
 
 
-def _left_open(record: Record, doubt: Finding | None) -> Record:
+def _left_open(record: Record, doubt: Finding) -> Record:
     """Return a refuted record as one that is not decided."""
-    if record.verdict is not Verdict.REFUTED or doubt is None:
+    if record.verdict is not Verdict.REFUTED:
         return record
     outcomes = tuple(
         replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),))
@@ -354,7 +354,7 @@ class DocumentChecker:
         if after is not None:
             self._lacked.add((display.line, display.latex))
             self.names.state.become(after)
-        return again if again.verdict in (*DECIDED, Verdict.REFUTED) else record
+        return again if again.verdict in DECIDED else record
 
     def lacked(self, display: Display) -> bool:
         """Whether a display lacked names by what stands above it."""
