@@ -14,7 +14,7 @@ READY := $(VENV)/.installed
 READY_TO_LINT := $(VENV)/.installed-lint
 READY_TO_LAB := $(VENV)/.installed-lab
 
-.PHONY: report lab lessons site figures translations test lint format mutation benchmark sweep clean
+.PHONY: report lab lessons site figures translations test test-rest lint format mutation benchmark sweep clean
 
 # Exit code 2 of the command means that it could not run: then the report of the last run stays.
 report: $(READY)
@@ -37,10 +37,14 @@ site: $(READY)
 # and all their processes what is compiled. Matrices are small: threads of the linear algebra would wait for each other.
 WORKERS := $(shell expr $$(nproc) + 1)
 
-test: export PYTHONDONTWRITEBYTECODE =
-test sweep: export OPENBLAS_NUM_THREADS = 1
+test test-rest: export PYTHONDONTWRITEBYTECODE =
+test test-rest sweep: export OPENBLAS_NUM_THREADS = 1
 test: $(READY)
-	$(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile
+	ARMPROOF_PART=some $(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile
+
+# The cases that `make test` leaves out.
+test-rest: $(READY)
+	ARMPROOF_PART=rest $(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile
 
 # mypy and import-linter follow folders, not the mapping of pyproject.toml: a tree of links shows them the package `armproof`.
 lint: $(READY_TO_LINT)

@@ -1,4 +1,4 @@
-"""What `make test` runs: laws that are swept over every document or arm are shown on a few; `make sweep` shows them on all."""
+"""What `make test` runs: of a law with many cases some, the rest in `make test-rest`; on every document or arm it is shown in `make sweep`."""
 
 import atexit
 import gc
@@ -6,7 +6,8 @@ import os
 import re
 import shutil
 import signal
-from collections.abc import Callable
+from collections import defaultdict
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass, field
 from functools import cache
@@ -18,6 +19,8 @@ from _pytest.runner import runtestprotocol
 from xdist.remote import Producer
 from xdist.scheduler import LoadFileScheduling
 from xdist.workermanage import WorkerController
+
+from tests.laws import PART, SWEEP, is_in_part
 
 if TYPE_CHECKING:
     from tests.clusters import Running
@@ -130,6 +133,28 @@ SWEPT = {
     "verification/test_handouts.py::test_one_flipped": ("scara-000",),
     "verification/test_handouts.py": ("scara-000", "spherical-wrist-inverse"),
 }
+# These draw by themselves from what they judge.
+BOTH = (
+    "labelled/test_labelled.py::test_no_verdict_is_wrong_that_is_not_on_the_list",
+    "labelled/test_labelled.py::test_what_is_mended_has_left_the_list",
+    "labelled/test_labelled.py::test_what_is_said_is_what_is_on_record",
+    "labelled/test_spellings.py::test_no_verdict_is_wrong_that_is_not_on_the_list_nor_one_on_it_mended",
+)
+# What takes long and is seldom broken alone waits for the rest.
+LATER = (
+    "course/figures/test_files.py::test_another_process_at_another_time_gives_the_same_bytes",
+    "course/figures/test_files.py::test_a_trimmed_figure_loses_nothing_but_empty_paper",
+    "course/test_words_decide_nothing.py",
+    "labelled/test_bare.py::test_most_claims_are_decided",
+    "mutation/source/test_source.py::test_a_mutant_is_killed",
+    "sweeps/test_mutants_of_displays.py::test_a_hard_display_is_borne",
+    "test_installed.py::test_a_foreign_repository_with_packages_of_the_same_names_is_tested",
+    "test_installed.py::test_a_notebook_stands_beside_modules_of_the_same_names",
+    "test_installed.py::test_the_wheel_holds_code_and_data",
+    "verification/test_without_numpy.py::test_a_handout_is_proved_and_its_errata_refuted_without_numpy_and_drake",
+    "verification/report/test_folder.py::test_kills_at_random_leave_a_whole_report",
+    "verification/test_cli.py::test_a_report_that_nobody_takes_ends_without_a_traceback",
+)
 
 
 @dataclass
@@ -191,12 +216,12 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(tryfirst=True)  # no other need look at what waits
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    if os.environ.get("ARMPROOF_SWEEP"):
+    if SWEEP:
         return
-    waiting = [item for item in items if waits_for_the_sweep(item.nodeid, parameters(item))]
-    config.hook.pytest_deselected(items=waiting)
-    left = set(waiting)
-    items[:] = [item for item in items if item not in left]
+    drawn = of_part([item for item in items if not waits_for_the_sweep(item.nodeid, parameters(item))])
+    taken = set(drawn)
+    config.hook.pytest_deselected(items=[item for item in items if item not in taken])
+    items[:] = drawn
 
 
 def pytest_collection_finish() -> None:
@@ -233,6 +258,32 @@ class Together(LoadFileScheduling):
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadFileScheduling | None:
     return Together(config, log) if config.getvalue("dist") == "loadfile" else None
+
+
+def of_part(items: Sequence[pytest.Item], part: str = PART) -> list[pytest.Item]:
+    """Return the tests of a part: of the cases of a law every second, of nine or more every third in some, the others in the rest."""
+    laws: defaultdict[str, list[pytest.Item]] = defaultdict(list)
+    for item in items:
+        laws[law(item)].append(item)
+    taken = {
+        item
+        for name, cases in laws.items()
+        for i, item in enumerate(cases)
+        if name.startswith(BOTH) or is_in_part(i, one_in(name, len(cases)), part)
+    }
+    return [item for item in items if item in taken]
+
+
+def one_in(name: str, cases: int) -> int:
+    """Return of how many cases of a law `make test` shows one, 0 for none."""
+    if name.startswith(LATER):
+        return 0
+    return 3 if cases >= 9 else 2
+
+
+def law(item: pytest.Item) -> str:
+    """Return what a test is a case of; an equation of a handout is one of its own."""
+    return item.nodeid.removeprefix("tests/").partition("[" if parameters(item) else "\n")[0]
 
 
 def parameters(item: pytest.Item) -> str:

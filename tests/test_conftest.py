@@ -1,11 +1,22 @@
-"""What waits for the sweep: parameters that name another document or arm, and nothing else."""
+"""What waits for the sweep, parameters that name another document or arm; and which cases `make test` leaves to the rest."""
 
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
-from tests.conftest import LONG, SWEPT, TESTS, TOGETHER, pytest_runtest_protocol, waits_for_the_sweep
+from tests.conftest import (
+    BOTH,
+    LATER,
+    LONG,
+    SWEPT,
+    TESTS,
+    TOGETHER,
+    of_part,
+    pytest_runtest_protocol,
+    waits_for_the_sweep,
+)
 
 WRONG_ANSWERS = "tests/course/tasks/test_tasks.py::test_every_wrong_answer_gets_its_own_message"
 
@@ -39,7 +50,37 @@ def test_what_waits_for_the_sweep(nodeid: str, named: str, waits: bool) -> None:
     assert waits_for_the_sweep(nodeid, named) == waits
 
 
-@pytest.mark.parametrize("start", sorted(SWEPT))
+def cases_of(*names: str) -> list[pytest.Item]:
+    """Return tests of these names, those with brackets as cases of a law."""
+    return [Mock(pytest.Function, nodeid=name, **({"callspec": Mock(id="x")} if "[" in name else {})) for name in names]
+
+
+def numbers_in(part: str, *names: str) -> list[int]:
+    items = cases_of(*names)
+    return [items.index(item) for item in of_part(items, part)]
+
+
+@pytest.mark.parametrize(
+    ("names", "some"),
+    [
+        (["test_a.py::test_one", "test_a.py::test_two"], [0, 1]),
+        ([f"test_a.py::test_one[{i}]" for i in range(5)], [0, 2, 4]),
+        ([f"test_a.py::test_one[{i}]" for i in range(10)], [0, 3, 6, 9]),
+        (["a.md::a[1].md:3", "test_a.py::test_one[0]", "test_a.py::test_one[1]"], [0, 1]),
+        ([f"tests/{LATER[0]}", f"tests/{LATER[0]}[0]", f"tests/{LATER[0]}[1]"], []),
+    ],
+)
+def test_each_case_is_shown_in_one_part(names: list[str], some: list[int]) -> None:
+    assert numbers_in("some", *names) == some
+    assert numbers_in("rest", *names) == [i for i in range(len(names)) if i not in some]
+    assert numbers_in("", *names) == [*range(len(names))]
+
+
+def test_what_draws_by_itself_is_in_both_parts() -> None:
+    assert numbers_in("some", f"tests/{BOTH[0]}") == numbers_in("rest", f"tests/{BOTH[0]}") == [0]
+
+
+@pytest.mark.parametrize("start", sorted([*SWEPT, *LATER, *BOTH]))
 def test_what_is_swept_exists(start: str) -> None:
     file, _, test = start.partition("::")
     assert (TESTS / file).exists()

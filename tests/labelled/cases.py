@@ -16,7 +16,7 @@ from typing import Any
 
 import yaml
 
-from tests.laws import SWEEP
+from tests.laws import PART, SWEEP, is_in_part
 
 HERE = Path(__file__).parent
 FILES = ("displays.yaml", "spellings.yaml")
@@ -77,12 +77,12 @@ def load_cases(*files: str) -> tuple[Case, ...]:
     return tuple(case for file in files or FILES for case in read_cases(file))
 
 
-def drawn(cases: Sequence[Case], one_in: int) -> list[Case]:
-    """Return one in so many cases of each kind and label, the first of each for certain; in a sweep all of them."""
+def drawn(cases: Sequence[Case], one_in: int, part: str = PART or "some") -> list[Case]:
+    """Return one in so many cases of each kind and label, the first of each for certain; or the rest; in a sweep all of them."""
     alike: defaultdict[tuple[str, ...], list[Case]] = defaultdict(list)
     for case in cases:
         alike[case.file, case.about, case.front, case.label].append(case)
-    return [case for group in alike.values() for case in group[:: 1 if SWEEP else one_in]]
+    return [case for group in alike.values() for i, case in enumerate(group) if SWEEP or is_in_part(i, one_in, part)]
 
 
 def read_table(file: str) -> dict[str, Any]:
