@@ -22,13 +22,14 @@ from armproof.verification.document import Display, Document, Table, parse_docum
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
-from armproof.verification.equations.outcome import HOLDS, Outcome, new_one
+from armproof.verification.equations.outcome import HOLDS, AsUsual, Outcome, new_one
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.findings import Finding, Kind, finding_of, say
+from armproof.verification.findings import MISPRINTS, Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.reading import read_names, spelling_of
+from armproof.verification.naming.shown import settle_usual
 from armproof.verification.naming.state import Stated, settle_definitions
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
@@ -43,7 +44,16 @@ from armproof.verification.tables.arms import (
     stated_lengths,
     table_of_named,
 )
-from armproof.verification.verdict import DECIDED, DocumentResult, EquationResult, Record, TakenArm, Verdict, worst
+from armproof.verification.verdict import (
+    DECIDED,
+    DocumentResult,
+    EquationResult,
+    IfShown,
+    Record,
+    TakenArm,
+    Verdict,
+    worst,
+)
 
 if TYPE_CHECKING:
     from armproof.verification.correction.corrector import Corrector
@@ -284,7 +294,7 @@ class DocumentChecker:
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
-        equations = settle_definitions(equations)
+        equations = settle_definitions(settle_usual(equations))
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         index = None if self.arm is None else 0
@@ -409,9 +419,29 @@ class DocumentChecker:
         if self.inferred.arm is not None:
             of_taken_arm = OfTakenArm(self.checker, self.document, self.inferred.arm)
             outcomes = [of_taken_arm.judge(outcome) for outcome in outcomes]
-        for outcome in outcomes:
-            if outcome.as_usual is not None and not display.erratum:
-                self._tell_slip(outcome, display)
+        slips = [self._with_slip(outcome, display) for outcome in outcomes]
+        for place, slip in enumerate(slips):
+            if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip
+                outcomes[place] = slip.outcome
+        found = self._told(record, display, statements, outcomes, extra)
+        meanings = {key: meant for slip in slips if slip is not None for key, meant in slip.meanings.items()}
+        if not meanings:
+            return found
+        usual = [each if slip is None else slip.outcome for each, slip in zip(outcomes, slips, strict=True)]
+        self.names.state.inferred |= meanings
+        told = self._told(record, display, statements, usual, extra)
+        self.names.state.forget_usual(meanings)
+        return replace(found, if_shown=IfShown(told, meanings))
+
+    def _told(
+        self,
+        record: Record,
+        display: Display,
+        statements: list[n.Statement],
+        outcomes: list[Outcome],
+        extra: dict[str, float],
+    ) -> Record:
+        """Return the record of a display with what became of its equations, and why."""
         verdict = worst([outcome.verdict for outcome in outcomes])
         leading = [outcome for outcome in outcomes if outcome.verdict is verdict]
         errors = [outcome.max_error for outcome in outcomes if outcome.max_error is not None]
@@ -434,21 +464,31 @@ class DocumentChecker:
                 record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
         return replace(record, outcomes=tuple(self._result(outcome, record) for outcome in outcomes))
 
-    def _tell_slip(self, outcome: Outcome, display: Display) -> None:
+    def _with_slip(self, outcome: Outcome, display: Display) -> AsUsual | None:
+        """Tell the one slip that mends an equation if its names mean what they usually do; return what it then would be.
+
+        With a term or a factor more or less it may well mean something else: the point of another link, one joint's part.
+        """
+        if outcome.as_usual is None or display.erratum:
+            return None
         try:
             with self.ring.budget.of(SECONDS_TO_EXPLAIN):
-                for finding in self.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome):
-                    outcome.also(finding)
+                slips = [*self.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome)]
         except TooComplex:
-            return
+            return None
+        for slip in slips:
+            outcome.also(say(Kind.SLIP_AS_USUAL, change=slip.finding, printed=slip.printed, correct=slip.correct))
+        return outcome.as_usual if any(slip.finding.kind in MISPRINTS for slip in slips if slip.finding) else None
 
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
         result = outcome.result(record.line)
+        if (state := self.names.state).conventional:
+            keys = self._keys_in(outcome) & state.conventional
+            result = replace(result, usual={key: state.inferred[key] for key in sorted(keys) if key in state.inferred})
         if self.inferred.arm is not None:
             source, told_by = self.inferred.arm.source, self.inferred.arm.told_by
             result = replace(result, links=links_of(outcome, self.checker.members, source, told_by))
-            result = replace(result, usual=self._keys_in(outcome) & self.names.state.conventional)
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:

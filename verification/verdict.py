@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from armproof.models.language import look_up
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError, located
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import write_all
@@ -70,7 +71,7 @@ class EquationResult:
             the display that defines it.
         links: the links of the arm that it tells of.
         explained_by: those of them of which another one would make it right; None where that is not known.
-        usual: the names in it that convention alone binds.
+        usual: the names in it that convention alone binds, each with what it is taken for.
     """
 
     index: int
@@ -84,7 +85,7 @@ class EquationResult:
     uses: frozenset[tuple[str, int]] = frozenset()
     links: frozenset[int] = frozenset()
     explained_by: frozenset[int] | None = None
-    usual: frozenset[str] = frozenset()
+    usual: Mapping[str, Quantity] = field(default_factory=dict)
 
     @property
     def is_remark(self) -> bool:
@@ -177,6 +178,14 @@ class Discrepancy:
 
 
 @dataclass(frozen=True)
+class IfShown:
+    """The record of a display while its names mean what they usually do, and these meanings."""
+
+    record: Record
+    meanings: Mapping[str, Quantity]
+
+
+@dataclass(frozen=True)
 class Record:
     """The verdict of one display, or of one DH table.
 
@@ -200,6 +209,9 @@ class Record:
     corrections: tuple[Correction, ...] | None = None
     arm_index: int | None = None  # of the document's arms, that which it was compared with
     file: str = ""  # in which it stands, of a document of several
+    if_shown: IfShown | None = (
+        None  # what it is if the rest of the document shows its names to mean what they usually do
+    )
 
     @property
     def is_decided(self) -> bool:

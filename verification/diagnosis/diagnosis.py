@@ -74,19 +74,17 @@ class Diagnostician:
             discrepancy=discrepancy,
         )
 
-    def slip_as_usual(self, latex: str, outcome: Outcome) -> Iterator[Finding]:
-        """Yield the one slip that mends an equation which is left open, if its names mean what they usually do."""
+    def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
+        """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""
         usual, state = outcome.as_usual, self.checker.names.state
         if usual is None or len(usual.outcome.wrong) != 1:
-            return
+            return []
         state.inferred |= usual.meanings
         try:
             entries = self._on_either_side(latex, usual.outcome)[2]
         finally:
             state.forget_usual(usual.meanings)
-        for entry in entries:
-            if entry.finding is not None:
-                yield say(Kind.SLIP_AS_USUAL, change=entry.finding, printed=entry.printed, correct=entry.correct)
+        return [entry for entry in entries if entry.finding is not None]
 
     def _printed_error(self, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:
         """Return the refuted equation as an error to remember, where it says something of a quantity or a name."""

@@ -26,6 +26,7 @@ from armproof.verification.naming.names import Names
 
 MAX_EDITS = 600
 PLAIN = re.compile(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?")
+INDEXED = re.compile(r"[A-Za-z]+_[A-Za-z0-9]")
 
 Agreement = Callable[[Scalar], Callable[[n.Node], bool] | None]  # whether trees may have a value, as samples tell
 
@@ -86,7 +87,11 @@ class LearntNotation:
         prismatic = [joint.symbol for joint in arm.joints if joint.kind == "prismatic"]
         joints = [int(found.group(1)) for symbol in revolute if (found := re.search(r"_(\d)$", symbol))]
         return Letters(
-            tuple(joints), names_of(revolute), names_of([*arm.lengths, *prismatic]), names_of(self._coordinates())
+            tuple(joints),
+            names_of(revolute),
+            names_of([*arm.lengths, *prismatic]),
+            names_of(self._coordinates()),
+            names_of([key for key in self.names.state.definitions if INDEXED.fullmatch(key)]),
         )
 
     def _coordinates(self) -> list[str]:

@@ -34,12 +34,13 @@ class Edit:
 
 @dataclass(frozen=True)
 class Letters:
-    """What a display may draw on: the joints' indices, the lengths and the coordinates, each as a node in the document's letters."""
+    """What a display may draw on, as nodes in the document's letters: the joints' indices, lengths, coordinates, and names of its own."""
 
     joints: tuple[int, ...] = ()
     angles: tuple[n.Name, ...] = ()
     lengths: tuple[n.Name, ...] = ()
     coordinates: tuple[n.Name, ...] = ()
+    own: tuple[n.Name, ...] = ()
 
 
 _MOST_CALLS = 6  # sines and cosines of which two may be exchanged
@@ -237,11 +238,20 @@ def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
         (letters.angles, "index", Kind.WRONG_ANGLE),
         (letters.lengths, "length", Kind.WRONG_LENGTH),
         (letters.coordinates, "index", Kind.WRONG_COORDINATE),
+        ([each for each in letters.own if each.base == node.base], "index", Kind.WRONG_NAME),
     ):
-        if any(other.key == node.key for other in family):
+        plain = replace(node, dots=0)
+        if any(other.key == plain.key for other in family):
             for other in family:
-                if other.key != node.key:
-                    yield replace(other, span=node.span), kind, say(slip, printed=_show(node), correct=_show(other))
+                if other.key != plain.key:
+                    changed = replace(_with_dots(other, node.dots), span=node.span)
+                    yield changed, kind, say(slip, printed=_show(node), correct=_show(changed))
+
+
+def _with_dots(name: n.Name, dots: int) -> n.Name:
+    """Return the rate, or the acceleration, of what a name stands for."""
+    command = {0: "", 1: r"\dot", 2: r"\ddot"}.get(dots, "")
+    return replace(name, dots=dots, text=f"{command}{{{name.text}}}") if command else name
 
 
 def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:

@@ -100,7 +100,7 @@ class Claims:
         if (
             text := self.names.state.from_text()
         ):  # it may speak of one case: only a slip in what follows from it is refuted
-            outcomes = [each.unless_near(say(Kind.AS_TEXT_SAYS, name=text[0])) for each in outcomes]
+            outcomes = [each.unless_slip(say(Kind.AS_TEXT_SAYS, name=text[0])) for each in outcomes]
         defined = {(key, line) for outcome in outcomes for key in outcome.defines}
         for outcome in outcomes:  # c_3 = … := D names what is decided beside it
             met = {key for key in self.consulted() if key[0] not in outcome.defines and key != outcome.repeats}

@@ -13,6 +13,7 @@ from functools import cached_property
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import sections_around
 from armproof.verification.equations.alignment import (
     Pair,
@@ -29,7 +30,7 @@ from armproof.verification.equations.coordinates import coordinates_among
 from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import column_of_jacobian
 from armproof.verification.equations.sides import Member
@@ -220,7 +221,8 @@ class Conventions:
                     if there is Verdict.REFUTED and is_usual(name) and is_constant(pair.printed):
                         self.doubts.open.setdefault(name.key, quantity)
                 if pair is not None and is_usual(name) and not is_constant(pair.printed):
-                    self.doubts.open.setdefault(name.key, quantity)
+                    if self.doubts.open.setdefault(name.key, quantity) == quantity:
+                        self.doubts.tried[name.key] = tried
                     may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
                     is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
                     near = near or (quantity if is_shown or (may_be_near and is_near(pair)) else None)
@@ -348,7 +350,31 @@ class Conventions:
             return outcome.left_open(say(Kind.NOT_BOUND, name=key))
         near = near and not self._is_of_triangle(outcome)
         doubtful = (self.doubts.weak and not near) if refuted else (outcome.defines and self.doubts.open)
-        return self.doubts.judge(outcome) if doubtful else outcome
+        if not doubtful:
+            return outcome
+        as_usual = None if refuted else self._as_usual(outcome)
+        return replace(self.doubts.judge(outcome), **({"as_usual": as_usual} if as_usual is not None else {}))
+
+    def _as_usual(self, outcome: Outcome) -> AsUsual | None:
+        """Return what an equation that gives a name another value would be, if the name meant what it usually does."""
+        name = _plain(outcome.printed.node) if outcome.printed is not None else None
+        tried = self.doubts.tried.get(name.key) if name is not None else None
+        if name is None or tried is None or outcome.true is None or self._is_of_other(outcome.true):
+            return None
+        meanings = {name.key: self.doubts.open[name.key]}
+        self.names.state.inferred |= meanings
+        try:
+            found = self.equality.compare(tried, outcome.true, outcome.equation, has_branches(outcome.true.node))
+        finally:
+            self.names.state.forget_usual(meanings)
+        return AsUsual(found, meanings) if found.verdict is Verdict.REFUTED else None
+
+    def _is_of_other(self, member: Member) -> bool:
+        """Whether a value is a point, a rotation or a pose of the arm, or a coordinate of one of its points."""
+        if not isinstance(value := member.value, Scalar):
+            return self._is_of_another([member])
+        points = [self.members.exact.quantity(each) for each in self._others() if each.kind == "origin"]
+        return any(exactly_equal(cell, value) for point in points for cell in point.cells)
 
     def _is_of_triangle(self, outcome: Outcome) -> bool:
         """Whether the usual letter of the tool's direction stands alone in a cosine: h² = l_1² + l_2² - 2 l_1 l_2 cos φ."""

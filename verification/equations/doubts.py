@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_line, kind_of
 from armproof.verification.equations.outcome import AsUsual, Outcome
+from armproof.verification.equations.sides import Member
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -21,11 +22,13 @@ class Doubts:
     Attributes:
         weak: the names that stand inside formulas of the chain and were bound.
         open: the names that have a usual meaning, and were equated to something else.
+        tried: these names alone, with the values that they would have.
     """
 
     names: Names
     weak: set[str] = field(default_factory=set)
     open: dict[str, Quantity] = field(default_factory=dict)
+    tried: dict[str, Member] = field(default_factory=dict)
 
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit: a weak one where it is refuted, else an open one."""

@@ -16,6 +16,7 @@ from armproof.verification.verdict import Verdict
 
 _LETTERS = frozenset("FfM")  # N_x may be an entry of a rotation, m_x a mass
 _LOADS = frozenset("FfMNQW")  # behind J^T, or in F = (0, 0, -W), where they can be nothing else
+TORQUES = ("tau", "Gamma")
 _COMPONENT = re.compile(r"\w*,?[xyz]")
 
 
@@ -36,6 +37,7 @@ def heed_forces(names: Names, chain: n.Chain) -> None:
     found = [name for below in _walked(chain) for name in (*_components(cells_of(below)), *_behind_transpose(below))]
     found += [name for column in columns for name in column]
     names.state.adopted |= {name.key for name in found if names.is_open(name)}
+    names.state.balanced |= {(base, names.state.exercise) for base in _torques_in(chain)}
 
 
 def unless_left_out(outcome: Outcome, names: Names) -> Outcome:
@@ -67,13 +69,28 @@ def _is_force(node: n.Node) -> bool:
 
 
 def _behind_transpose(node: n.Node) -> list[n.Name]:
-    """Return the components of the column that J^T multiplies, each a letter or a letter with a minus, zeros beside them."""
+    """Return the components of the column that J^T multiplies, each a letter or a letter with a minus, zeros beside them; those of F."""
+    force = _force_behind_transpose(node)
+    if isinstance(force, n.Name) and _is_force(force) and not force.sub:
+        return [n.Name(force.base, axis) for axis in "xyz"]
+    return _loads(force) if force is not None else []
+
+
+def _force_behind_transpose(node: n.Node) -> n.Node | None:
+    """Return the factor behind J^T."""
     if not isinstance(node, n.Product) or len(node.factors) < 2:
-        return []
+        return None
     first, second = map(bare, node.factors[:2])
     base = bare(first.base) if isinstance(first, n.Postfix) and first.operator == "T" else None
     base = base.arguments[0] if isinstance(base, n.Call) and base.function == "name" else base
-    return _loads(second) if isinstance(base, n.Name) and base.base == "J" else []
+    return second if isinstance(base, n.Name) and base.base == "J" else None
+
+
+def _torques_in(chain: n.Chain) -> Iterator[str]:
+    """Yield the letter of torques that a chain says to be J^T F, and nothing else."""
+    sides = [bare(member) for member in chain.members]
+    if any(_force_behind_transpose(each) is not None and len(each.factors) == 2 for each in sides):  # type: ignore[attr-defined]
+        yield from (each.base for each in sides if _is_plain(each) and each.base in TORQUES and not each.sub)  # type: ignore[attr-defined]
 
 
 def _loads(node: n.Node) -> list[n.Name]:

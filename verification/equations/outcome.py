@@ -25,7 +25,7 @@ DEFINES = {Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.
 
 @dataclass(frozen=True)
 class AsUsual:
-    """What became of an equation while its names meant what they usually do."""
+    """What became of an equation while its names meant what they usually do; without meanings, what the text says of them."""
 
     outcome: Outcome
     meanings: Mapping[str, Quantity]
@@ -54,7 +54,7 @@ class Outcome:
     uses: frozenset[tuple[str, int]] = frozenset()
     coarse: list[tuple[int, int]] = field(default_factory=list)  # entries whose numbers are rounded too much to tell
     conditions: tuple[n.Node, ...] = ()  # the sides of an implication
-    as_usual: AsUsual | None = None  # what it would be if its names meant what they usually do
+    as_usual: AsUsual | None = None  # what it would be if its names meant what they usually do, or what the text says
 
     def also(self, finding: Finding) -> None:
         """Add a finding to those of the equation."""
@@ -73,9 +73,11 @@ class Outcome:
         """Whether it is refuted, and a slip away from what is true."""
         return self.verdict is Verdict.REFUTED and self.pair is not None and is_near(self.pair)
 
-    def unless_near(self, reason: Finding) -> Outcome:
-        """Return the outcome, left open where it is refuted and more than a slip away."""
-        return self if self.is_slip else self.unless_refuted(reason)
+    def unless_slip(self, reason: Finding) -> Outcome:
+        """Return the outcome, left open where it is refuted and its value shows no slip: whether one mends it, the diagnosis tells."""
+        if self.is_slip or self.verdict is not Verdict.REFUTED:
+            return self
+        return replace(self.left_open(reason), as_usual=AsUsual(self, {}))
 
     def result(self, line: int) -> EquationResult:
         """Return what the report keeps of it, for a display at a line."""

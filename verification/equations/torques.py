@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from operator import attrgetter
 
 from armproof.verification.algebra.calculus import derivative, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.alignment import Pair, agree_exactly, is_near
+from armproof.verification.equations.alignment import Pair, agree_exactly, different_entries, exactly_equal, is_near
+from armproof.verification.equations.forces import TORQUES
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.evaluation.blocks import cells_of
@@ -18,8 +20,8 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.verdict import Role, Verdict
 
-TORQUES = ("tau", "Gamma")
 COMPONENTS = ("x", "y", "z")
+_SIDES = (attrgetter("true"), attrgetter("printed"))
 
 
 @dataclass(frozen=True)
@@ -36,14 +38,38 @@ class Torques:
         if all(map(agree_exactly, pairs)):
             return replace(outcome, verdict=Verdict.PROVED, findings=(), role=Role.CLAIM)
         turned = [replace(pair, true=pair.true.map(lambda cell: -cell)) for pair in pairs]
-        if all(map(agree_exactly, turned)):
+        said = self._is_said_to_be(outcome)
+        if all(map(agree_exactly, turned)) and not said:
             return outcome  # the torques that the force makes, and not those that hold it
         if not any(all(agree_exactly(each) or is_near(each) for each in read) for read in (pairs, turned)):
             return outcome
+        if said:
+            return self._refuted(outcome, pairs)
         finding = say(Kind.NEAR_TORQUE, names=sorted(outcome.defines))
         for name in outcome.defines:
             self.members.names.leave_open(name, finding)
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
+
+    def _is_said_to_be(self, outcome: Outcome) -> bool:
+        """Whether the exercise says that these torques are J^T F."""
+        named = [*(cells_of(outcome.printed.node) or (outcome.printed.node,))] if outcome.printed is not None else []
+        letters = {each.base for each in map(bare, named) if isinstance(each, n.Name)}
+        state = self.members.names.state
+        return len(letters) == 1 and bool(state.balanced & {(*letters, state.exercise), (*letters, "")})
+
+    def _refuted(self, outcome: Outcome, pairs: list[Pair]) -> Outcome:
+        """Return a claim of torques that are not those of J^T F; they are no more than that."""
+        assert outcome.true is not None and outcome.printed is not None
+        columns = [Matrix(tuple((cell,) for pair in pairs for cell in side(pair).cells)) for side in _SIDES]
+        pair = Pair(*columns, is_scalar=len(pairs) == 1 and not isinstance(outcome.true.value, Matrix))
+        true = replace(outcome.printed, value=pair.true.cells[0] if pair.is_scalar else pair.true, problem=None)
+        for name in outcome.defines:
+            self.members.names.leave_open(name, say(Kind.NEAR_TORQUE, names=sorted(outcome.defines)))
+        wrong = different_entries(pair, exactly_equal)
+        return replace(
+            outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
+            wrong=wrong, defines=(),
+        )  # fmt: skip
 
     @staticmethod
     def _asked(outcome: Outcome) -> int:

@@ -1,6 +1,6 @@
 """Reasons as data: what a verdict rests on, by kind and terms, and the one place where it is put in words."""
 
 from armproof.verification.findings.finding import Finding, finding_of, say
-from armproof.verification.findings.kinds import Kind
+from armproof.verification.findings.kinds import MISPRINTS, Kind
 
-__all__ = ["Finding", "Kind", "finding_of", "say"]
+__all__ = ["MISPRINTS", "Finding", "Kind", "finding_of", "say"]

@@ -335,6 +335,7 @@ class Kind(MessageKind):
     MISSING_ANGLE = "missing_angle", "angle `{angle}` is missing"
     ABSOLUTE_ANGLE = "absolute_angle", "{change}: an angle is taken as absolute where the sum of relative angles belongs"
     WRONG_COORDINATE = "wrong_coordinate", "coordinate `{printed}` where `{correct}` belongs", "`{printed}` where `{correct}` belongs"
+    WRONG_NAME = "wrong_name", "`{printed}` where `{correct}` belongs"
     WRONG_LENGTH = "wrong_length", "length `{printed}` where `{correct}` belongs", "`{printed}` where `{correct}` belongs"
     SWAPPED_LENGTHS = "swapped_lengths", "lengths `{one}` and `{other}` are swapped", "`{one}` and `{other}` are swapped"
     THROUGHOUT = "throughout", "{change} throughout"
@@ -775,3 +776,12 @@ class Kind(MessageKind):
     WHY = "why", "why: {reason}"
     FOR_EXAMPLE = "for_example", "for example at `{values}`"
     ALSO_IN = "also_in", "the same error stands in line {lines}"
+
+
+# What may be wrong in a formula that has all its terms and factors, and no other ones.
+MISPRINTS = frozenset({
+    Kind.WRONG_SIGN_OF_TERM, Kind.WRONG_SIGN_OF_ANGLE, Kind.SIGN_OF_ANGLE, Kind.SINE_FOR_COSINE, Kind.COSINE_FOR_SINE,
+    Kind.EXCHANGED_TWICE, Kind.WRONG_INDEX, Kind.EXTRA_INDEX, Kind.MISSING_INDEX, Kind.WRONG_ANGLE, Kind.EXTRA_ANGLE,
+    Kind.MISSING_ANGLE, Kind.ABSOLUTE_ANGLE, Kind.WRONG_COORDINATE, Kind.WRONG_NAME, Kind.WRONG_LENGTH,
+    Kind.SWAPPED_LENGTHS, Kind.UPSIDE_DOWN, Kind.ARGUMENTS_EXCHANGED, Kind.SIGN_OF_ARGUMENT,
+})  # fmt: skip

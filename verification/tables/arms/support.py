@@ -161,7 +161,7 @@ def _never_as_usual(inferred: Inference, records: Iterable[Record]) -> frozenset
     for record in records:
         for outcome in record.outcomes:
             if outcome.verdict in HOLDS:
-                held |= outcome.usual
+                held |= outcome.usual.keys()
             for key in outcome.usual if outcome.verdict is Verdict.REFUTED and record.section not in here else ():
                 refuted.setdefault(key, set()).add((record.cell or 0, record.line))
     return frozenset(key for key, places in refuted.items() if len(places) > 1 and key not in held)
@@ -254,7 +254,7 @@ class _Settled:
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum:
             return result
-        if others := result.usual & self.never_as_usual:
+        if others := result.usual.keys() & self.never_as_usual:
             doubt = say(Kind.NEVER_AS_USUAL, name=min(others))
             return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index),))
         if is_sure:

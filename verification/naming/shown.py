@@ -1,0 +1,53 @@
+"""What the rest of a document shows of names that convention alone binds: then an equation a slip away from them is refuted."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.verdict import Record, Verdict
+
+_COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
+_HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
+
+
+def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
+    """Return the records of a document; what its other equations show of a name is what it means in one that is left open."""
+    records = tuple(records)
+    if all(record.if_shown is None for record in records):
+        return records
+    return tuple(_settled(record, [each for each in records if each is not record]) for record in records)
+
+
+def _settled(record: Record, others: Iterable[Record]) -> Record:
+    if record.if_shown is None:
+        return record
+    beside = [each for each in record.outcomes if each.verdict in _HOLDS]
+    held = [*beside, *(each for other in others for each in other.outcomes if each.verdict in _HOLDS)]
+    shown = [*(each.usual for each in held)]
+    if all(_is_shown(key, quantity, shown) for key, quantity in record.if_shown.meanings.items()):
+        return record.if_shown.record
+    return replace(record, if_shown=None)
+
+
+def _is_shown(key: str, quantity: Quantity, shown: Iterable[Mapping[str, Quantity]]) -> bool:
+    """Whether a name stands for a quantity in what holds, and for no other one; of a coordinate the others of its point tell it, too."""
+    found = {usual[key] for usual in shown if key in usual}
+    if found or not (quantity.kind == "origin" and quantity.scalar):
+        return found == {quantity}
+    return any(
+        _point(other) == _point(quantity) and _letters(name) == _letters(key)
+        for usual in shown
+        for name, other in usual.items()
+    )
+
+
+def _point(quantity: Quantity) -> Quantity:
+    return replace(quantity, rows=None)
+
+
+def _letters(key: str) -> str:
+    """Return a name with a mark for its coordinate: p_* of p_x and p_y, * of x, and of X a capital one."""
+    return _COORDINATE.sub(lambda found: "*" if found.group().islower() else "**", key)
