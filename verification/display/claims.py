@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import replace
 from functools import cached_property, partial
 
@@ -30,7 +30,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.quantities import is_inverse_link
-from armproof.verification.naming.state import Told
+from armproof.verification.naming.state import Key, Told
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
 
@@ -93,7 +93,10 @@ class Claims:
             if outcome.verdict is Verdict.REFUTED:
                 other = say(Kind.OTHER_EXERCISE, name=foreign[0][0], line=foreign[0][1])
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
-        outcomes = [self.unless_doubted(outcome) for outcome in outcomes]
+        own = {key for outcome in outcomes for key in outcome.defines}
+        outcomes = [
+            self.unless_doubted(outcome, {(key, line) for key in own - _names_in(outcome)}) for outcome in outcomes
+        ]
         if by_table := self.names.state.from_table():
             doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
             outcomes = [each.unless_refuted(doubt) for each in outcomes]
@@ -107,14 +110,15 @@ class Claims:
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
         return outcomes
 
-    def unless_doubted(self, outcome: Outcome) -> Outcome:
+    def unless_doubted(self, outcome: Outcome, beside: Set[Key] = frozenset()) -> Outcome:
         """Leave open what a definition that may be a mistake decides: it proves nothing, and may be the mistake itself.
 
-        The last of two meanings is no mistake where a joint or a quantity of the arm is what it then says.
+        What is only defined beside it, R of R = R_z(φ) R_y(θ) = […], is none of its sides. The last of two meanings is no mistake where a joint or a quantity of the arm is what it then says.
         """
         if outcome.verdict not in DECIDED or self.is_closed:
             return outcome
-        doubted, of_two = self.names.state.doubted(), self.names.state.with_two_meanings()
+        doubted = [key for key in self.names.state.doubted() if key not in beside]
+        of_two = self.names.state.with_two_meanings()
         if of_two and (outcome.verdict is Verdict.REFUTED or not is_of_arm(outcome, self.names)):
             doubted = doubted or of_two
         if not doubted:
@@ -322,10 +326,23 @@ class Claims:
             ]
         if self.names.arm is not None and (found := self.general.product(chain, equation, line)):
             return found
+        if self.names.arm is not None and (found := self._behind_name(chain, equation, line)):
+            return [*outcomes[:1], *found]
         open_alone = all(outcome.verdict is Verdict.UNCHECKED and not outcome.defines for outcome in outcomes)
         if self.names.arm is not None and open_alone:
             return self.general.identity(chain, equation, line) or outcomes
         return outcomes
+
+    def _behind_name(self, chain: n.Chain, equation: int, line: int) -> list[Outcome] | None:
+        """R = R_z(φ) R_y(θ) R_x(ψ) = […]: whatever is named there, what stands behind it is an identity or wrong."""
+        if len(chain.members) < 3 or bare_key(chain.members[0]) is None:
+            return None
+        rest = replace(chain, members=chain.members[1:], relations=chain.relations[1:])
+        return self.general.identity(rest, equation + 1, line)
+
+
+def _names_in(outcome: Outcome) -> set[str]:
+    return {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
 
 
 def _is_of_rank(chain: n.Chain) -> bool:
