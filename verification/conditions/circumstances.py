@@ -20,7 +20,7 @@ from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.errors import ReadError
-from armproof.verification.evaluation.blocks import cells_of
+from armproof.verification.evaluation.blocks import cells_of, rows_of_letters
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -115,7 +115,12 @@ class Circumstances:
     def _define(self, chain: n.Chain, line: int) -> None:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
         name = chain.members[0]
-        if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots or not self.names.is_open(name):
+        if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots:
+            return
+        if self.names.quantity(name) is not None and rows_of_letters(chain.members[1]):  # T = [s n a P; 0 0 0 1]
+            self.checker.check(chain, 1, line)
+            return
+        if not self.names.is_open(name):
             return
         members, value = self.checker.members, chain.members[1]
         usual = is_usual(name) and conventional(name, self.names.arm, self.names.transforms)  # type: ignore[arg-type]

@@ -21,6 +21,8 @@ from armproof.verification.equations.alignment import (
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.verdict import Role, Verdict
 
 KINDS = {(4, 4): "pose", (3, 3): "rotation", (3, 1): "origin", (2, 1): "origin"}
@@ -53,25 +55,44 @@ class Catalogue:
 
     def _unless_near(self, outcome: Outcome, name: str, pairs: list[tuple[Quantity, Pair]]) -> Outcome:
         near = [
-            (different_entries(pair, exactly_equal), quantity)
+            (different_entries(pair, exactly_equal), quantity, pair)
             for quantity, pair in pairs
             if is_near(pair) and (not quantity.scalar or (_has_as_many_terms(pair) and self._is_of_the_arm(pair)))
         ]
-        wrong, quantity = min(near, key=lambda each: len(each[0]), default=([], None))
-        if quantity is None or len(wrong) > MOST_WRONG:
+        wrong, quantity, pair = min(near, key=lambda each: len(each[0]), default=([], None, None))
+        if quantity is None or pair is None or len(wrong) > MOST_WRONG:
             return outcome
         row, column = (index + 1 for index in wrong[0])
         terms = {"name": name, "reading": kind_of(quantity).tell(quantity), "line": as_line(name, quantity)}
         finding = say(Kind.NEAR_QUANTITY, row=row, column=column, **terms)
         finding = say(Kind.NEAR_COORDINATE, **terms) if quantity.scalar else finding
         self.members.names.leave_open(name, finding)
+        if self._is_jacobian(outcome, quantity, pair, wrong):
+            return self._refuted(outcome, quantity, pair, wrong)
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
+
+    def _is_jacobian(self, outcome: Outcome, quantity: Quantity, pair: Pair, wrong: list[tuple[int, int]]) -> bool:
+        """Whether a J with an index of the document's own, J_r, has all rows of a Jacobian but one entry, in the arm's letters."""
+        name = bare(outcome.printed.node) if outcome.printed is not None else None
+        letters = self._is_of_the_arm(pair) and isinstance(name, n.Name) and name.base == "J" and not name.dots
+        agreeing = sum(1 for _, a, b in pair.entries() if symbols_in([a]) and exactly_equal(a, b))
+        return letters and quantity.kind == "jacobian" and len(wrong) == 1 and agreeing > len(wrong) + 1
+
+    @staticmethod
+    def _refuted(outcome: Outcome, quantity: Quantity, pair: Pair, wrong: list[tuple[int, int]]) -> Outcome:
+        """Return a claim of a Jacobian with a wrong entry."""
+        assert outcome.printed is not None
+        true, reading = replace(outcome.printed, value=pair.true, problem=None), kind_of(quantity).tell(quantity)
+        return replace(
+            outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
+            wrong=wrong, defines=(), read_as=reading,
+        )  # fmt: skip
 
     def _is_of_the_arm(self, pair: Pair) -> bool:
         """Whether a scalar holds the arm's letters alone: d_1 - Z - d_4 is a joint solved for, and no slip in z."""
         arm = self.members.names.arm
         assert arm is not None
-        return symbols_in(pair.printed.rows[0]) <= {*arm.lengths, *(joint.symbol for joint in arm.joints)}
+        return symbols_in(pair.printed.cells) <= {*arm.lengths, *(joint.symbol for joint in arm.joints)}
 
     def _alike(self, value: Matrix) -> Iterator[tuple[Quantity, Matrix]]:
         """Yield the quantities of a size, each with its value; of two frames that are one, the first."""
@@ -94,7 +115,13 @@ class Catalogue:
                 if shape in KINDS:
                     yield Quantity(KINDS[shape], frame, reference, rows=rows)
         if shape[1] == len(arm.joints):
-            yield from (Quantity("jacobian", arm.frames[-1], arm.frames[0], rows=part) for part in PARTS)
+            whole = Quantity("jacobian", arm.frames[-1], arm.frames[0])
+            yield from (replace(whole, rows=part) for part in dict.fromkeys((*PARTS, self._moving(whole))))
+
+    def _moving(self, jacobian: Quantity) -> tuple[int, ...]:
+        """Return the rows of a Jacobian in which some joint moves the tool: four of a SCARA."""
+        rows = self.members.exact.quantity(jacobian).rows
+        return tuple(number for number, row in enumerate(rows, 1) if not all(cell.is_zero() for cell in row))
 
 
 def _has_as_many_terms(pair: Pair) -> bool:

@@ -36,7 +36,7 @@ from armproof.verification.equations.readings import column_of_jacobian
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
 from armproof.verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
-from armproof.verification.evaluation.blocks import partition, written_rows
+from armproof.verification.evaluation.blocks import partition, rows_of_letters, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, has_branches
@@ -128,7 +128,7 @@ class Conventions:
 
     def _of_letters(self, members: list[Member]) -> tuple[list[Member], list[Member]]:
         """p = (X, Y, 0)^T: a usual name beside nothing but letters and numbers, of its size, is what it usually is."""
-        sizes = [(len(rows), len(rows[0])) for each in members if (rows := _letters_of(each.node))]
+        sizes = [(len(rows), len(rows[0])) for each in members if (rows := rows_of_letters(each.node))]
         for place, member in enumerate(members):
             name = _plain(member.node)
             for quantity in (
@@ -470,15 +470,6 @@ def _is_at_numbers(node: n.Node) -> bool:
     """Whether a side is a name at given joint values: P(0, π/2)."""
     call = bare(node)
     return isinstance(call, n.Call) and all(map(is_number, call.arguments[1:]))
-
-
-def _letters_of(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:
-    """Return the rows of a matrix or a list of letters and numbers alone, with a letter; else ()."""
-    rows = written_rows(node)
-    cells = [bare(cell) for row in rows for cell in row]
-    here = ("", "0")  # {}^BP_x stands in a frame of its own
-    alone = all(isinstance(cell, n.Number) or (isinstance(cell, n.Name) and cell.pre_sup in here) for cell in cells)
-    return rows if alone and any(isinstance(cell, n.Name) for cell in cells) else ()
 
 
 def _fit_together(members: list[Member]) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
+from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
@@ -21,6 +23,7 @@ from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
+from armproof.verification.naming.conventions import AXES
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import Role, Verdict
@@ -127,6 +130,7 @@ class Definitions:
                     meaning = self.members.meaning(true.node, block)
                     of_section = block.is_larger and not self.members.is_of_tool(true.node)
                     self.names.define(key, meaning, self.line, by_place=True, of_section=of_section)
+                    self._define_components(block)
         if wrong:
             pair = Pair(value, value) if len(blocks) == len(value.cells) else None
             findings = () if pair else (say(Kind.WRONG_BLOCK),)
@@ -135,6 +139,22 @@ class Definitions:
             return Outcome(Verdict.UNCHECKED, (finding_of(unknown),), equation, true, member)
         said = say(Kind.DEFINES_ENTRIES, names=list(first))
         return Outcome(Verdict.DEFINED, (said,), equation, true, member, defines=tuple(first))
+
+    def _define_components(self, block: Block) -> None:
+        """s, n, a of [s n a P]: the components of a column that a letter stands for have its letter, s_x, s_y, s_z."""
+        letter = bare(block.cell)
+        is_column = (len(block.rows), len(block.columns)) == (3, 1)
+        if not is_column or not isinstance(letter, n.Name) or letter != n.Name(letter.base):
+            return
+        for row, axis in enumerate(AXES):
+            component = partial(self._component, letter.base, row)
+            self.names.define(n.Name(letter.base, axis).key, component, self.line, by_place=True)
+
+    def _component(self, letter: str, row: int, algebra: Any) -> Value:
+        """Return an entry of the column that a letter stands for, which is met so."""
+        if letter not in self.names.state.definitions:
+            raise UnboundName(letter)
+        return self.names.defined_value(letter, algebra).rows[row][0]
 
     def _rows_unclear(self, true: Member, blocks: list[Block]) -> Finding | None:
         """Say that a Jacobian of six rows stands beside two or three components: nothing tells which rows it is to have."""

@@ -43,6 +43,15 @@ def written_rows(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:
     return tuple(zip(*rows, strict=False)) if transposed else rows
 
 
+def rows_of_letters(node: n.Node) -> tuple[tuple[n.Node, ...], ...]:
+    """Return the rows of a matrix or a list of letters and numbers alone, with a letter; else ()."""
+    rows = written_rows(node)
+    cells = [bare(cell) for row in rows for cell in row]
+    here = ("", "0")  # {}^BP_x stands in a frame of its own
+    alone = all(isinstance(cell, n.Number) or (isinstance(cell, n.Name) and cell.pre_sup in here) for cell in cells)
+    return rows if alone and any(isinstance(cell, n.Name) for cell in cells) else ()
+
+
 def cells_of(node: n.Node) -> Sequence[n.Node]:
     """Return the entries of a list, of a row or of a column, transposed or not; none of another tree."""
     node = bare(node)
