@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from armproof.models.language import look_up
-from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.errors import DocumentError, located
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.findings.finding import write_all
@@ -71,7 +70,7 @@ class EquationResult:
             the display that defines it.
         links: the links of the arm that it tells of.
         explained_by: those of them of which another one would make it right; None where that is not known.
-        usual: the names in it that convention alone binds, each with what it is taken for.
+        usual: the names in it that convention alone binds, each with the quantity that it is taken for.
     """
 
     index: int
@@ -85,7 +84,7 @@ class EquationResult:
     uses: frozenset[tuple[str, int]] = frozenset()
     links: frozenset[int] = frozenset()
     explained_by: frozenset[int] | None = None
-    usual: Mapping[str, Quantity] = field(default_factory=dict)
+    usual: Mapping[str, object] = field(default_factory=dict)
 
     @property
     def is_remark(self) -> bool:
@@ -182,7 +181,7 @@ class IfShown:
     """The record of a display while its names mean what they usually do, and these meanings."""
 
     record: Record
-    meanings: Mapping[str, Quantity]
+    meanings: Mapping[str, object]
 
 
 @dataclass(frozen=True)

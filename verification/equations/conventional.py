@@ -352,8 +352,8 @@ class Conventions:
         doubtful = (self.doubts.weak and not near) if refuted else (outcome.defines and self.doubts.open)
         if not doubtful:
             return outcome
-        as_usual = None if refuted else self._as_usual(outcome)
-        return replace(self.doubts.judge(outcome), **({"as_usual": as_usual} if as_usual is not None else {}))
+        judged = self.doubts.judge(outcome)
+        return judged if refuted else replace(judged, as_usual=self._as_usual(outcome))
 
     def _as_usual(self, outcome: Outcome) -> AsUsual | None:
         """Return what an equation that gives a name another value would be, if the name meant what it usually does."""

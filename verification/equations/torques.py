@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from operator import attrgetter
 
 from armproof.verification.algebra.calculus import derivative, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix
@@ -21,7 +20,6 @@ from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.verdict import Role, Verdict
 
 COMPONENTS = ("x", "y", "z")
-_SIDES = (attrgetter("true"), attrgetter("printed"))
 
 
 @dataclass(frozen=True)
@@ -60,8 +58,8 @@ class Torques:
     def _refuted(self, outcome: Outcome, pairs: list[Pair]) -> Outcome:
         """Return a claim of torques that are not those of J^T F; they are no more than that."""
         assert outcome.true is not None and outcome.printed is not None
-        columns = [Matrix(tuple((cell,) for pair in pairs for cell in side(pair).cells)) for side in _SIDES]
-        pair = Pair(*columns, is_scalar=len(pairs) == 1 and not isinstance(outcome.true.value, Matrix))
+        alone = len(pairs) == 1 and not isinstance(outcome.true.value, Matrix)
+        pair = Pair(_column(each.true for each in pairs), _column(each.printed for each in pairs), is_scalar=alone)
         true = replace(outcome.printed, value=pair.true.cells[0] if pair.is_scalar else pair.true, problem=None)
         for name in outcome.defines:
             self.members.names.leave_open(name, say(Kind.NEAR_TORQUE, names=sorted(outcome.defines)))
@@ -114,6 +112,10 @@ class Torques:
         numbers = [each.sub for each in named if isinstance(each, n.Name) and each.base in TORQUES and not each.dots]
         known = all(number.isdigit() and 1 <= int(number) <= joints for number in numbers)
         return [int(number) - 1 for number in numbers] if known and len(numbers) == len(named) else []
+
+
+def _column(parts: Iterable[Matrix]) -> Matrix:
+    return Matrix(tuple((cell,) for part in parts for cell in part.cells))
 
 
 def _component(load: str) -> tuple[str, int | None]:

@@ -26,26 +26,26 @@ def _settled(record: Record, others: Iterable[Record]) -> Record:
         return record
     beside = [each for each in record.outcomes if each.verdict in _HOLDS]
     held = [*beside, *(each for other in others for each in other.outcomes if each.verdict in _HOLDS)]
-    shown = [*(each.usual for each in held)]
+    shown = [each.usual for each in held]
     if all(_is_shown(key, quantity, shown) for key, quantity in record.if_shown.meanings.items()):
         return record.if_shown.record
     return replace(record, if_shown=None)
 
 
-def _is_shown(key: str, quantity: Quantity, shown: Iterable[Mapping[str, Quantity]]) -> bool:
+def _is_shown(key: str, quantity: object, shown: Iterable[Mapping[str, object]]) -> bool:
     """Whether a name stands for a quantity in what holds, and for no other one; of a coordinate the others of its point tell it, too."""
     found = {usual[key] for usual in shown if key in usual}
-    if found or not (quantity.kind == "origin" and quantity.scalar):
+    if found or (point := _point(quantity)) is None:
         return found == {quantity}
-    return any(
-        _point(other) == _point(quantity) and _letters(name) == _letters(key)
-        for usual in shown
-        for name, other in usual.items()
-    )
+    others = ((name, other) for usual in shown for name, other in usual.items())
+    return any(_point(other) == point and _letters(name) == _letters(key) for name, other in others)
 
 
-def _point(quantity: Quantity) -> Quantity:
-    return replace(quantity, rows=None)
+def _point(quantity: object) -> Quantity | None:
+    """Return the point of which a quantity is a coordinate."""
+    if isinstance(quantity, Quantity) and quantity.kind == "origin" and quantity.scalar:
+        return replace(quantity, rows=None)
+    return None
 
 
 def _letters(key: str) -> str:
