@@ -778,10 +778,13 @@ class Kind(MessageKind):
     ALSO_IN = "also_in", "the same error stands in line {lines}"
 
 
+# An angle more or less in a sine or cosine: under another heading angles may be absolute.
+OTHER_ANGLES = frozenset(
+    {Kind.EXTRA_INDEX, Kind.MISSING_INDEX, Kind.EXTRA_ANGLE, Kind.MISSING_ANGLE, Kind.ABSOLUTE_ANGLE}
+)
 # What may be wrong in a formula that has all its terms and factors, and no other ones.
-MISPRINTS = frozenset({
+MISPRINTS = OTHER_ANGLES | frozenset({
     Kind.WRONG_SIGN_OF_TERM, Kind.WRONG_SIGN_OF_ANGLE, Kind.SIGN_OF_ANGLE, Kind.SINE_FOR_COSINE, Kind.COSINE_FOR_SINE,
-    Kind.EXCHANGED_TWICE, Kind.WRONG_INDEX, Kind.EXTRA_INDEX, Kind.MISSING_INDEX, Kind.WRONG_ANGLE, Kind.EXTRA_ANGLE,
-    Kind.MISSING_ANGLE, Kind.ABSOLUTE_ANGLE, Kind.WRONG_COORDINATE, Kind.WRONG_NAME, Kind.WRONG_LENGTH,
+    Kind.EXCHANGED_TWICE, Kind.WRONG_INDEX, Kind.WRONG_ANGLE, Kind.WRONG_COORDINATE, Kind.WRONG_NAME, Kind.WRONG_LENGTH,
     Kind.SWAPPED_LENGTHS, Kind.UPSIDE_DOWN, Kind.ARGUMENTS_EXCHANGED, Kind.SIGN_OF_ARGUMENT,
 })  # fmt: skip

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.findings import OTHER_ANGLES
 from armproof.verification.verdict import Record, Verdict
 
 _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
@@ -24,12 +25,18 @@ def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
 def _settled(record: Record, others: Iterable[Record]) -> Record:
     if record.if_shown is None:
         return record
-    beside = [each for each in record.outcomes if each.verdict in _HOLDS]
-    held = [*beside, *(each for other in others for each in other.outcomes if each.verdict in _HOLDS)]
+    around = [each for each in others if each.section == record.section or not _of_other_angles(record.if_shown.record)]
+    held = [each for one in (record, *around) for each in one.outcomes if each.verdict in _HOLDS]
     shown = [each.usual for each in held]
     if all(_is_shown(key, quantity, shown) for key, quantity in record.if_shown.meanings.items()):
         return record.if_shown.record
     return replace(record, if_shown=None)
+
+
+def _of_other_angles(record: Record) -> bool:
+    """Whether an angle more or less is wrong: absolute ones, of which another section may speak."""
+    found = [finding for each in record.outcomes if each.verdict is Verdict.REFUTED for finding in each.findings]
+    return any(finding.kind in OTHER_ANGLES for finding in (*found, *record.findings))
 
 
 def _is_shown(key: str, quantity: object, shown: Iterable[Mapping[str, object]]) -> bool:
