@@ -36,6 +36,8 @@ def heed_forces(names: Names, chain: n.Chain) -> None:
         return
     found = [name for below in _walked(chain) for name in (*_components(cells_of(below)), *_behind_transpose(below))]
     found += [name for column in columns for name in column]
+    if any(map(_is_torque, chain.members)):
+        found += [name for below in _walked(chain) for name in _one(below) if name.base in "Ff"]
     names.state.adopted |= {name.key for name in found if names.is_open(name)}
     names.state.balanced |= {(base, names.state.exercise) for base in _torques_in(chain)}
 
@@ -66,6 +68,12 @@ def _is_force(node: n.Node) -> bool:
     """Whether a side is the name of a force, F or f."""
     name = bare(node)
     return isinstance(name, n.Name) and name.base in ("F", "f") and not name.dots
+
+
+def _is_torque(node: n.Node) -> bool:
+    """Whether a side is the torque of a joint, τ_2."""
+    name = bare(node)
+    return _is_plain(name) and name.base in TORQUES and name.sub.isdigit()  # type: ignore[attr-defined]
 
 
 def _behind_transpose(node: n.Node) -> list[n.Name]:

@@ -50,6 +50,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "used": lambda state: state.used.add("a"),
     "used_in_general": lambda state: state.used_in_general.add("a"),
     "adopted": lambda state: state.adopted.add("L_3"),
+    "balanced": lambda state: state.balanced.add(("tau", "")),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
     "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
     "told": lambda state: setattr(state, "told", Told(in_words=True)),
