@@ -85,7 +85,7 @@ class Choice:
         items = [answer] if isinstance(answer, int) else answer
         if isinstance(items, str) and (key := self._said.get(items.strip().lower())) is not None:
             return [key]
-        words = re.split(r"[,;\s]+", items) if isinstance(items, str) else [str(item).strip() for item in items]
+        words = re.split(r"[,;&+\s]+", items) if isinstance(items, str) else [str(item).strip() for item in items]
         words = [word for word in words if word and (word.lower() not in _ASIDE or word in self.options)]
         known = {_bare(key): key for key in self.options}
         known = {**self._by_digit, **{_bare(words): key for words, key in self._said.items()}, **known}

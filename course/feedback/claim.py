@@ -21,6 +21,7 @@ from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, load_arm_of
+from armproof.verification.diagnosis.counterexample import Remembering
 from armproof.verification.document import Display, Document
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import ReadError, TooComplex
@@ -69,6 +70,7 @@ class Claim:
     names: bool = False
     own: tuple[str, ...] | None = None
     cases: tuple[Mapping[str, float], ...] = ()
+    _records: dict[str, Record] = field(default_factory=dict, repr=False)
 
     def judge(self, latex: str) -> Feedback:
         """Return what becomes of a formula."""
@@ -153,6 +155,12 @@ class Claim:
         Raises:
             LessonError: the claim itself cannot be read.
         """
+        if latex not in self._records:
+            self._records.clear()  # the feedback on one answer asks for it several times
+            self._records[latex] = self._recorded(latex)
+        return self._records[latex]
+
+    def _recorded(self, latex: str) -> Record:
         document = self._document(latex)
         checker = DocumentChecker(document, load_arm_of(document), confirm=False)
         checker.checker.equality.stated.enabled = False
@@ -183,7 +191,7 @@ class Claim:
 
     def evaluated_over(self, at: Mapping[str, np.ndarray]) -> Callable[[n.Node], np.ndarray | None]:
         """Return what gives a scalar's tree its values at those of joints and letters, (N,); None where it has none."""
-        evaluator = Evaluator(self._checker.names, self._sampled(at))
+        evaluator = Remembering(self._checker.names, self._sampled(at))
 
         def value(node: n.Node) -> np.ndarray | None:
             try:

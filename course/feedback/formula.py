@@ -6,7 +6,7 @@ import inspect
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from itertools import combinations
 from typing import Any
 
@@ -16,12 +16,14 @@ from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, as_column, judge_formula
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
+from armproof.course.feedback.rearranged import rearranged
 from armproof.course.feedback.relation import (
     Letters,
     Said,
     Values,
     angle_astray,
     axis_astray,
+    but_there,
     factors_astray,
     first_said,
     letter_at_fault,
@@ -32,7 +34,9 @@ from armproof.course.feedback.relation import (
     remembered,
     transform_astray,
     units_astray,
+    wrong_entries,
 )
+from armproof.course.feedback.rest import told_of_the_rest
 from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.course.feedback.terms import terms_astray
 from armproof.course.feedback.wholes import part_astray
@@ -111,15 +115,32 @@ class Formula:
                 judge_formula(self.claim, self._as_latex(answer) if isinstance(answer, str) else answer),
             )
         )
-        if feedback.outcome is Outcome.WRONG and (
-            words := self._as_part(answer) or self._of_inverse(answer, feedback.is_general)
-        ):
-            feedback = replace(feedback, message=words, findings=())
-        if feedback.is_general and (words := self._relation(answer)):
-            feedback = replace(feedback, message=words)
+        if feedback.outcome is Outcome.WRONG:
+            feedback = self._related(self._readable(answer), feedback)
         if feedback.at and set(self.given) & set(self.arguments):
             return replace(feedback, at=self._at_arguments(feedback.at))
         return feedback
+
+    def _related(self, answer: Any, feedback: Feedback) -> Feedback:
+        """Return feedback that says how a wrong answer relates to what is asked, where no one mistake explains it."""
+        if words := self._as_part(answer) or self._of_inverse(answer, feedback.is_general):
+            feedback = replace(feedback, message=words, findings=())
+        if feedback.is_piecemeal and (words := self._rearranged(answer)):
+            feedback = replace(feedback, message=words, findings=())
+        if feedback.is_general and (words := self._relation(answer)):
+            feedback = replace(feedback, message=words)
+        return told_of_the_rest(feedback, self._true.shape[1:], partial(self._relation, answer))
+
+    def _readable(self, answer: Any) -> Any:
+        """Return a function as LaTeX where it can be traced and read: that has its values many times quicker."""
+        if not is_function(answer):
+            return answer
+        try:
+            latex = self._written(answer)
+            self.claim.values_over(latex, random_values(self.arguments, FEW))
+        except ArmproofError:
+            return answer
+        return latex
 
     def _as_latex(self, answer: Any) -> str:
         """Return an answer as LaTeX; in a text typed as in Python px is p_x, where p x can be no product of the task's letters."""
@@ -198,12 +219,22 @@ class Formula:
         except ArmproofError:
             return ""
 
-    def _relation(self, answer: Any) -> str:
-        """Return how an answer with no known slip relates to what is asked, in values and in its letters."""
+    def _rearranged(self, answer: Any) -> str:
+        """Return which rows or columns are exchanged, and what is wrong besides."""
         try:
-            bound = set(self.arguments) & set(self.given)
+            true, obtained = self._true[:FEW], self._values_of(answer)
+            if obtained.size != true.size or true[0].size == 1:
+                return ""
+            return rearranged(self.claim, self._written(answer), true, obtained.reshape(true.shape), self.judge)
+        except ArmproofError:
+            return ""
+
+    def _relation(self, answer: Any, only: np.ndarray | None = None) -> str:
+        """Return how an answer with no known slip relates to what is asked, in values and in its letters; of some entries alone."""
+        try:
+            bound = only is None and set(self.arguments) & set(self.given)
             words = relation(self._true[:FEW], self._values_of(answer), {}) if bound else ""
-            return words or first_said(self._unbound._relations(answer, self._drawn))
+            return words or first_said(self._unbound._relations(answer, self._drawn, only))
         except ShapeError as problem:  # c_{23} of an arm without an angle 3
             return str(problem)
         except ArmproofError:
@@ -215,12 +246,14 @@ class Formula:
         given = {name: value for name, value in self.given.items() if name not in self.arguments}
         return self if len(given) == len(self.given) else replace(self, given=given)
 
-    def _relations(self, answer: Any, bound: Letters) -> Iterator[Said]:
+    def _relations(self, answer: Any, bound: Letters, only: np.ndarray | None) -> Iterator[Said]:
         at = random_values(self.arguments)
         asked = remembered(partial(self.claim.values_over, ASKED))
         given = remembered(
             self._called(answer) if is_function(answer) else partial(self.claim.values_over, self._as_latex(answer))
         )
+        wrong = self._wrong(asked, given, bound) & (only if only is not None else True)
+        given = partial(but_there, asked, given, wrong)
         true, obtained = asked(at), given(at)
         if true.shape == obtained.shape:
             factors, half = self._factors(at), len(true) // 2  # in the half letters that are no angles are positive
@@ -234,13 +267,26 @@ class Formula:
                 yield partial(letters_astray_in_each, asked, given, at)
             yield partial(units_astray, asked, given, at, self._units)
             yield partial(relation, true[:half], obtained[:half], positive)
-            yield lambda: slips_by_value(self.claim, self._written(answer), at, drawn)
-            yield lambda: terms_astray(self.claim, self._written(answer), at)
+            latex = cache(lambda: self._written(answer))
+            yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, with_turns=self._has_angles)
+            yield lambda: terms_astray(self.claim, latex(), at, wrong)
             yield partial(letter_at_fault, asked, given, at)
+
+    def _wrong(self, asked: Values, given: Values, bound: Letters) -> np.ndarray:
+        """Return which entries are wrong at letters that are as the task binds them: free, others may differ as well."""
+        few = {name: values[:FEW] for name, values in bound.items()}
+        true, obtained = asked(few), given(few)
+        return wrong_entries(true, obtained) if true.shape == obtained.shape else np.ones(true.shape[1:], dtype=bool)
 
     def _written(self, answer: Any) -> str:
         """Return an answer as LaTeX, of a function what it gives for letters."""
-        return write_matrix(self._trace(self._in_order(answer))) if is_function(answer) else self._as_latex(answer)
+        if not is_function(answer):
+            return self._as_latex(answer)
+        with Guard(SECONDS) as guard:
+            traced = guard.call(lambda: write_matrix(self._trace(self._in_order(answer))))
+        if traced.error is not None:
+            raise AnswerError("the answer has no values")
+        return str(traced.value)
 
     def _called(self, function: Callable[..., Any]) -> Values:
         """Return a function of single values as one of arrays."""

@@ -5,18 +5,21 @@ from __future__ import annotations
 import operator
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import partial
 from itertools import combinations, permutations
 
 import numpy as np
 
-from armproof.models.errors import written
+from armproof.models.errors import counted, written
 from armproof.models.language import look_up, noted, separator
 
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
+_MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
+_SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _DIGITS = 1e-4  # of a sum or a quotient of given values, which many could meet by chance
 _FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
@@ -68,11 +71,17 @@ def number_slip(
             or _of_another(number, right, labels)
             or _of_stated(number, stated)
             or _of_two_others(number, right, labels)
+            or _of_a_function(number, float(right[k]), unit)
+            or _of_a_count(number, right, k, is_count)
+            or _of_reach(number, known)
+            or _of_share(number, float(right[k]))
             or _by_size(number, float(right[k]), len(wrong) == 1 < right.size),
         )
         for k in wrong
         for number in [float(given[k])]
     ]
+    if right.size == 1:
+        return "".join(words for _, words in told)
     of: dict[str, list[str]] = {}
     for label, words in told:
         of.setdefault(words, []).append(label)
@@ -121,7 +130,7 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         if not near(np.linalg.norm(given), 1):
             yield look_up("a direction has the length 1, yours has not")
         return
-    if near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
+    if unit == "–" and near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
         if (given < right)[wrong].all():
             yield look_up("one too few")
         if (given > right)[wrong].all():
@@ -153,6 +162,16 @@ def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     )
 
 
+def _of_share(given: float, right: float) -> str:
+    """Return which fraction of small numbers a number is of the right one, where that is no whole number."""
+    if near(right, round(right)):
+        return ""
+    share = Fraction(given / right).limit_denominator(_LARGEST_FACTOR)
+    if not (1 < share.numerator <= _LARGEST_FACTOR and 1 < share.denominator and near(given, float(share) * right)):
+        return ""
+    return written("this is {share} of what is asked", share=share)
+
+
 def _of_function(label: str, given: float, right: float) -> str:
     """Return that a number is the angle, where its sine, cosine or tangent is asked."""
     for name, words in _FUNCTIONS.items():
@@ -174,11 +193,46 @@ def _of_one(given: float, right: float, known: Mapping[str, float], count: int, 
         return look_up("the sign is wrong")
     if not is_count and np.isclose(given, np.degrees(right), rtol=_NEAR):
         return look_up("in degrees? Radians are asked for")
-    if words := _of_parts(given, right, known) or _of_parts(given, right, _pairs(known)):
+    if words := _of_parts(given, right, known) or _of_parts(given, right, _pairs(known)) or _of_sum(given, known):
         return words
     if near(given * right, 1) and not near(abs(right), 1):
         return look_up("numerator and denominator are exchanged")
     return ""
+
+
+def _of_a_function(given: float, right: float, unit: str) -> str:
+    """Return that a number is the square, the root, the sine, the cosine or the tangent of the right one."""
+    if unit == "rad":
+        for name, words in _FUNCTIONS.items():
+            if near(given, getattr(np, name)(right)) and abs(right) > _SMALL:
+                return written("this is the {function} of the angle: the angle itself is asked", function=look_up(words))
+    if near(abs(right), 1) or near(abs(given), 1):
+        return ""
+    if near(given, right**2):
+        return look_up("this is the square of what is asked")
+    return look_up("this is the root: its square is asked") if right > 0 and near(given, np.sqrt(right)) else ""
+
+
+def _of_a_count(given: float, right: np.ndarray, k: int, is_count: bool) -> str:
+    """Return how many too many or too few a count says, or that it is none."""
+    if not is_count or not all(map(float.is_integer, right.tolist())) or not right.max() > 1 or right[k] < 0:
+        return ""
+    if not float(given).is_integer():
+        return look_up("a whole number is asked")
+    if given < 0:
+        return look_up("a number of things is not negative")
+    more = int(given - right[k])
+    if abs(more) > _MOST_ASTRAY:
+        return ""
+    return counted("one too many", "{number} too many", more) if more > 0 else counted("one too few", "{number} too few", -more)  # fmt: skip
+
+
+def _of_reach(given: float, known: Mapping[str, float]) -> str:
+    """Return that no sum of all given lengths is so long."""
+    longest = sum(map(abs, known.values()))
+    if not 0 < longest < abs(given):
+        return ""
+    return written("{names} together are {longest:g}: this is farther", names=" + ".join(known), longest=longest)
 
 
 def _of_another(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
@@ -238,6 +292,15 @@ def _of_parts(given: float, right: float, parts: Mapping[str, float]) -> str:
             return written("{name} is missing", name=name)
         if close(given - value, right):
             return written("{name} does not belong in it", name=name)
+    return ""
+
+
+def _of_sum(given: float, known: Mapping[str, float]) -> str:
+    """Return of which three or four given values a number is the sum."""
+    for count in (3, 4):
+        for names in combinations(known, count):
+            if count < len(known) and np.isclose(given, sum(known[name] for name in names), rtol=_DIGITS, atol=_TOLERANCE):
+                return written("this is {other}", other=" + ".join(names))
     return ""
 
 

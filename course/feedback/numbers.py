@@ -37,6 +37,8 @@ _RECKONING = re.compile(
 _TEXT = re.compile(r"\\(?:text|mathrm)\{([^{}]*)\}")
 _MARKS = re.compile("[\u0300-\u036f]")  # a dot above a letter
 _ASIDE = re.compile(r"(?<=\d)\s*\([^()]*[^\W\d_]{3,}[^()]*\)\s*$")  # 6 (3 rotations, 3 translations)
+_ABOUT = re.compile(r"^\s*(?:about|approximately|roughly|environ|≈|~)\s*", re.I)
+_ZERO_BARE = re.compile(r"(?<![\d.,])[-+]?0(?:[.,]0+)?(?=\s*(?:[,;\])]|$))")
 _TIMES = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))[x×]\s*(?=\d)")  # ×2, ×4
 _COMMAS = re.compile(r"[^,]*?(?:(?<![\d,])\d+,\d{1,2}(?!\d)|(?<![\d,])0,\d+)[^,]*(?:\d,\d[^,]*)*")
 _BETWEEN = ("and", "et", "to", "by", "à", "row", "is", "est")  # short words that are no units
@@ -87,8 +89,12 @@ def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     text = _NAMED.sub(
         "", re.sub(r"\b(?:minus|moins)\s+", "-", text).replace("−", "-").replace("·", "*").translate(_BLANKS)
     )
+    text = _ABOUT.sub("", text) if count == 1 else text
     scales = [_scale(found, unit) for found in _UNIT.findall(text)]
     values = _of_bare(_UNIT.sub("", text), count)
+    if len(scales) > 1 and len(scales) == np.count_nonzero(values) < len(values):  # zero has no need of a unit
+        left = iter(scales)
+        scales = [next(left) if value else 1.0 for value in values.tolist()] if _ZERO_BARE.search(text) else scales
     if scales and len(scales) not in (1, len(values)):
         raise ValueError("some numbers have a unit and some have none")
     return values * np.array(scales or [1.0])

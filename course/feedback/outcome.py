@@ -25,6 +25,8 @@ ASKED = r"\Xi"  # the name that what is asked has in a claim; no course uses it
 MOST_PLACES = 4
 GENERAL = (
     Kind.UNEQUAL,
+    Kind.WRONG_VALUE,
+    Kind.ONE_WRONG_ENTRY,
     Kind.ONLY_WRONG_ENTRY,
     Kind.FEW_WRONG_ENTRIES,
     Kind.WRONG_ENTRIES,
@@ -140,6 +142,11 @@ class Feedback:
     def is_right(self) -> bool:
         """Whether the answer is correct, proved or confirmed."""
         return self.outcome.is_right
+
+    @property
+    def is_piecemeal(self) -> bool:
+        """Whether no one mistake explains a wrong answer: none is recognised, or one an entry."""
+        return self.outcome is Outcome.WRONG and (self.is_general or len(self.findings) > 1)
 
     @property
     def is_general(self) -> bool:

@@ -16,9 +16,12 @@ from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Outcome, Row, place, said_of, told
 from armproof.course.feedback.picture import call_at, draw_answer
+from armproof.course.feedback.rearranged import rearranged
 from armproof.course.feedback.relation import (
     Letters,
     Said,
+    Values,
+    but_there,
     first_said,
     letter_at_fault,
     letters_astray,
@@ -27,6 +30,7 @@ from armproof.course.feedback.relation import (
     relation,
     remembered,
 )
+from armproof.course.feedback.rest import told_of_the_rest
 from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.course.feedback.terms import terms_astray
 from armproof.course.feedback.wholes import part_astray, planar_astray
@@ -96,13 +100,27 @@ class Quantity:
         if not is_function(answer) and (column := self.claim.upright(row := as_latex(answer))) != row:
             return as_column(self.judge(column))
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
-        if feedback.outcome is Outcome.WRONG and (words := self._as_a_whole(answer)):
+        if feedback.outcome is not Outcome.WRONG:
+            return feedback
+        answer, was_function = self._readable(answer), is_function(answer)
+        if words := self._as_a_whole(answer) or (self._rearranged(answer) if feedback.is_piecemeal else ""):
             return replace(feedback, message=words, findings=())
-        if feedback.is_general and is_function(answer) and (words := self._as_formula(answer)):
+        if feedback.is_general and was_function and (words := self._as_formula(answer)):
             return replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
-            return replace(feedback, message=words)
-        return feedback
+            feedback = replace(feedback, message=words)
+        return told_of_the_rest(feedback, self._shape, partial(self._relation, answer))
+
+    def _readable(self, answer: Any) -> Any:
+        """Return a function as LaTeX where it can be traced and read: that has its values many times quicker."""
+        if not is_function(answer):
+            return answer
+        try:
+            latex = self._written(answer)
+            self.claim.values_over(latex, self._letters)
+        except ArmproofError:
+            return answer
+        return latex
 
     def _as_a_whole(self, answer: Any) -> str:
         """Return what the answer is instead: a part of what is asked, or that of a planar arm."""
@@ -115,16 +133,24 @@ class Quantity:
         except ArmproofError:
             return ""
 
+    def _rearranged(self, answer: Any) -> str:
+        """Return which rows or columns are exchanged, and what is wrong besides."""
+        try:
+            true, obtained = self.claim.values_over(ASKED, self._letters), self._values_over(answer, self._letters)
+            return rearranged(self.claim, self._written(answer), true, obtained, self.judge)
+        except ArmproofError:
+            return ""
+
     @property
     def _letters(self) -> Letters:
         """Values of joints and lengths; of lengths at random, since two of an arm's may be equal, or four times each other."""
         joints = {joint.symbol: q for joint, q in zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True)}
         return {**joints, **random_values([*self.loaded.lengths], MANY)}
 
-    def _as_formula(self, function: Callable[..., Any]) -> str:
+    def _as_formula(self, answer: Any) -> str:
         """Return what is said of a function's result as a formula, in which slips are looked for entry by entry."""
         try:
-            feedback = self.claim.judge(self._written(function))
+            feedback = self.claim.judge(self._written(answer))
         except ArmproofError:
             return ""
         return "" if feedback.is_general or feedback.outcome is not Outcome.WRONG else feedback.message
@@ -146,29 +172,29 @@ class Quantity:
             raise AnswerError("the answer has no values")
         return str(traced.value)
 
-    def _relation(self, answer: Any) -> str:
-        """Return how an answer with no known slip relates to what is asked, in its letters and in values."""
+    def _relation(self, answer: Any, only: np.ndarray | None = None) -> str:
+        """Return how an answer with no known slip relates to what is asked, in its letters and in values; of some entries alone."""
         try:
-            return first_said(self._relations(answer))
+            return first_said(self._relations(answer, only))
         except ShapeError as problem:  # c_{23} of an arm without an angle 3
             return str(problem)
         except ArmproofError:
             return ""
 
-    def _relations(self, answer: Any) -> Iterator[Said]:
+    def _relations(self, answer: Any, only: np.ndarray | None) -> Iterator[Said]:
         """Yield the relations."""
         at = self._letters
-        asked, given = (
-            remembered(partial(self.claim.values_over, ASKED)),
-            remembered(partial(self._values_over, answer)),
-        )
+        asked: Values = remembered(partial(self.claim.values_over, ASKED))
+        given: Values = remembered(partial(self._values_over, answer))
+        if only is not None:
+            given = partial(but_there, asked, given, only)
         true, obtained = asked(at), given(at)
         if true.shape == obtained.shape:
             yield partial(letters_astray, asked, given, at)
             yield partial(relation, true, obtained, self._factors(at))
             yield partial(letters_astray_in_each, asked, given, at)
-            yield lambda: slips_by_value(self.claim, self._written(answer), at)
-            yield lambda: terms_astray(self.claim, self._written(answer), at)
+            yield lambda: slips_by_value(self.claim, self._written(answer), at, only=only)
+            yield lambda: terms_astray(self.claim, self._written(answer), at, only)
             yield partial(letter_at_fault, asked, given, at)
 
     def _factors(self, at: Letters) -> Letters:
@@ -185,8 +211,13 @@ class Quantity:
             return self.claim.values_over(as_latex(answer), at)
         rows = zip(*(values.tolist() for values in at.values()), strict=True)
         found = np.array([call_at(self.loaded, answer, dict(zip(at, row, strict=True))) for row in rows])
-        shape = self.claim.values(ASKED).shape[1:]
+        shape = self._shape
         return found.reshape(len(found), *shape) if found[0].size == np.prod(shape) else found
+
+    @cached_property
+    def _shape(self) -> tuple[int, ...]:
+        """The rows and columns of what is asked."""
+        return self.claim.values(ASKED).shape[1:]
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the values of an answer at the samples, by which two answers are told apart."""

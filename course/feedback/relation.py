@@ -29,6 +29,7 @@ _SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _LARGEST = 64  # denominator of a number in a product
 _GROWN = 1.5  # by which a letter, or all of one unit, is changed to see what follows it
 _MOST_LETTERS = 8
+_MOST_OF_THREE = 6  # letters of which three may have changed places
 _MOST_MATRICES = 4
 _DRAWN = 48  # values of each letter
 
@@ -66,6 +67,8 @@ def letters_astray(asked: Values, given: Values, at: Letters) -> str:
     """
     wrong = wrong_entries(asked(at), given(at))
     words = _letter_astray(asked, given, at, wrong)
+    if not words and wrong.sum() > 1 and (alien := _alien_letter(asked, given, at)):
+        return alien
     places = np.argwhere(wrong).tolist()
     if not words or wrong.all() or (len(places) > 1 and _letter_astray(asked, given, at, np.ones_like(wrong)) == words):
         return words
@@ -93,7 +96,7 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     for one, other in combinations(few, 2):
         if same(asked({**at, one: at[other], other: at[one]})[:, wrong], obtained[:, wrong]):
             return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
-    for three in combinations(few, 3):
+    for three in combinations(few, 3) if len(few) <= _MOST_OF_THREE else ():
         for order in list(permutations(three))[1:]:
             if same(
                 asked({**at, **{name: at[other] for name, other in zip(three, order, strict=True)}})[:, wrong],
@@ -106,15 +109,36 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
         absolute = {name: at[name] - at[before] for before, name in pairwise(angles)}
         if same(asked({**at, **absolute})[:, wrong], obtained[:, wrong]):
             return look_up("each angle is taken as absolute, from the base: sums of angles are missing")
-    for name in few:
-        moved = {**at, name: at[name] * _GROWN}
-        shown = symbol_as_latex(name)
-        needed, used = (not same(side(moved)[:, wrong], side(at)[:, wrong]) for side in (asked, given))
-        if needed and not used:
-            return written("{name} is missing: what is asked depends on it, your answer does not", name=shown)
-        if used and not needed:
-            return written("what is asked does not depend on {name}, your answer does", name=shown)
+    missing = [name for name in few if _follows(asked, at, name, wrong).all() and not _follows(given, at, name, wrong).any()]
+    if missing:
+        return _missing_letters(missing)
+    return _alien_letter(asked, given, at, wrong)
+
+
+def _alien_letter(asked: Values, given: Values, at: Letters, wrong: np.ndarray | None = None) -> str:
+    """Say which letter an answer follows, and what is asked does not, in none of these entries or in none at all."""
+    entries = wrong if wrong is not None else np.ones(asked(at).shape[1:], dtype=bool)
+    for name in list(at)[:_MOST_LETTERS]:
+        mine, theirs = _follows(given, at, name, entries), _follows(asked, at, name, entries)
+        if not theirs.any() and (mine.all() if wrong is not None else mine.any()):
+            return written("what is asked does not depend on {name}, your answer does", name=symbol_as_latex(name))
     return ""
+
+
+def _missing_letters(names: Sequence[str]) -> str:
+    """Say which letters an answer does not follow, all of them."""
+    shown = [symbol_as_latex(name) for name in names]
+    return counted(
+        "{letters} is missing: what is asked depends on it, your answer does not",
+        "{letters} have no effect in your answer: what is asked depends on them",
+        len(shown), letters=separator(shown).join(shown),
+    )  # fmt: skip
+
+
+def _follows(side: Values, at: Letters, name: str, wrong: np.ndarray) -> np.ndarray:
+    """Return which of the wrong entries change with a letter."""
+    before, after = side(at)[:, wrong], side({**at, name: at[name] * _GROWN})[:, wrong]
+    return np.array([not same(after[:, [k]], before[:, [k]]) for k in range(before.shape[1])])
 
 
 def angle_astray(asked: Values, given: Values, at: Letters) -> str:
@@ -467,6 +491,12 @@ def _drawn(name: str, seed: int, count: int) -> np.ndarray:
     values = rng.uniform(0.3, 2.2, count)
     values[count // 2 :] *= rng.choice([-1, 1], count - count // 2)
     return values
+
+
+def but_there(asked: Values, given: Values, wrong: np.ndarray, at: Letters) -> np.ndarray:
+    """Return an answer whose entries are those of what is asked but where it is wrong."""
+    true, obtained = asked(at), given(at)
+    return np.where(wrong, obtained, true) if true.shape == obtained.shape else obtained
 
 
 def remembered(side: Values) -> Values:

@@ -40,6 +40,7 @@ Value = Callable[[n.Node], np.ndarray | None]
 _FIRST = 60  # changes from which a second one is tried
 _EVALUATED = 30_000  # nodes, in all changes that are tried for an answer
 _SINGLE, _PAIRS = 8_000, 6_000  # nodes in the changes that are tried of one tree, of one slip and of two
+_CHANGED = 25  # nodes that a change makes anew, at most
 _LONGEST = 60  # nodes of an entry in which two slips are sought
 _MOST_TERMS = 12  # of an entry whose brackets are multiplied out
 
@@ -51,18 +52,25 @@ class _Budget:
     left: int = _EVALUATED
 
     def spent_on(self, tree: n.Node, changes: Iterator[Item], most: int) -> Iterator[Item]:
-        """Yield changes of a tree as long as there is something left, and no more than `most` nodes in all."""
-        nodes = sum(1 for _ in n.walk(tree))
+        """Yield changes of a tree as long as there is something left, and no more than `most` nodes in all.
+
+        What a change leaves as it is has its values already: of a large tree a part alone is evaluated.
+        """
+        nodes = min(_size(tree), _CHANGED)
         for change in islice(changes, max(min(self.left, most) // nodes, 0)):
             self.left -= nodes
             yield change
 
 
-def slips_by_value(claim: Claim, latex: str, *samples: Letters) -> str:
+def slips_by_value(
+    claim: Claim, latex: str, *samples: Letters, only: np.ndarray | None = None, with_turns: bool = False
+) -> str:
     """Return the slip, or the two slips, after whose mend an answer is what is asked; of each wrong entry of a matrix.
 
     Args:
         samples: values of the letters, one set after the other: at some an answer may have no value.
+        only: the entries to tell of.
+        with_turns: whether the entries are angles, of which whole turns too many are no mistake.
     """
     node, letters, budget = claim.read(latex), _letters(claim), _Budget()
     sets = [(claim.values_over(ASKED, at), claim.values_over(latex, at), claim.evaluated_over(at)) for at in samples]
@@ -74,18 +82,24 @@ def slips_by_value(claim: Claim, latex: str, *samples: Letters) -> str:
             if true.shape != obtained.shape:
                 return ""
             said: dict[tuple[int, int], str] = {}
-            for row, column in _places(true, obtained)[:MOST_PLACES]:
-                cell = find_cell(node, row, column) if true[0].size > 1 else node
-                if cell is not None and (found := search(cell, letters, _Target(value, true[:, row, column]), budget)):
+            cells = {at: find_cell(node, *at) if true[0].size > 1 else node for at in _places(true, obtained, only)}
+            for (row, column), cell in sorted(cells.items(), key=lambda item: _size(item[1]))[:MOST_PLACES]:
+                target = _Target(value, true[:, row, column], with_turns)
+                if cell is not None and (found := search(cell, letters, target, budget)):
                     said[row, column] = _words(found)
             if said:
-                return next(iter(said.values())) if true[0].size == 1 else by_places(said)
+                return next(iter(said.values())) if true[0].size == 1 else by_places(dict(sorted(said.items())))
     return ""
 
 
-def _places(true: np.ndarray, obtained: np.ndarray) -> list[tuple[int, int]]:
+def _size(node: n.Node | None) -> int:
+    return 0 if node is None else sum(1 for _ in n.walk(node))
+
+
+def _places(true: np.ndarray, obtained: np.ndarray, only: np.ndarray | None) -> list[tuple[int, int]]:
     """Return the entries that differ, or of which no sample tells since the answer has no value where what is asked has one."""
     differs = wrong_entries(true, obtained) | ((np.isfinite(true) & np.isfinite(obtained)).sum(axis=0) < ENOUGH)
+    differs &= only if only is not None else True
     return [(int(row), int(column)) for row, column in np.argwhere(differs)]
 
 
@@ -95,11 +109,16 @@ class _Target:
 
     value: Value
     true: np.ndarray
+    with_turns: bool = False
 
     def is_met(self, edit: Edit) -> bool:
         """Whether a change gives the entry its values."""
         found = self.value(edit.node)
-        return found is not None and same(found, self.true)
+        return found is not None and (same(found, self.true) or (self.with_turns and self._is_turned(found)))
+
+    def _is_turned(self, found: np.ndarray) -> bool:
+        """Whether values differ by whole turns alone."""
+        return same(np.exp(1j * found), np.exp(1j * self.true))
 
 
 def _one_slip(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
@@ -113,7 +132,7 @@ def _one_slip(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) ->
 
 def _two_slips(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
     """Return the two findings whose changes mend an entry, those that drop and add nothing first; none where none do."""
-    trees = [tree for tree in (cell, *expanded(cell)) if sum(1 for _ in n.walk(tree)) <= _LONGEST]
+    trees = [tree for tree in (cell, *expanded(cell)) if _size(tree) <= _LONGEST]
     for edits in (plain_edits, dropping_edits, _added_terms, _any_edits):
         for tree in trees:
             first = [edit for edit in islice(edits(tree, letters), _FIRST) if not _is_bare(edit.node)]

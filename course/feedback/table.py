@@ -184,8 +184,14 @@ class Table:
         return look_up("this is a table of the classic convention, in its order; here the modified one is asked") if other == "classic" else look_up("this is a table of the modified convention, in its order; here the classic one is asked")  # fmt: skip
 
     def _misplaced(self, rows: Sequence[Sequence[str]], record: Record) -> str:
-        """Say that two columns are exchanged, in some rows or in all, or that one stands a row too early or too late."""
+        """Say that two columns or two rows are exchanged, or that a column stands a row too early or too late."""
         order = ORDER[self.convention]
+        if len(lines := sorted({entry.row for entry in record.entries if entry.row})) == 2:
+            one, other = lines
+            exchanged = [*rows]
+            exchanged[one - 1], exchanged[other - 1] = rows[other - 1], rows[one - 1]
+            if self._record(exchanged).verdict is Verdict.PROVED:
+                return written("rows {one} and {other} are swapped", one=one, other=other)
         wrong = {order[(entry.column or 0) - 2] for entry in record.entries if entry.row and (entry.column or 0) > 1}
         for one, other in (("a", "d"), ("alpha", "theta")):
             if wrong and not wrong <= {one, other}:
@@ -197,7 +203,7 @@ class Table:
                 changed[k][i], changed[k][j] = rows[k][j], rows[k][i]
             if len(astray) > 1 and self._record(changed).verdict is Verdict.PROVED:
                 return written("{one} and {other} are exchanged in all rows", one=one, other=other)
-        for names in (("a",), ("alpha",), ("a", "alpha")):
+        for names in (("a",), ("alpha",), ("a", "alpha"), ("d",), ("theta",)):
             if wrong != {*names} or len(record.entries) < 2:
                 continue
             places = [order.index(name) for name in names]

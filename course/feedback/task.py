@@ -21,6 +21,7 @@ from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
 from armproof.course.feedback.quantity import NOT_DRAWN, NOTHING_YET, Quantity
+from armproof.course.feedback.rest import with_the_rest
 from armproof.models.errors import ArmproofError, written
 from armproof.models.language import look_up, number_text, separator, use
 
@@ -196,7 +197,7 @@ class Task:
             return Feedback(Outcome.ERROR, str(problem))
         if feedback.outcome in (Outcome.WRONG, Outcome.LETTERS) and (own := self._own_words(answer)):
             return replace(feedback, message=own)
-        return feedback
+        return with_the_rest(feedback)
 
     def _asked(self) -> Question:
         """Return the question, which may have to know values that the text gives."""

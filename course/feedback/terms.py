@@ -27,6 +27,8 @@ _SMALL = 1e-9
 _MOST_SHOWN = 3  # terms in a sentence
 _SPACE = re.compile(r"\\(?:left|right)(?![A-Za-z])|\\[,;! ]")
 _BRACES = re.compile(r"(?<![\w^])\{([^{}]*)\}")
+_QUOTIENT = re.compile(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}")
+_LONGEST = 60  # characters of a term that is shown
 _FUNCTION = re.compile(
     r"\\(?:operatorname|text|mathrm)\{(\w+)\}|\\(cos|sin|tan|sqrt|arccos|arcsin|arctan)(?![A-Za-z])\s*(?=([A-Za-z\\]?))"
 )
@@ -64,15 +66,20 @@ class _Compared:
         return len(self.right) + len(self.sign) + len(self.number), -len(self.alien)
 
 
-def terms_astray(claim: Claim, latex: str, at: Letters) -> str:
-    """Return which terms of an answer are among those of what is asked and which are not, of each wrong entry; empty where it has none."""
+def terms_astray(claim: Claim, latex: str, at: Letters, only: np.ndarray | None = None) -> str:
+    """Return which terms of an answer are among those of what is asked and which are not, of each wrong entry; empty where it has none.
+
+    Args:
+        only: the entries to tell of.
+    """
     true, obtained = claim.values_over(ASKED, at), claim.values_over(latex, at)
     if true.shape != obtained.shape:
         return ""
     node, value = claim.read(latex), claim.evaluated_over(at)
     right = _Right(claim, latex)
     told = {}
-    for row, column in np.argwhere(wrong_entries(true, obtained)).tolist()[:MOST_PLACES]:
+    wrong = wrong_entries(true, obtained) & (only if only is not None else True)
+    for row, column in np.argwhere(wrong).tolist()[:MOST_PLACES]:
         cell = node if true[0].size == 1 else find_cell(node, row, column)
         asked = [each for each in right.cells(row, column, true[0].size == 1) if each[0] is not None]
         if cell is not None and asked and (words := _of_cell(cell, latex, asked, value)):
@@ -309,6 +316,9 @@ def _text(node: n.Node, latex: str) -> str:
     """Return a factor as it is written, without the commands of LaTeX that only set it."""
     text = _SPACE.sub(" ", latex[node.span[0] : node.span[1]])
     text = _FUNCTION.sub(lambda found: f"{found[1] or found[2]}{' ' * bool(found[3])}", text)
-    text = re.sub(r"\^\{(\d)\}", r"^\1", text)
+    text = re.sub(r"\^\{(\d)\}", r"^\1", text).replace(r"\cdot", " ")
+    while (plain := _QUOTIENT.sub(r"(\1) / (\2)", text)) != text:
+        text = plain
     text = re.sub(r"\s+", " ", _BRACES.sub(r"(\1)", text)).strip()
+    text = text if len(text) <= _LONGEST else text[:_LONGEST].rstrip() + "…"
     return f"({text})" if isinstance(bare(node), n.Sum) and not text.startswith("(") else text

@@ -56,7 +56,7 @@ def write_scalar(value: Scalar, notation: Notation, *, folded: bool = True) -> s
 def write_bounded(value: Any, notation: Notation) -> str:
     """Return a value in LaTeX, in the document's notation; at most LONGEST characters of it."""
     if isinstance(value, Scalar):
-        terms = _terms_to_write(value)
+        terms = terms_to_write(value)
         if terms > WRITTEN:
             return r"\ldots"
         # folding into sums of angles takes its time, and makes no page of terms readable
@@ -67,7 +67,7 @@ def write_bounded(value: Any, notation: Notation) -> str:
     return text if len(text) <= LONGEST else text[:LONGEST].rsplit(" ", 1)[0] + r" \ldots"
 
 
-def _terms_to_write(value: Scalar) -> int:
+def terms_to_write(value: Scalar) -> int:
     """How many terms a value is written with, those under its roots and in its arc functions included each time."""
     total = 0
     for part in (value.numerator, value.denominator):
@@ -79,7 +79,7 @@ def _terms_to_write(value: Scalar) -> int:
                 inner = (
                     [value.ring.radicand(name)] if kind == "radical" else value.ring.arcs[name] if kind == "arc" else ()
                 )
-                total += sum(_terms_to_write(below) for below in inner)
+                total += sum(terms_to_write(below) for below in inner)
             if total > WRITTEN:
                 return total
     return total

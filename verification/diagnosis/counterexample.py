@@ -50,7 +50,7 @@ def _round_values(joint: Joint, generator: np.random.Generator) -> np.ndarray:
     return np.where(np.abs(values) < 0.05, 0.3, values) if high > 0.3 else values
 
 
-class _Remembering(Evaluator):
+class Remembering(Evaluator):
     """Evaluates a tree once, however many trees share it: the edits of a cell differ in one place."""
 
     def __init__(self, names: Names, algebra: SampledAlgebra) -> None:
@@ -87,7 +87,7 @@ class Probe:
         except EvaluationError:
             return None
         tolerance = 1e-7 * (1.0 + np.abs(target))
-        evaluator = _Remembering(self.names, self.samples)
+        evaluator = Remembering(self.names, self.samples)
 
         def agrees(node: n.Node) -> bool:
             try:

@@ -10,7 +10,7 @@ from itertools import chain
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import as_scalar
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.algebra.written import write_bounded
+from armproof.verification.algebra.written import terms_to_write, write_bounded
 from armproof.verification.diagnosis.misconceptions import misconceptions
 from armproof.verification.diagnosis.slips import Letters, function_pairs, sign_pairs, single_edits
 from armproof.verification.equations.alignment import exactly_equal
@@ -25,6 +25,8 @@ from armproof.verification.latex.writer import Notation, Writer, symbol_as_latex
 from armproof.verification.naming.names import Names
 
 MAX_EDITS = 600
+MAX_NODES = 60_000  # of the trees of all edits together: those of a long formula take their time
+MAX_TERMS = 60  # of what a cell lacks, written out: of more nothing comes that is one term
 PLAIN = re.compile(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?")
 INDEXED = re.compile(r"[A-Za-z]+_[A-Za-z0-9]")
 
@@ -117,6 +119,7 @@ class Mender:
         """
         if (agrees := self.agreement(true)) is None:
             return "", None
+        most = min(MAX_EDITS, MAX_NODES // sum(1 for _ in n.walk(cell)))
         for count, edit in enumerate(
             chain(
                 single_edits(cell, self.learnt.letters(cell)),
@@ -125,7 +128,7 @@ class Mender:
                 misconceptions(cell),
             )
         ):
-            if count > MAX_EDITS or self.exact.budget.is_spent:
+            if count > most or self.exact.budget.is_spent:
                 break
             if not agrees(edit.node):
                 continue
@@ -145,7 +148,9 @@ class Mender:
             printed = as_scalar(Evaluator(self.names, self.exact).evaluate(cell))
             if not isinstance(printed, Scalar) or printed.as_fraction() is not None or true.is_zero():
                 return "", None
-            missing = write_bounded(true - printed, notation)
+            if terms_to_write(difference := true - printed) > MAX_TERMS:
+                return "", None
+            missing = write_bounded(difference, notation)
         except EvaluationError:
             return "", None
         if not _is_one_term(missing) or "frac" in missing:

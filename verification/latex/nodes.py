@@ -15,9 +15,10 @@ from typing import Any
 
 
 class _Walked:
-    """Keeps the nodes below one that was walked: a tree is asked for them once a question, and never changes."""
+    """Keeps the nodes below one that was walked, and which stands above which: a tree is asked for them often, and never changes."""
 
-    __slots__ = ("_walked",)
+    __slots__ = ("_parents", "_walked")
+    _parents: dict[int, Node | None]
     _walked: tuple[Node, ...]
 
 
@@ -315,7 +316,36 @@ def has_branches(node: Node) -> bool:
 
 def substitute(node: Node, old: Node, new: Node) -> Node:
     """Return the tree with the very node `old` (by identity) replaced."""
-    return substitute_each(node, {id(old): new})
+    parents = _parents(node)
+    while old is not node:
+        parent = parents.get(id(old), old)
+        if parent is old:
+            return node
+        if parent is None:  # one node in several places
+            return substitute_each(node, {id(old): new})
+        changes = {name: _put(getattr(parent, name), old, new) for name in _branching(type(parent))}  # type: ignore[arg-type]
+        old, new = parent, replace(parent, **changes)
+    return new
+
+
+def _parents(root: Node) -> dict[int, Node | None]:
+    """Return the node right above each one below, by its identity; None above one that stands in several places."""
+    try:
+        return root._parents
+    except AttributeError:
+        parents: dict[int, Node | None] = {}
+        for above in walk(root):
+            for below in children(above):
+                parents[id(below)] = None if id(below) in parents else above
+        object.__setattr__(root, "_parents", parents)
+        return parents
+
+
+def _put(value: object, old: Node, new: Node) -> object:
+    """Return what a field holds with a node replaced, not below those that it holds."""
+    if value is old:
+        return new
+    return tuple(_put(item, old, new) for item in value) if isinstance(value, tuple) else value
 
 
 def substitute_each(node: Node, new: Mapping[int, Node]) -> Node:

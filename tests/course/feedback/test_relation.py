@@ -75,7 +75,7 @@ def squared(answer: str) -> str:
         (COSINE, r"\frac{x^2 + y^2 + l_1^2 + l_2^2}{2 l_1 l_2}", "wrong signs of terms 3 and 4"),
         (COSINE, r"\frac{x^2 - l_1^2 - l_2^2}{2 l_1 l_2}", "y is missing"),
         (SPEED, r"\frac{30(q_f - q_0) t^2 (t_f - t)}{t_f^5}", "your answer is 1 / (t_f - t) times what is asked"),
-        (SPEED, r"\frac{30 t^2 (t_f - t)^2}{t_f^5}", "q_0 is missing"),
+        (SPEED, r"\frac{30 t^2 (t_f - t)^2}{t_f^5}", "q_0, q_f have no effect in your answer"),
         (SPEED, lambda t, q_0, q_f, t_f: q_0 + (q_f - q_0) * t / t_f, "the units do not fit: with twice"),
         (SQUARE, lambda theta_2, l_1, l_2: (l_1 + l_2 * np.cos(theta_2)) ** 2, "minus l_2^2 (sin \\theta_2)^2"),
         (SQUARE, r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos^2\theta_2", "the power is wrong"),

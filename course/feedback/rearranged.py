@@ -1,0 +1,111 @@
+"""What a matrix with two rows or columns exchanged, or on its side, is once they are back in place: what entry by entry is many slips."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from armproof.course.feedback.claim import Claim
+from armproof.course.feedback.outcome import Feedback
+from armproof.course.feedback.relation import same, wrong_entries
+from armproof.models.errors import written
+from armproof.models.language import look_up
+from armproof.verification.findings import Kind, say
+from armproof.verification.findings.finding import Audience, write
+from armproof.verification.latex import nodes as n
+
+_MENDED = 3  # entries that an exchange explains at least, where something else is wrong too
+
+
+@dataclass(frozen=True)
+class Rearranged:
+    """In which order the rows and the columns of an answer are those of what is asked.
+
+    Attributes:
+        words: what that says of the answer.
+        rows, columns: from which place each comes; `is_turned`: of the transposed matrix.
+    """
+
+    words: str
+    rows: tuple[int, ...]
+    columns: tuple[int, ...]
+    is_turned: bool = False
+
+    def in_place(self, lines: np.ndarray) -> np.ndarray:
+        """Return a matrix, or many, with its rows and columns in their places."""
+        turned = lines.swapaxes(-1, -2) if self.is_turned else lines
+        return np.asarray(turned[..., self.rows, :][..., self.columns])
+
+
+def rearranged(claim: Claim, latex: str, true: np.ndarray, obtained: np.ndarray, judge: Callable[[str], Feedback]) -> str:
+    """Say which rows or columns of an answer are exchanged, and what is wrong in it besides; empty where none are.
+
+    Args:
+        true, obtained: what is asked and what is given, (samples, rows, columns).
+        judge: what becomes of the answer once they are back in place.
+    """
+    found = _best(true, obtained)
+    if found is None:
+        return ""
+    if not wrong_entries(true, found.in_place(obtained)).any():
+        return found.words
+    cells = _cells(claim, latex)
+    if cells is None or cells.shape != obtained.shape[1:]:
+        return ""
+    rows = (" & ".join(row) for row in found.in_place(cells).tolist())
+    rest = judge(r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}")
+    if rest.is_right or not rest.message:
+        return found.words
+    return written("{words}; once that is put right: {rest}", words=found.words, rest=rest.message)
+
+
+def _best(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
+    """Return the exchange that leaves the fewest entries wrong, if it explains most of them."""
+    before = int(wrong_entries(true, obtained).sum())
+    if before < 2 or true.shape != obtained.shape:
+        return None
+    left = {each: int(wrong_entries(true, each.in_place(obtained)).sum()) for each in _exchanges(true)}
+    best = min(left, key=lambda each: left[each], default=None)
+    if best is not None and (not left[best] or (before - left[best] >= _MENDED and 2 * left[best] <= before)):
+        return best
+    return _in_another_order(true, obtained)
+
+
+def _exchanges(true: np.ndarray) -> Iterator[Rearranged]:
+    height, width = true.shape[1:]
+    rows, columns = tuple(range(height)), tuple(range(width))
+    if height == width > 1:
+        yield Rearranged(write(say(Kind.TRANSPOSED), Audience.STUDENT), rows, columns, is_turned=True)
+    for one, other in combinations(columns, 2):
+        words = write(say(Kind.COLUMNS_SWAPPED, one=one + 1, other=other + 1), Audience.STUDENT)
+        yield Rearranged(words, rows, _exchanged(columns, one, other))
+    for one, other in combinations(rows, 2):
+        words = written("rows {one} and {other} are swapped", one=one + 1, other=other + 1)
+        yield Rearranged(words, _exchanged(rows, one, other), columns)
+
+
+def _exchanged(order: tuple[int, ...], one: int, other: int) -> tuple[int, ...]:
+    return tuple({one: other, other: one}.get(place, place) for place in order)
+
+
+def _in_another_order(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
+    """Return that all rows are those of what is asked, in another order."""
+    left, order = list(range(true.shape[1])), []
+    for row in range(true.shape[1]):
+        found = next((k for k in left if same(obtained[:, k], true[:, row])), None)
+        if found is None:
+            return None
+        left.remove(found)
+        order.append(found)
+    return Rearranged(look_up("the rows are right, their order is not"), tuple(order), tuple(range(true.shape[2])))
+
+
+def _cells(claim: Claim, latex: str) -> np.ndarray | None:
+    """Return the entries of a matrix as they are written; None of a formula that is no matrix."""
+    matrix = n.ungrouped(claim.read(latex))
+    if not isinstance(matrix, n.Matrix):
+        return None
+    return np.array([[latex[cell.span[0] : cell.span[1]] for cell in row] for row in matrix.rows], dtype=object)
