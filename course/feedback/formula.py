@@ -32,9 +32,9 @@ from armproof.course.feedback.relation import (
     random_values,
     relation,
     remembered,
+    same,
     transform_astray,
     units_astray,
-    wrong_entries,
 )
 from armproof.course.feedback.rest import told_of_the_rest
 from armproof.course.feedback.slips_by_value import slips_by_value
@@ -276,7 +276,10 @@ class Formula:
         """Return which entries are wrong at letters that are as the task binds them: free, others may differ as well."""
         few = {name: values[:FEW] for name, values in bound.items()}
         true, obtained = asked(few), given(few)
-        return wrong_entries(true, obtained) if true.shape == obtained.shape else np.ones(true.shape[1:], dtype=bool)
+        if true.shape != obtained.shape:
+            return np.ones(true.shape[1:], dtype=bool)
+        places = np.ndindex(*true.shape[1:])
+        return np.array([not same(obtained[:, r, c], true[:, r, c]) for r, c in places]).reshape(true.shape[1:])
 
     def _written(self, answer: Any) -> str:
         """Return an answer as LaTeX, of a function what it gives for letters."""

@@ -16,6 +16,7 @@ from armproof.models.language import look_up, noted, separator
 
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
+_LARGEST_PART = 5  # above and below the line of a share
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
@@ -73,7 +74,7 @@ def number_slip(
             or _of_two_others(number, right, labels)
             or _of_a_function(number, float(right[k]), unit)
             or _of_a_count(number, right, k, is_count)
-            or _of_reach(number, known)
+            or _of_reach(number, known, unit)
             or _of_share(number, float(right[k]))
             or _by_size(number, float(right[k]), len(wrong) == 1 < right.size),
         )
@@ -132,9 +133,9 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         return
     if unit == "–" and near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
         if (given < right)[wrong].all():
-            yield look_up("one too few")
+            yield counted("one too few", "{number} too few", 1)
         if (given > right)[wrong].all():
-            yield look_up("one too many")
+            yield counted("one too many", "{number} too many", 1)
 
 
 def _is_rounded(given: float, right: float) -> bool:
@@ -166,8 +167,8 @@ def _of_share(given: float, right: float) -> str:
     """Return which fraction of small numbers a number is of the right one, where that is no whole number."""
     if near(right, round(right)):
         return ""
-    share = Fraction(given / right).limit_denominator(_LARGEST_FACTOR)
-    if not (1 < share.numerator <= _LARGEST_FACTOR and 1 < share.denominator and near(given, float(share) * right)):
+    share = Fraction(given / right).limit_denominator(_LARGEST_PART)
+    if not (1 < share.numerator <= _LARGEST_PART and share.denominator > 1 and near(given, float(share) * right)):
         return ""
     return written("this is {share} of what is asked", share=share)
 
@@ -205,7 +206,9 @@ def _of_a_function(given: float, right: float, unit: str) -> str:
     if unit == "rad":
         for name, words in _FUNCTIONS.items():
             if near(given, getattr(np, name)(right)) and abs(right) > _SMALL:
-                return written("this is the {function} of the angle: the angle itself is asked", function=look_up(words))
+                return written(
+                    "this is the {function} of the angle: the angle itself is asked", function=look_up(words)
+                )
     if near(abs(right), 1) or near(abs(given), 1):
         return ""
     if near(given, right**2):
@@ -227,12 +230,14 @@ def _of_a_count(given: float, right: np.ndarray, k: int, is_count: bool) -> str:
     return counted("one too many", "{number} too many", more) if more > 0 else counted("one too few", "{number} too few", -more)  # fmt: skip
 
 
-def _of_reach(given: float, known: Mapping[str, float]) -> str:
+def _of_reach(given: float, known: Mapping[str, float], unit: str) -> str:
     """Return that no sum of all given lengths is so long."""
     longest = sum(map(abs, known.values()))
-    if not 0 < longest < abs(given):
+    if unit != "m" or not 0 < longest < abs(given):
         return ""
-    return written("{names} together are {longest:g}: this is farther", names=" + ".join(known), longest=longest)
+    return written(
+        "even {names} is only {longest:g}: the arm does not reach that far", names=" + ".join(known), longest=longest
+    )
 
 
 def _of_another(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
@@ -299,7 +304,9 @@ def _of_sum(given: float, known: Mapping[str, float]) -> str:
     """Return of which three or four given values a number is the sum."""
     for count in (3, 4):
         for names in combinations(known, count):
-            if count < len(known) and np.isclose(given, sum(known[name] for name in names), rtol=_DIGITS, atol=_TOLERANCE):
+            if count < len(known) and np.isclose(
+                given, sum(known[name] for name in names), rtol=_DIGITS, atol=_TOLERANCE
+            ):
                 return written("this is {other}", other=" + ".join(names))
     return ""
 

@@ -40,7 +40,9 @@ class Rearranged:
         return np.asarray(turned[..., self.rows, :][..., self.columns])
 
 
-def rearranged(claim: Claim, latex: str, true: np.ndarray, obtained: np.ndarray, judge: Callable[[str], Feedback]) -> str:
+def rearranged(
+    claim: Claim, latex: str, true: np.ndarray, obtained: np.ndarray, judge: Callable[[str], Feedback]
+) -> str:
     """Say which rows or columns of an answer are exchanged, and what is wrong in it besides; empty where none are.
 
     Args:

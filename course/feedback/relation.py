@@ -109,7 +109,9 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
         absolute = {name: at[name] - at[before] for before, name in pairwise(angles)}
         if same(asked({**at, **absolute})[:, wrong], obtained[:, wrong]):
             return look_up("each angle is taken as absolute, from the base: sums of angles are missing")
-    missing = [name for name in few if _follows(asked, at, name, wrong).all() and not _follows(given, at, name, wrong).any()]
+    missing = [
+        name for name in few if _follows(asked, at, name, wrong).all() and not _follows(given, at, name, wrong).any()
+    ]
     if missing:
         return _missing_letters(missing)
     return _alien_letter(asked, given, at, wrong)

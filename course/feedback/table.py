@@ -186,12 +186,8 @@ class Table:
     def _misplaced(self, rows: Sequence[Sequence[str]], record: Record) -> str:
         """Say that two columns or two rows are exchanged, or that a column stands a row too early or too late."""
         order = ORDER[self.convention]
-        if len(lines := sorted({entry.row for entry in record.entries if entry.row})) == 2:
-            one, other = lines
-            exchanged = [*rows]
-            exchanged[one - 1], exchanged[other - 1] = rows[other - 1], rows[one - 1]
-            if self._record(exchanged).verdict is Verdict.PROVED:
-                return written("rows {one} and {other} are swapped", one=one, other=other)
+        if swapped := self._rows_swapped(rows, record):
+            return swapped
         wrong = {order[(entry.column or 0) - 2] for entry in record.entries if entry.row and (entry.column or 0) > 1}
         for one, other in (("a", "d"), ("alpha", "theta")):
             if wrong and not wrong <= {one, other}:
@@ -211,6 +207,18 @@ class Table:
                 if self._record(_shifted(rows, places, later)).verdict is Verdict.PROVED:
                     return written(look_up(words), names=list(names))
         return ""
+
+    def _rows_swapped(self, rows: Sequence[Sequence[str]], record: Record) -> str:
+        """Say which two rows are exchanged, where those that are wrong are two."""
+        lines = sorted({entry.row for entry in record.entries if entry.row})
+        if len(lines) != 2:
+            return ""
+        one, other = lines
+        exchanged = [*rows]
+        exchanged[one - 1], exchanged[other - 1] = rows[other - 1], rows[one - 1]
+        if self._record(exchanged).verdict is not Verdict.PROVED:
+            return ""
+        return written("rows {one} and {other} are swapped", one=one, other=other)
 
     def _sentence(self, record: Record) -> str:
         """Name the rows and the parameter that are wrong, not their values; the same mistake of several rows once."""

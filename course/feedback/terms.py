@@ -23,6 +23,7 @@ Value = Callable[[n.Node], np.ndarray | None]
 Factors = tuple[n.Node, ...]
 
 _MOST_TERMS = 24
+_LONG_ANSWER = 400  # characters
 _SMALL = 1e-9
 _MOST_SHOWN = 3  # terms in a sentence
 _SPACE = re.compile(r"\\(?:left|right)(?![A-Za-z])|\\[,;! ]")
@@ -81,8 +82,7 @@ def terms_astray(claim: Claim, latex: str, at: Letters, only: np.ndarray | None 
     wrong = wrong_entries(true, obtained) & (only if only is not None else True)
     for row, column in np.argwhere(wrong).tolist()[:MOST_PLACES]:
         cell = node if true[0].size == 1 else find_cell(node, row, column)
-        asked = [each for each in right.cells(row, column, true[0].size == 1) if each[0] is not None]
-        if cell is not None and asked and (words := _of_cell(cell, latex, asked, value)):
+        if cell is not None and (words := _of_cell(cell, latex, right.cells(row, column, true[0].size == 1), value)):
             told[row, column] = words
     return next(iter(told.values()), "") if true[0].size == 1 else by_places(told)
 
@@ -94,11 +94,14 @@ class _Right:
     claim: Claim
     latex: str
 
-    def cells(self, row: int, column: int, is_scalar: bool) -> Iterator[tuple[n.Node | None, str]]:
-        """Yield an entry as a tree with its source."""
+    def cells(self, row: int, column: int, is_scalar: bool) -> Iterator[tuple[n.Node, str]]:
+        """Yield an entry as a tree with its source; of a long one not as the verdict writes it, which takes its time."""
         if self.claim.truth:
             whole = self.claim.read(self.claim.truth)
-            yield (whole if is_scalar else find_cell(whole, row, column)), self.claim.truth
+            if (cell := whole if is_scalar else find_cell(whole, row, column)) is not None:
+                yield cell, self.claim.truth
+            if len(self.latex) > _LONG_ANSWER:
+                return
         for entry in self.claim.record(self.latex).entries:
             if is_scalar or (entry.row, entry.column) == (row + 1, column + 1):
                 try:
@@ -107,14 +110,21 @@ class _Right:
                     continue
 
 
-def _of_cell(cell: n.Node, latex: str, asked: Sequence[tuple[n.Node | None, str]], value: Value) -> str:
+def _of_cell(cell: n.Node, latex: str, cells: Iterator[tuple[n.Node, str]], value: Value) -> str:
+    """Return what is said of an entry, beside the first of the right trees that shares a term with it."""
     mine = parts_of_sum(cell, latex, value)
-    theirs = [parts for node, source in asked if node is not None and (parts := parts_of_sum(node, source, value))]
-    if not mine or not theirs:
+    if not mine:
         return ""
-    found = max((_compared(mine, parts) for parts in theirs), key=lambda each: each.score)
-    if found.score[0]:
-        return _told(found, counted("one term is missing", "{number} terms are missing", found.missing))
+    theirs, asked = [], []
+    for node, source in cells:
+        if not (parts := parts_of_sum(node, source, value)):
+            continue
+        theirs.append(parts)
+        asked.append((node, source))
+        if (found := _compared(mine, parts)).score[0]:
+            return _told(found, counted("one term is missing", "{number} terms are missing", found.missing))
+    if not theirs:
+        return ""
     if any(len(parts) > 1 and mine[0].times(_multiplied_out(parts)) for parts in theirs):
         return look_up("the terms are multiplied: they are to be added")
     return _of_factors(cell, latex, asked, value) or _none_agrees(len(mine), max(map(len, theirs)))
@@ -124,10 +134,10 @@ def _multiplied_out(parts: Sequence[Part]) -> Part:
     return Part("", np.asarray(np.prod([part.values for part in parts], axis=0)))
 
 
-def _of_factors(cell: n.Node, latex: str, asked: Sequence[tuple[n.Node | None, str]], value: Value) -> str:
+def _of_factors(cell: n.Node, latex: str, asked: Sequence[tuple[n.Node, str]], value: Value) -> str:
     """Say which factors of a product are right, which are not among those asked, and how many are missing."""
     mine = parts_of_product(cell, latex, value)
-    theirs = [parts_of_product(node, source, value) for node, source in asked if node is not None]
+    theirs = [parts_of_product(node, source, value) for node, source in asked]
     found = max((_compared(mine, parts) for parts in theirs if parts), key=lambda each: each.score, default=None)
     if found is None or len(mine) < 2 or not found.right or isinstance(bare(cell), n.Sum):
         return ""

@@ -264,7 +264,13 @@ LESSON = Lesson(
             title="Sizes",
             text="An arm has 7 joints. Give the rows and columns of $J$ (linear and angular part), then those of $\\dot q$: four numbers.",
             asks=Number(
-                (6, 7, 7, 1), labels=("the number of rows of J", "the number of columns of J", "the number of rows of q̇", "the number of columns of q̇")
+                (6, 7, 7, 1),
+                labels=(
+                    "the number of rows of J",
+                    "the number of columns of J",
+                    "the number of rows of q̇",
+                    "the number of columns of q̇",
+                ),
             ),
             hints=(
                 "$[V; W] = J \\dot q$: how many entries has the left side?",

@@ -170,7 +170,14 @@ LESSON = Lesson(
             title="What the model takes and gives",
             text="The forward kinematics $X = f(q)$ of the SCARA: how many entries has $q$, how many has $X$ with position and direction cosines"
             " (all of $s, n, a$), and how many with position and RPY angles? Give three numbers.",
-            asks=Number((4, 12, 6), labels=("the number of entries of q", "the number with direction cosines", "the number with RPY angles")),
+            asks=Number(
+                (4, 12, 6),
+                labels=(
+                    "the number of entries of q",
+                    "the number with direction cosines",
+                    "the number with RPY angles",
+                ),
+            ),
             hints=(
                 "$q$ has one entry a joint.",
                 "A position has three entries, a rotation nine direction cosines.",

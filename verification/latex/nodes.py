@@ -323,7 +323,7 @@ def substitute(node: Node, old: Node, new: Node) -> Node:
             return node
         if parent is None:  # one node in several places
             return substitute_each(node, {id(old): new})
-        changes = {name: _put(getattr(parent, name), old, new) for name in _branching(type(parent))}  # type: ignore[arg-type]
+        changes: dict[str, Any] = {name: _put(getattr(parent, name), old, new) for name in _branching(type(parent))}  # type: ignore[arg-type]
         old, new = parent, replace(parent, **changes)
     return new
 
