@@ -52,6 +52,7 @@ from armproof.verification.naming.reading import FREE
 
 SECONDS = 2.0  # that a function may run
 FEW = 8  # samples by which two answers are told apart
+_LONG = 400  # characters of a formula
 _TOLERANCE = 1e-9
 _TIME = re.compile(r"t(_|$)")
 
@@ -268,8 +269,9 @@ class Formula:
             yield partial(units_astray, asked, given, at, self._units)
             yield partial(relation, true[:half], obtained[:half], positive)
             latex = cache(lambda: self._written(answer))
-            yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, with_turns=self._has_angles)
-            yield lambda: terms_astray(self.claim, latex(), at, wrong)
+            if only is None or len(latex()) <= _LONG:  # of the rest of a long answer no slip is sought as well
+                yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, with_turns=self._has_angles)
+                yield lambda: terms_astray(self.claim, latex(), at, wrong)
             yield partial(letter_at_fault, asked, given, at)
 
     def _wrong(self, asked: Values, given: Values, bound: Letters) -> np.ndarray:

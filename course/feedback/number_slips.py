@@ -28,6 +28,7 @@ _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:
 
 _NUMBER = re.compile(r"(?<![\w.\\^{}_])\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
 _MOST_STATED = 6
+_OF_ANGLES = ("rad", "rad/s")
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
 near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
@@ -68,7 +69,7 @@ def number_slip(
         (
             labels[k],
             _of_function(labels[k], number, float(right[k]))
-            or _of_one(number, float(right[k]), known, len(right), is_count)
+            or _of_one(number, float(right[k]), known, len(right), unit)
             or _of_another(number, right, labels)
             or _of_stated(number, stated)
             or _of_two_others(number, right, labels)
@@ -113,13 +114,13 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         and near(given, np.round(given))
     ):
         yield written("each of them is {one:g} or {other:g}", one=kinds[1], other=kinds[0])
-    if unit not in ("rad", "rad/s") and near(given, 1000 * right):
+    if unit not in _OF_ANGLES and near(given, 1000 * right):
         yield look_up("in millimetres? Metres are asked for")
-    if unit not in ("rad", "rad/s") and near(given, 100 * right) and not near(right, np.round(right)):
+    if unit not in _OF_ANGLES and near(given, 100 * right) and not near(right, np.round(right)):
         yield look_up("in centimetres? Metres are asked for")
-    if near(given, np.degrees(right)):
+    if unit in ("–", *_OF_ANGLES) and near(given, np.degrees(right)):
         yield look_up("in degrees? Radians are asked for")
-    if near(np.abs(given), np.degrees(np.abs(right))):
+    if unit in ("–", *_OF_ANGLES) and near(np.abs(given), np.degrees(np.abs(right))):
         yield look_up("in degrees, where radians are asked for, and a sign is wrong")
     if factor := _common_factor(given[wrong], right[wrong]):
         yield written("wrong by a factor of {factor}", factor=factor)
@@ -182,8 +183,9 @@ def _of_function(label: str, given: float, right: float) -> str:
     return ""
 
 
-def _of_one(given: float, right: float, known: Mapping[str, float], count: int, is_count: bool) -> str:
+def _of_one(given: float, right: float, known: Mapping[str, float], count: int, unit: str) -> str:
     """Return the mistake in one number; a count has none beside its value."""
+    is_count = unit == "–"
     if is_count and float(right).is_integer() and right and float(given).is_integer():
         return ""
     if right == 0:
@@ -192,7 +194,7 @@ def _of_one(given: float, right: float, known: Mapping[str, float], count: int, 
         return look_up("it is not zero")
     if near(given, -right):
         return look_up("the sign is wrong")
-    if not is_count and np.isclose(given, np.degrees(right), rtol=_NEAR):
+    if unit in _OF_ANGLES and np.isclose(given, np.degrees(right), rtol=_NEAR):
         return look_up("in degrees? Radians are asked for")
     if words := _of_parts(given, right, known) or _of_parts(given, right, _pairs(known)) or _of_sum(given, known):
         return words

@@ -34,6 +34,7 @@ GENERAL = (
     Kind.LINK_ENTRIES,
     Kind.LINK_MOST_ENTRIES,
 )  # where no mistake is recognised
+_VAGUE = (Kind.OTHER_BASE, Kind.OTHER_TOOL)  # so is a transform whose rows have changed places
 MOST_ROWS = 8
 _NOTHING = 1e-12
 _SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-zΑ-ωϑ])_(?:(\d+)|\{{(\d+)\}})(?!\w)")
@@ -146,7 +147,8 @@ class Feedback:
     @property
     def is_piecemeal(self) -> bool:
         """Whether no one mistake explains a wrong answer: none is recognised, or one an entry."""
-        return self.outcome is Outcome.WRONG and (self.is_general or len(self.findings) > 1)
+        vague = (self.is_general, len(self.findings) > 1, any(finding.kind in _VAGUE for finding in self.findings))
+        return self.outcome is Outcome.WRONG and any(vague)
 
     @property
     def is_general(self) -> bool:

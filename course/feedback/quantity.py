@@ -103,7 +103,7 @@ class Quantity:
         if feedback.outcome is not Outcome.WRONG:
             return feedback
         answer, was_function = self._readable(answer), is_function(answer)
-        if words := self._as_a_whole(answer) or (self._rearranged(answer) if feedback.is_piecemeal else ""):
+        if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(answer):
             return replace(feedback, message=words, findings=())
         if feedback.is_general and was_function and (words := self._as_formula(answer)):
             return replace(feedback, message=words, findings=())

@@ -14,6 +14,7 @@ from armproof.models.errors import counted
 from armproof.models.language import look_up, separator
 
 _PLACE = re.compile(r"\(\d+, \d+\)")
+_CLAUSES = re.compile(r"\s*;\s")
 _MORE = "), …"  # behind places that are not all of them
 
 
@@ -48,8 +49,8 @@ def with_the_rest(feedback: Feedback) -> Feedback:
 
 
 def _left(feedback: Feedback) -> list[str]:
-    """Return the places of wrong entries that words on others leave out."""
-    named = _PLACE.findall(feedback.message)
+    """Return the places of wrong entries that words on others leave out; a place behind a colon is what the words speak of."""
+    named = [found for clause in _CLAUSES.split(feedback.message) for found in _PLACE.findall(clause.partition(":")[0])]
     if feedback.outcome is not Outcome.WRONG or not (feedback.findings and named) or _MORE in feedback.message:
         return []
     return [row.entry for row in feedback.rows if row.entry not in named]

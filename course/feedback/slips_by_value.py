@@ -38,7 +38,7 @@ Item = TypeVar("Item")
 Value = Callable[[n.Node], np.ndarray | None]
 
 _FIRST = 60  # changes from which a second one is tried
-_EVALUATED = 30_000  # nodes, in all changes that are tried for an answer
+_EVALUATED = 20_000  # nodes, in all changes that are tried for an answer
 _SINGLE, _PAIRS = 8_000, 6_000  # nodes in the changes that are tried of one tree, of one slip and of two
 _CHANGED = 25  # nodes that a change makes anew, at most
 _LONGEST = 60  # nodes of an entry in which two slips are sought
