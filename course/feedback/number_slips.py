@@ -23,6 +23,13 @@ _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _DIGITS = 1e-4  # of a sum or a quotient of given values, which many could meet by chance
 _FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
+_NOT_ZERO = {
+    "m": noted("it is not zero: something reaches that way"),
+    "m/s": noted("it is not zero: something moves that way"),
+    "rad": noted("it is not zero: something has turned"),
+    "rad/s": noted("it is not zero: something turns"),
+    "–": noted("it is not zero"),
+}
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
 
@@ -191,7 +198,7 @@ def _of_one(given: float, right: float, known: Mapping[str, float], count: int, 
     if right == 0:
         return look_up("zero belongs there") if count > 1 and not (is_count and float(given).is_integer()) else ""
     if given == 0:
-        return look_up("it is not zero")
+        return look_up(_NOT_ZERO.get(unit, _NOT_ZERO["–"]))
     if near(given, -right):
         return look_up("the sign is wrong")
     if unit in _OF_ANGLES and np.isclose(given, np.degrees(right), rtol=_NEAR):

@@ -39,6 +39,7 @@ MOST_ROWS = 8
 _NOTHING = 1e-12
 _SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-zΑ-ωϑ])_(?:(\d+)|\{{(\d+)\}})(?!\w)")
 _LETTER = re.compile(rf"\\({one_of(GREEK)})(?![A-Za-z])")
+_FUNCTION = re.compile(r"\\(sin|cos|tan|arcsin|arccos|arctan)(?![A-Za-z])")
 _POWER = re.compile(r"(?<=[\w)₀-₉])\^(\d)(?![\w.])")
 _ABOVE = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _CODE = re.compile(r"`([^`]*)`")
@@ -238,7 +239,7 @@ def pretty(text: str) -> str:
     """Return a text with its symbols as they are printed: theta_1 as θ₁, S_{12} as S₁₂, a_1^2 as a₁², \\psi as ψ."""
     text = _SYMBOL.sub(lambda found: GREEK.get(found[1], found[1]) + (found[2] or found[3]).translate(_BELOW), text)
     text = _POWER.sub(lambda found: found[1].translate(_ABOVE), text)
-    return _LETTER.sub(lambda found: GREEK[found[1]], text)
+    return _LETTER.sub(lambda found: GREEK[found[1]], _FUNCTION.sub(r"\1", text))
 
 
 def _sentence(text: str) -> str:
@@ -289,7 +290,7 @@ def said_of(findings: Sequence[Finding]) -> str:
         places.setdefault(key, []).extend([place(finding.row, finding.column)] if words else [])
         whole.setdefault(key, write(finding, Audience.STUDENT))
     return look_up("; ").join(
-        counted("entry {places}: {words}", "entries {places}: {words}", len(where), places=separator(where).join(where), words=words)
+        counted("entry {places}: {words}", "entries {places}: {words}", len(where), places=", ".join(where), words=words)
         if len(where) > 1 else whole[words]
         for words, where in places.items()
     )  # fmt: skip

@@ -304,7 +304,7 @@ def by_places(said: Mapping[tuple[int, int], str]) -> str:
     for (row, column), words in list(said.items())[:MOST_PLACES]:
         places.setdefault(words, []).append(place(row + 1, column + 1))
     return look_up("; ").join(
-        counted("entry {places}: {words}", "entries {places}: {words}", len(where), places=separator(where).join(where), words=words)
+        counted("entry {places}: {words}", "entries {places}: {words}", len(where), places=", ".join(where), words=words)
         for words, where in places.items()
     )  # fmt: skip
 

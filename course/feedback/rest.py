@@ -11,7 +11,7 @@ import numpy as np
 from armproof.course.feedback.outcome import MOST_PLACES, Feedback, Outcome, place
 from armproof.course.feedback.relation import by_places
 from armproof.models.errors import counted
-from armproof.models.language import look_up, separator
+from armproof.models.language import look_up
 
 _PLACE = re.compile(r"\(\d+, \d+\)")
 _CLAUSES = re.compile(r"\s*;\s")
@@ -43,7 +43,7 @@ def with_the_rest(feedback: Feedback) -> Feedback:
     if len(left) > MOST_PLACES:
         rest = counted("{number} more entry is wrong", "{number} more entries are wrong", len(left))
     else:
-        places = separator(left).join(left)
+        places = ", ".join(left)
         rest = counted("entry {places} is wrong too", "entries {places} are wrong too", len(left), places=places)
     return replace(feedback, message=feedback.message + look_up("; ") + rest)
 

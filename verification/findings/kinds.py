@@ -313,7 +313,7 @@ class Kind(MessageKind):
     MORE_PLACES = "more_places", "{places}, …"
     PLACE = "place", "({row}, {column})"
     SWAPPED_ENTRIES = "swapped_entries", "entries ({row}, {column}) and ({other_row}, {other_column}) are swapped"
-    OF_ANOTHER_ENTRY = "of_another_entry", "what is printed belongs in entry ({other_row}, {other_column})"
+    OF_ANOTHER_ENTRY = "of_another_entry", "what is printed belongs in entry ({other_row}, {other_column})", "what stands there belongs in entry ({other_row}, {other_column})"
     SAME_ERROR = "same_error", "the same error as in line {line}"
     FOLLOWS = "follows", "follows from line {line}"
     WRONG_SIGN = "wrong_sign", "wrong sign"
