@@ -11,7 +11,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function
-from armproof.course.feedback.number_slips import near, number_slip, numbers_in_text, values_in
+from armproof.course.feedback.number_slips import near, number_slip, numbers_in_text, values_in, wrong_numbers
 from armproof.course.feedback.numbers import numbers_in
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.models.errors import ArmproofError, counted, written
@@ -135,7 +135,9 @@ class Number:
 
     def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
         """Whether an answer is a known wrong one, which may have been rounded."""
-        return given.shape == wrong.shape and near(given, wrong)
+        return given.shape == wrong.shape and (
+            near(given, wrong) or all(map(_to_its_digits, given.tolist(), wrong.tolist()))
+        )
 
     def judge(self, answer: Any) -> Feedback:
         """Return what becomes of a number or a list of numbers."""
@@ -198,5 +200,5 @@ def _bare(word: str) -> str:
 
 def _listed(given: np.ndarray, right: np.ndarray, wrong: np.ndarray) -> np.ndarray:
     """Return which wrong numbers to name: where some are wrong indeed, not those that are only rounded."""
-    far = wrong & ~np.array([near(one, other) for one, other in zip(given, right, strict=True)])
+    far = wrong & wrong_numbers(given, right)
     return far if far.any() else wrong

@@ -146,6 +146,10 @@ class Claim:
             return look_up("the letters are those of the task")
         return written("the letters are {letters}", letters=list(self.letters))
 
+    def unknown(self, letter: str) -> str:
+        """Return what is said of a letter that the task has not."""
+        return written("{shown} is no letter of this task; {letters}", shown=letter, letters=self._letters())
+
     def _with_letters(self, problem: str) -> str:
         return written("{problem}; {letters}", problem=problem, letters=self._letters())
 
@@ -210,7 +214,10 @@ class Claim:
     def _sampled(self, at: Mapping[str, np.ndarray]) -> SampledAlgebra:
         joints = self.arm.joints if self.arm is not None else ()
         count = max((len(values) for values in at.values()), default=1)
-        q = np.array([at.get(joint.symbol, np.zeros(count)) for joint in joints]).reshape(len(joints), count).T
+        rest = np.random.default_rng(SEED).uniform(0.2, 0.8, (len(joints), count)) * (
+            count > 1
+        )  # no joint is at rest by chance
+        q = np.array([at.get(joint.symbol, rest[k]) for k, joint in enumerate(joints)]).reshape(len(joints), count).T
         return SampledAlgebra(self._checker.exact, q, SEED, at)
 
     @cached_property

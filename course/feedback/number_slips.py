@@ -35,6 +35,7 @@ _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:
 
 _NUMBER = re.compile(r"(?<![\w.\\^{}_])\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
 _MOST_STATED = 6
+_CLOSE = ((0.01, noted("a hundredth")), (0.1, noted("a tenth: a slip in the reckoning?")))
 _OF_ANGLES = ("rad", "rad/s")
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
@@ -71,18 +72,19 @@ def number_slip(
     is_count = unit == "–"
     if whole := next(_whole(given, right, unit), ""):
         return whole
-    wrong = np.flatnonzero(~np.isclose(given, right, rtol=_NEAR, atol=_TOLERANCE)).tolist()
+    wrong = np.flatnonzero(wrong_numbers(given, right)).tolist()
     told = [
         (
             labels[k],
             _of_function(labels[k], number, float(right[k]))
             or _of_one(number, float(right[k]), known, len(right), unit)
-            or _of_another(number, right, labels)
-            or _of_stated(number, stated)
+            or _of_another(number, float(right[k]), right, labels)
+            or _of_stated(number, stated, unit)
             or _of_two_others(number, right, labels)
             or _of_a_function(number, float(right[k]), unit)
             or _of_a_count(number, right, k, is_count)
             or _of_reach(number, known, unit)
+            or _of_factor(number, float(right[k]))
             or _of_share(number, float(right[k]))
             or _by_size(number, float(right[k]), len(wrong) == 1 < right.size),
         )
@@ -101,11 +103,11 @@ def number_slip(
 
 def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
     """Yield what explains all wrong numbers at once."""
-    wrong = ~np.isclose(given, right, rtol=_TOLERANCE)
+    wrong = wrong_numbers(given, right)
     if all(map(_is_rounded, given.tolist(), right.tolist())):
         yield look_up("right, but rounded: hand over the expression itself, such as `np.pi / 2`, or seven digits")
         return
-    if near(given, right):  # of more digits than the right one has: nothing is told of it
+    if near(given, right):  # of more digits than the right one has
         return
     if near(np.abs(given), np.abs(right)):
         yield look_up("the sign is wrong")
@@ -125,9 +127,15 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         yield look_up("in millimetres? Metres are asked for")
     if unit not in _OF_ANGLES and near(given, 100 * right) and not near(right, np.round(right)):
         yield look_up("in centimetres? Metres are asked for")
-    if unit in ("–", *_OF_ANGLES) and near(given, np.degrees(right)):
+    if unit in ("–", *_OF_ANGLES) and near(given, np.degrees(right)) and not near(right, np.round(right)):
         yield look_up("in degrees? Radians are asked for")
-    if unit in ("–", *_OF_ANGLES) and near(np.abs(given), np.degrees(np.abs(right))):
+    if unit in _OF_ANGLES and near(given, np.radians(right)):
+        yield look_up("π / 180 is too much: the value itself is in radians")
+    if (
+        unit in ("–", *_OF_ANGLES)
+        and near(np.abs(given), np.degrees(np.abs(right)))
+        and not near(right, np.round(right))
+    ):
         yield look_up("in degrees, where radians are asked for, and a sign is wrong")
     if factor := _common_factor(given[wrong], right[wrong]):
         yield written("wrong by a factor of {factor}", factor=factor)
@@ -144,6 +152,13 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
             yield counted("one too few", "{number} too few", 1)
         if (given > right)[wrong].all():
             yield counted("one too many", "{number} too many", 1)
+
+
+def wrong_numbers(given: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Return which numbers are wrong, and not only rounded; where none is, those that differ at all."""
+    far = ~np.isclose(given, right, rtol=_NEAR, atol=_TOLERANCE)
+    far &= ~np.array([_is_rounded(one, other) for one, other in zip(given.tolist(), right.tolist(), strict=True)])
+    return far if far.any() else ~np.isclose(given, right, rtol=_TOLERANCE)
 
 
 def _is_rounded(given: float, right: float) -> bool:
@@ -166,14 +181,14 @@ def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     factor = max(ratio, 1 / ratio)
     return (
         round(factor)
-        if near(factor, round(factor)) and (round(factor) <= _LARGEST_FACTOR or round(factor) in _POWERS_OF_TEN)
+        if near(factor, round(factor)) and (1 < round(factor) <= _LARGEST_FACTOR or round(factor) in _POWERS_OF_TEN)
         else 0
     )
 
 
 def _of_share(given: float, right: float) -> str:
     """Return which fraction of small numbers a number is of the right one, where that is no whole number."""
-    if near(right, round(right)):
+    if near(right, round(right)) or not right:
         return ""
     share = Fraction(given / right).limit_denominator(_LARGEST_PART)
     if not (1 < share.numerator <= _LARGEST_PART and share.denominator > 1 and near(given, float(share) * right)):
@@ -249,10 +264,17 @@ def _of_reach(given: float, known: Mapping[str, float], unit: str) -> str:
     )
 
 
-def _of_another(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
+def _of_another(given: float, own: float, right: np.ndarray, labels: Sequence[str]) -> str:
     """Return of which other label a number would be right, where it is no count."""
-    others = [label for label, value in zip(labels, right.tolist(), strict=True) if near(given, value)]
-    return written("this is {other}", other=others[0]) if len(others) == 1 and not float(given).is_integer() else ""
+    for power, words in ((1, noted("this is {other}")), (2, noted("this is the square of {other}"))):
+        others = [
+            label
+            for label, value in zip(labels, right.tolist(), strict=True)
+            if near(given, value**power) and not near(value, own)
+        ]
+        if len(others) == 1 and not float(given).is_integer():
+            return written(look_up(words), other=others[0])
+    return ""
 
 
 def _of_two_others(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
@@ -266,7 +288,7 @@ def _of_two_others(given: float, right: np.ndarray, labels: Sequence[str]) -> st
     return ""
 
 
-def _of_stated(given: float, stated: Sequence[float]) -> str:
+def _of_stated(given: float, stated: Sequence[float], unit: str) -> str:
     """Return which number of the text was copied, or which two were put together."""
     close = partial(np.isclose, given, rtol=_DIGITS, atol=_TOLERANCE)
     if float(given).is_integer():
@@ -274,8 +296,11 @@ def _of_stated(given: float, stated: Sequence[float]) -> str:
     for value in stated:
         if close(value):
             return written("{value:g} is given for something else", value=value)
-    pairs = [(sign, *pair) for sign in _TWO for pair in permutations(stated, 2)]
-    for sign, one, other in [*pairs, *(("·", each, each) for each in stated)]:
+    if unit in _OF_ANGLES:
+        return ""  # what is given is in metres, and makes no angle
+    signs = "+-" if unit == "m" and len(stated) > 2 else _TWO
+    pairs = [(sign, *pair) for sign in signs for pair in permutations(stated, 2)]
+    for sign, one, other in [*pairs, *(("·", each, each) for each in stated if "·" in signs)]:
         if close(_TWO[sign](one, other)):
             return written("this is {one:g} {sign} {other:g}", one=one, sign=sign, other=other)
     for one, other in combinations(stated, 2):
@@ -287,12 +312,30 @@ def _of_stated(given: float, stated: Sequence[float]) -> str:
     return ""
 
 
+def _of_factor(given: float, right: float) -> str:
+    """Return by which whole factor a number is too large or too small."""
+    factor = _common_factor(np.array([given]), np.array([right])) if given and right else 0
+    return written("wrong by a factor of {factor}", factor=factor) if factor else ""
+
+
 def _by_size(given: float, right: float, is_only: bool) -> str:
-    """Return on which side of the right number one is, and that the others are right, where nothing else is known of it."""
+    """Return how large a number is beside the right one, and that the others are right, where nothing else is known of it."""
+    if not right:
+        return look_up("zero belongs there")
     if given * right < 0:
         return look_up("the sign and the size are wrong")
-    size = look_up("too large") if given > right else look_up("too small")
+    size = look_up("zero would mean that there is none") if not given else _size(given / right)
     return written("{size}; all else is right", size=size) if is_only else size
+
+
+def _size(ratio: float) -> str:
+    """Return how large a number is in words that leave the rest to the student."""
+    if close := next((words for most, words in _CLOSE if abs(ratio - 1) < most), ""):
+        size = noted("too large by less than {share}") if ratio > 1 else noted("too small by less than {share}")
+        return written(size, share=look_up(close))
+    if ratio > 1:
+        return look_up("much too large: more than double") if ratio > 2 else look_up("too large, but less than double")
+    return look_up("much too small: less than half") if ratio < 1 / 2 else look_up("too small, but more than half")
 
 
 def _of_parts(given: float, right: float, parts: Mapping[str, float]) -> str:

@@ -39,7 +39,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
 from armproof.models.language import noted
 from armproof.verification.algebra.quantity_kinds import kind_of
-from armproof.verification.errors import ShapeError
+from armproof.verification.errors import ShapeError, UnboundName
 from armproof.verification.findings.finding import write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.arguments import read_layout
@@ -102,6 +102,8 @@ class Quantity:
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
         if feedback.outcome is not Outcome.WRONG:
             return feedback
+        if feedback.is_general and (unknown := self._unknown(answer)):
+            return replace(feedback, message=unknown, rows=(), findings=())
         answer, was_function = self._readable(answer), is_function(answer)
         if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(answer):
             return replace(feedback, message=words, findings=())
@@ -110,6 +112,16 @@ class Quantity:
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
         return told_of_the_rest(feedback, self._shape, partial(self._relation, answer))
+
+    def _unknown(self, answer: Any) -> str:
+        """Return that a letter of the answer is none of the arm's."""
+        try:
+            self._values_over(answer, {symbol: values[:1] for symbol, values in self._letters.items()})
+        except UnboundName as problem:
+            return self.claim.unknown(problem.name)
+        except ArmproofError:
+            return ""
+        return ""
 
     def _readable(self, answer: Any) -> Any:
         """Return a function as LaTeX where it can be traced and read: that has its values many times quicker."""

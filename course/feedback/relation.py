@@ -239,6 +239,18 @@ def _axis_of(R: np.ndarray) -> str:
 def units_astray(asked: Values, given: Values, at: Letters, units: Sequence[Sequence[str]]) -> str:
     """Say if an answer is of another unit than what is asked, or adds terms of several; `units`: letters of one unit each."""
     wrong = wrong_entries(asked(at), given(at))
+    if words := _of_units(asked, given, at, units, wrong):
+        return words
+    told = {}
+    for row, column in np.argwhere(wrong).tolist() if wrong.sum() > 1 else ():
+        only = np.zeros_like(wrong)
+        only[row, column] = True
+        if words := _of_units(asked, given, at, units, only):
+            told[row, column] = words
+    return by_places(told)
+
+
+def _of_units(asked: Values, given: Values, at: Letters, units: Sequence[Sequence[str]], wrong: np.ndarray) -> str:
     return next(filter(None, (_units(asked, given, at, names, wrong) for names in units if names)), "")
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from copy import deepcopy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import chain, combinations, islice, product
+from itertools import chain, combinations, islice, pairwise, product
 from typing import TypeVar
 
 import numpy as np
@@ -146,7 +146,12 @@ def _two_slips(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -
 def _edits(cell: n.Node, letters: Drawn) -> Iterator[Edit]:
     """Yield the changes of one slip, mistakes of a rule first."""
     return chain(
-        misconceptions(cell), single_edits(cell, letters), sign_pairs(cell), function_pairs(cell), _exchanged(cell)
+        misconceptions(cell),
+        single_edits(cell, letters),
+        sign_pairs(cell),
+        function_pairs(cell),
+        _exchanged(cell),
+        _multiplied(cell),
     )
 
 
@@ -178,6 +183,17 @@ def _places_of_terms(node: n.Node) -> tuple[n.Node, ...]:
     if isinstance(node, n.Call) and node.function == "sqrt":
         return (bare(node.arguments[0]),)
     return (bare(node.base),) if isinstance(node, n.Power) and isinstance(bare(node.base), n.Sum) else ()
+
+
+def _multiplied(cell: n.Node) -> Iterator[Edit]:
+    """Yield the entry with the two neighbours of a sum multiplied instead: l + cos θ for l cos θ."""
+    for node in n.walk(cell):
+        if not isinstance(node, n.Sum):
+            continue
+        for k, ((sign, one), (_, other)) in enumerate(pairwise(node.terms)):
+            product_of = n.Product((n.Group(one), n.Group(other)), ("",))
+            terms = (*node.terms[:k], (sign, product_of), *node.terms[k + 2 :])
+            yield Edit(n.substitute(cell, node, n.Group(replace(node, terms=terms))), "term", say(Kind.SUM_FOR_PRODUCT))
 
 
 def _exchanged(cell: n.Node) -> Iterator[Edit]:

@@ -360,6 +360,7 @@ class Kind(MessageKind):
     ARC_OF_RADIUS = "arc_of_radius", "`arcsin` and `arccos` give no angle beyond their quarter turns: `atan2` of both sides belongs there"
     HYPOTENUSE = "hypotenuse", "`atan2` takes the two sides at the right angle: the longest side stands for one of them"
     COORDINATES_FOR_ANGLES = "coordinates_for_angles", "the coordinates are subtracted where the angles are: a direction each, then their difference"
+    SUM_FOR_PRODUCT = "sum_for_product", "a sum stands where a product belongs"
     PRODUCT_FOR_SUM = "product_for_sum", "a product stands where a sum belongs"
     QUOTIENT_FOR_DIFFERENCE = "quotient_for_difference", "a quotient stands where a difference belongs"
     ARGUMENT_TOO_LONG = "argument_too_long", "a term stands in the argument of a function that belongs outside"

@@ -112,3 +112,13 @@ def test_a_task_names_the_entries_of_which_it_says_no_more() -> None:
     task = Task("name", "Title", "Text", MOTION, (), (matrix("x + y", "x - y", "x z"),))
     message = task.check(matrix("x - y", r"\sqrt{x} + z y^3 + 7", "x z")).message
     assert "(1, 1)" in message and "(2, 1)" in message
+
+
+@pytest.mark.parametrize("unit", ["–", "m", "m/s", "rad"])
+@pytest.mark.parametrize("right", [(0.0,), (2.0,), (0.0, 0.0, 1.0), (0.25, -0.4), (1.0, 1.0, -1.0), (6.0, 0.0, 3.0)])
+def test_of_any_wrong_number_something_is_said(unit: str, right: tuple[float, ...]) -> None:
+    for wrong in (0.0, 1.0, -1.0, 0.255, 57.3, 1e6, 2.004):
+        for k in range(len(right)):
+            given = np.array([*right[:k], wrong, *right[k + 1 :]])
+            if not np.isclose(given, right, rtol=1e-6).all():
+                assert number_slip(given, np.array(right), ("x", "y", "z")[: len(right)], {"l_1": 0.4}, unit, (0.4, 3.0))
