@@ -24,7 +24,7 @@ from armproof.verification.check import SECONDS_TO_DECIDE, DocumentChecker, load
 from armproof.verification.diagnosis.counterexample import Remembering
 from armproof.verification.document import Display, Document
 from armproof.verification.equations.sides import Member
-from armproof.verification.errors import ReadError, TooComplex
+from armproof.verification.errors import ReadError, TooComplex, UnboundName
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.findings import Finding, Kind, say
@@ -146,9 +146,15 @@ class Claim:
             return look_up("the letters are those of the task")
         return written("the letters are {letters}", letters=list(self.letters))
 
-    def unknown(self, letter: str) -> str:
-        """Return what is said of a letter that the task has not."""
-        return written("{shown} is no letter of this task; {letters}", shown=letter, letters=self._letters())
+    def unbound(self, latex: str) -> str:
+        """Return what is said of a letter in an answer that the task has not; empty where there is none."""
+        try:
+            self.values_over(latex, {})
+        except UnboundName as problem:
+            return written("{shown} is no letter of this task; {letters}", shown=problem.name, letters=self._letters())
+        except ArmproofError:
+            return ""
+        return ""
 
     def _with_letters(self, problem: str) -> str:
         return written("{problem}; {letters}", problem=problem, letters=self._letters())

@@ -116,6 +116,8 @@ class Formula:
                 judge_formula(self.claim, self._as_latex(answer) if isinstance(answer, str) else answer),
             )
         )
+        if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(self._as_latex(answer))):
+            return replace(feedback, message=unknown, rows=(), findings=())
         if feedback.outcome is Outcome.WRONG:
             feedback = self._related(self._readable(answer), feedback)
         if feedback.at and set(self.given) & set(self.arguments):

@@ -291,13 +291,11 @@ def _of_two_others(given: float, right: np.ndarray, labels: Sequence[str]) -> st
 def _of_stated(given: float, stated: Sequence[float], unit: str) -> str:
     """Return which number of the text was copied, or which two were put together."""
     close = partial(np.isclose, given, rtol=_DIGITS, atol=_TOLERANCE)
-    if float(given).is_integer():
+    if float(given).is_integer() or unit == "rad":  # what is given is in metres, and makes no angle
         return ""
     for value in stated:
         if close(value):
             return written("{value:g} is given for something else", value=value)
-    if unit in _OF_ANGLES:
-        return ""  # what is given is in metres, and makes no angle
     signs = "+-" if unit == "m" and len(stated) > 2 else _TWO
     pairs = [(sign, *pair) for sign in signs for pair in permutations(stated, 2)]
     for sign, one, other in [*pairs, *(("·", each, each) for each in stated if "·" in signs)]:

@@ -25,6 +25,7 @@ ASKED = r"\Xi"  # the name that what is asked has in a claim; no course uses it
 MOST_PLACES = 4
 GENERAL = (
     Kind.UNEQUAL,
+    Kind.NOT_FINITE,
     Kind.WRONG_VALUE,
     Kind.ONE_WRONG_ENTRY,
     Kind.ONLY_WRONG_ENTRY,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -39,7 +39,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
 from armproof.models.language import noted
 from armproof.verification.algebra.quantity_kinds import kind_of
-from armproof.verification.errors import ShapeError, UnboundName
+from armproof.verification.errors import ShapeError
 from armproof.verification.findings.finding import write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.arguments import read_layout
@@ -56,6 +56,7 @@ SECONDS = 2.0  # that a function may run
 MANY = 32  # by which the relation of a wrong answer to the right one is found
 NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
 NOTHING_YET = noted("`{task}`: no answer yet, nothing to draw.")
+_LONGEST = 1500  # characters of an answer in which slips and terms are sought
 _USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres
 
 
@@ -102,7 +103,7 @@ class Quantity:
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
         if feedback.outcome is not Outcome.WRONG:
             return feedback
-        if feedback.is_general and (unknown := self._unknown(answer)):
+        if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(as_latex(answer))):
             return replace(feedback, message=unknown, rows=(), findings=())
         answer, was_function = self._readable(answer), is_function(answer)
         if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(answer):
@@ -112,16 +113,6 @@ class Quantity:
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
         return told_of_the_rest(feedback, self._shape, partial(self._relation, answer))
-
-    def _unknown(self, answer: Any) -> str:
-        """Return that a letter of the answer is none of the arm's."""
-        try:
-            self._values_over(answer, {symbol: values[:1] for symbol, values in self._letters.items()})
-        except UnboundName as problem:
-            return self.claim.unknown(problem.name)
-        except ArmproofError:
-            return ""
-        return ""
 
     def _readable(self, answer: Any) -> Any:
         """Return a function as LaTeX where it can be traced and read: that has its values many times quicker."""
@@ -205,8 +196,10 @@ class Quantity:
             yield partial(letters_astray, asked, given, at)
             yield partial(relation, true, obtained, self._factors(at))
             yield partial(letters_astray_in_each, asked, given, at)
-            yield lambda: slips_by_value(self.claim, self._written(answer), at, only=only)
-            yield lambda: terms_astray(self.claim, self._written(answer), at, only)
+            latex = cache(lambda: self._written(answer))
+            if len(latex()) <= _LONGEST:
+                yield lambda: slips_by_value(self.claim, latex(), at, only=only)
+                yield lambda: terms_astray(self.claim, latex(), at, only)
             yield partial(letter_at_fault, asked, given, at)
 
     def _factors(self, at: Letters) -> Letters:

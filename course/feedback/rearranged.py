@@ -73,7 +73,20 @@ def _best(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
     best = min(left, key=lambda each: left[each], default=None)
     if best is not None and (not left[best] or (before - left[best] >= _MENDED and 2 * left[best] <= before)):
         return best
-    return _in_another_order(true, obtained)
+    return _in_another_order(true, obtained) or _both_ways(true, obtained)
+
+
+def _both_ways(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
+    """Return that two rows and two columns are exchanged, which together explain all."""
+    single = [each for each in _exchanges(true) if not each.is_turned]
+    for one, other in combinations(single, 2):
+        rows, columns = (
+            (other.rows, one.columns) if other.rows != tuple(sorted(other.rows)) else (one.rows, other.columns)
+        )
+        both = Rearranged(one.words + look_up("; ") + other.words, rows, columns)
+        if not wrong_entries(true, both.in_place(obtained)).any():
+            return both
+    return None
 
 
 def _exchanges(true: np.ndarray) -> Iterator[Rearranged]:

@@ -191,6 +191,8 @@ def _multiplied(cell: n.Node) -> Iterator[Edit]:
         if not isinstance(node, n.Sum):
             continue
         for k, ((sign, one), (_, other)) in enumerate(pairwise(node.terms)):
+            if isinstance(one, n.Number) or isinstance(other, n.Number):
+                continue
             product_of = n.Product((n.Group(one), n.Group(other)), ("",))
             terms = (*node.terms[:k], (sign, product_of), *node.terms[k + 2 :])
             yield Edit(n.substitute(cell, node, n.Group(replace(node, terms=terms))), "term", say(Kind.SUM_FOR_PRODUCT))

@@ -121,4 +121,6 @@ def test_of_any_wrong_number_something_is_said(unit: str, right: tuple[float, ..
         for k in range(len(right)):
             given = np.array([*right[:k], wrong, *right[k + 1 :]])
             if not np.isclose(given, right, rtol=1e-6).all():
-                assert number_slip(given, np.array(right), ("x", "y", "z")[: len(right)], {"l_1": 0.4}, unit, (0.4, 3.0))
+                assert number_slip(
+                    given, np.array(right), ("x", "y", "z")[: len(right)], {"l_1": 0.4}, unit, (0.4, 3.0)
+                )
