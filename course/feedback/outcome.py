@@ -38,7 +38,7 @@ GENERAL = (
 _VAGUE = (Kind.OTHER_BASE, Kind.OTHER_TOOL)  # so is a transform whose rows have changed places
 MOST_ROWS = 8
 _NOTHING = 1e-12
-_SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-zΑ-ωϑ])_(?:(\d+)|\{{(\d+)\}})(?!\w)")
+_SYMBOL = re.compile(rf"(?<![A-Za-z\\])\\?({one_of(GREEK)}|[A-Za-zΑ-ωϑ])_(?:(\d+)|\{{(\d+)\}})(?:(?!\w)|(?=[A-Za-z]_))")
 _LETTER = re.compile(rf"\\({one_of(GREEK)})(?![A-Za-z])")
 _FUNCTION = re.compile(r"\\(sin|cos|tan|arcsin|arccos|arctan)(?![A-Za-z])")
 _POWER = re.compile(r"(?<=[\w)₀-₉])\^(\d)(?![\w.])")

@@ -34,6 +34,7 @@ def test_a_letter_is_read_and_written_by_every_part(name: str):
 
 def test_letters_and_powers_are_printed_and_names_of_code_are_left() -> None:
     assert pretty(r"-\psi, l_1^2 + r^2, T_0^1") == "-ψ, l₁² + r², T₀¹"
+    assert pretty(r"(a_3S_2+d_3C_{23}) \sin(\theta_1)") == "(a₃S₂+d₃C₂₃) sin(θ₁)"
     assert pretty("p_0P, l_1**2, J^T J, z_{i-1}, 2^10") == "p_0P, l₁**2, J^T J, z_{i-1}, 2^10"
 
 
