@@ -77,7 +77,7 @@ class Diagnostician:
     def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
         """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""
         usual, state = outcome.as_usual, self.checker.names.state
-        if usual is None or len(usual.outcome.wrong) != 1:
+        if usual is None or len(usual.outcome.wrong) != 1 or None in (usual.outcome.pair, usual.outcome.printed):
             return []
         state.inferred |= usual.meanings
         try:
