@@ -88,6 +88,7 @@ class Circumstances:
         before = self.names.state.told
         self.names.state.told = replace(before, bounds=bounds or before.bounds, kind=kind or before.kind)
         told = self._values(conditions)
+        self.names.state.given_last |= told
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
 
     def told_values(self) -> dict[str, Stated]:

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence, Set
 from dataclasses import replace
 from functools import cached_property, partial
+from itertools import pairwise, takewhile
+from math import remainder, tau
 
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.equations.any_jacobian import holds_of_any_jacobian
 from armproof.verification.equations.at_stated_values import is_mostly_right
@@ -26,12 +29,15 @@ from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import HOLDS, Outcome, hold
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
+from armproof.verification.equations.worked_numbers import tells_values, unitless
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import Key, Told
 from armproof.verification.verdict import DECIDED, Role, Verdict
+
+CLOSE = 1e-9  # so near are angles that are the same
 
 
 class Claims:
@@ -144,10 +150,37 @@ class Claims:
         if any(outcome.verdict in DECIDED for outcome in there):
             return [replace(self.unless_doubted(outcome), uses=self.consulted()) for outcome in there]
         outcomes = self.chain(chain, equation, line, define)
+        is_open = any(each.verdict not in HOLDS for each in outcomes) and not any(
+            each.verdict is Verdict.REFUTED and each.true is not None and not is_number(each.true.node)
+            for each in outcomes
+        )
+        if is_open and (worked := self._of_worked_example(chain, equation, line)):
+            return worked
+        outcomes = self._with_wrong_numbers(chain, outcomes, equation, line)
         for outcome in outcomes if there else ():
             if any(finding.kind is Kind.NUMBERS_OF_NOWHERE for finding in outcome.findings):
                 outcome.findings = there[0].findings
         return outcomes
+
+    def _of_worked_example(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+        """Return the outcomes of numbers that hold at the values given last, under whatever heading; [] where some do not.
+
+        What is "Given" in centimetres is often worked out without a unit. Nothing is refuted there: the numbers may be of other values.
+        """
+        state = self.names.state
+        if not state.given_last or set(chain.relations) != {"="} or not any(map(tells_values, chain.members)):
+            return []
+        before = state.copy()
+        for given in unitless(state.given_last):
+            state.configuration = {key: replace(each, section=state.section) for key, each in given.items()}
+            self.begin()
+            steps = [replace(chain, members=pair, relations=("=",)) for pair in pairwise(chain.members)]
+            outcomes = [o for k, step in enumerate(steps) for o in self._read_chain(step, equation + k, line, False)]
+            if outcomes and all(each.verdict in HOLDS for each in outcomes) and any(map(_is_there, outcomes)):
+                state.configuration = before.configuration
+                return [replace(self.unless_doubted(each), uses=self.consulted()) for each in outcomes]
+            state.become(before)
+        return []
 
     def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
         """Return what becomes of numbers at the values that the text before gives; [] where there are none.
@@ -271,8 +304,31 @@ class Claims:
         """θ_1 = atan2(1, 0) = 90°: the numbers of a value that is given are to be equal."""
         if len(chain.members) < 3 or said.role is not Role.CLAIM or not all(map(is_number, chain.members[1:])):
             return []
-        rest = replace(chain, members=chain.members[1:], relations=chain.relations[1:])
-        return [each for each in self._claimed(rest, equation + 1, line, False) if each.verdict is Verdict.REFUTED]
+        found = self._unequal(chain, 1, equation, line)
+        return [each for each in found if not (self.given.places_joints(chain) and self._are_turns_apart(each))]
+
+    def _with_wrong_numbers(self, chain: n.Chain, outcomes: list[Outcome], equation: int, line: int) -> list[Outcome]:
+        """φ = θ_1 + θ_2 = 30° + 45° = 85°: numbers at the end of a chain are to be equal, of whatever values they are."""
+        first = len(chain.members) - len(list(takewhile(is_number, reversed(chain.members))))
+        is_open = {each.equation for each in outcomes if each.verdict is Verdict.UNCHECKED}
+        if first < 1 or len(chain.members) - first < 2 or set(chain.relations) != {"="} or not is_open:
+            return outcomes
+        wrong = {each.equation: each for each in self._unequal(chain, first, equation, line)}
+        return [wrong.get(each.equation, each) if each.equation in is_open else each for each in outcomes]
+
+    def _unequal(self, chain: n.Chain, first: int, equation: int, line: int) -> list[Outcome]:
+        """Return what is refuted among the numbers from a member on."""
+        rest = replace(chain, members=chain.members[first:], relations=chain.relations[first:])
+        found = self._claimed(rest, equation + first, line, False)
+        return [each for each in found if each.verdict is Verdict.REFUTED]
+
+    def _are_turns_apart(self, outcome: Outcome) -> bool:
+        """Whether two numbers are the same angle: -90° = 270°."""
+        pair = outcome.pair
+        return pair is not None and pair.is_scalar and self._is_turn(pair.true.rows[0][0] - pair.printed.rows[0][0])
+
+    def _is_turn(self, apart: Scalar) -> bool:
+        return abs(remainder(self.checker.members.number(apart), tau)) < CLOSE
 
     def _related(self, part: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         if part.relations[0] == "=":
@@ -343,6 +399,11 @@ class Claims:
 
 def _names_in(outcome: Outcome) -> set[str]:
     return {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
+
+
+def _is_there(outcome: Outcome) -> bool:
+    """Whether numbers hold as those of given values."""
+    return any(finding.kind is Kind.TO_DECIMALS_THERE for finding in outcome.findings)
 
 
 def _is_of_rank(chain: n.Chain) -> bool:

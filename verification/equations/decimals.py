@@ -8,7 +8,8 @@ from fractions import Fraction
 from math import remainder, tau
 
 from armproof.verification.algebra.calculus import leaves_open, symbols_in
-from armproof.verification.algebra.matrix import as_matrix
+from armproof.verification.algebra.matrix import as_matrix, as_scalar
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import FEWEST, SecondRoute
@@ -104,6 +105,18 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
                 slack[row, column] += abs(members.number(moved.rows[row][column] - value.rows[row][column]))
     apart = {(r, c): members.number(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in slack}
     return all(abs(size) <= slack[place] + EXACT.near for place, size in apart.items())
+
+
+def slacks(members: Members, node: n.Node) -> list[float]:
+    """Return how far half a unit of each rounded number takes the number that a formula of numbers is."""
+    if not is_number(node) or not isinstance(value := as_scalar(members.evaluate(node).value), Scalar):
+        return []
+    found = []
+    for number in _rounded_numbers(node, FINE):
+        off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
+        moved = as_scalar(members.evaluate(n.substitute(node, number, off)).value)
+        found += [abs(members.number(moved - value))] if isinstance(moved, Scalar) else []
+    return found
 
 
 def _rounded_numbers(node: n.Node, fine: int) -> list[n.Number]:

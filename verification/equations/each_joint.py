@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
 from armproof.verification.latex import nodes as n
@@ -24,8 +25,18 @@ def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, l
     if arm is None or not letter or not 1 < len(arm.joints) <= MOST_JOINTS or len(chain.members) < 2:
         return False
     numbers = [number for number, joint in enumerate(arm.joints, 1) if kind in ("", joint.kind)]
-    instances = (_instance(chain, letter, number) for number in numbers)
-    return bool(numbers) and all(_holds(checker, instance, equation, line) for instance in instances)
+    instances = [_instance(chain, letter, number) for number in numbers]
+    if not all(_holds(checker, instance, equation, line) for instance in instances):
+        return False
+    return bool(numbers) and not any(_is_idle(checker, name, letter, numbers) for name in set(_names(chain)))
+
+
+def _is_idle(checker: ChainChecker, name: n.Name, letter: str, numbers: list[int]) -> bool:
+    """Whether what a name with the index stands for is zero for all joints: an arm whose origins are one tells no sign of p_{i-1}."""
+    if not any(each[1] == letter for script in _scripts(name) for each in _INDEX.finditer(script)):
+        return False
+    values = [checker.member(_at(name, letter, number)).value for number in numbers]
+    return all(isinstance(value, Matrix) and all(map(is_zero, value.cells)) for value in values)
 
 
 def index_of(chain: n.Chain) -> str:
@@ -44,6 +55,14 @@ def _scripts(name: n.Name) -> tuple[str, str, str, str]:
 
 def _instance(chain: n.Chain, letter: str, number: int) -> n.Chain:
     """Return a chain with a number for its index."""
+    for name in list(_names(chain)):
+        changed = _at(name, letter, number)
+        chain = n.substitute(chain, name, changed) if changed != name else chain  # type: ignore[assignment]
+    return chain
+
+
+def _at(name: n.Name, letter: str, number: int) -> n.Name:
+    """Return a name with a number for its index."""
 
     def at(script: str) -> str:
         return _INDEX.sub(
@@ -51,11 +70,8 @@ def _instance(chain: n.Chain, letter: str, number: int) -> n.Chain:
             script,
         )
 
-    for name in list(_names(chain)):
-        sub, sup, pre_sub, pre_sup = map(at, _scripts(name))
-        changed = replace(name, sub=sub, sup=sup, pre_sub=pre_sub, pre_sup=pre_sup)
-        chain = n.substitute(chain, name, changed) if changed != name else chain  # type: ignore[assignment]
-    return chain
+    sub, sup, pre_sub, pre_sup = map(at, _scripts(name))
+    return replace(name, sub=sub, sup=sup, pre_sub=pre_sub, pre_sup=pre_sup)
 
 
 def _holds(checker: ChainChecker, chain: n.Chain, equation: int, line: int) -> bool:

@@ -27,6 +27,7 @@ from armproof.verification.equations.decimals import holds_to_its_decimals, may_
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members, beyond_size
+from armproof.verification.equations.worked_numbers import holds_as_worked
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -90,6 +91,8 @@ class Equality:
         assert best is not None
         outcome.pair, outcome.wrong = best
         outcome.findings = _noted(best[0])
+        if rounded and not branches and holds_as_worked(self.members, outcome):
+            return outcome
         if rounded and holds_to_its_decimals(self.route, outcome, branches):
             return outcome
         if rounded and not branches and may_be_rounded(self.members, outcome):

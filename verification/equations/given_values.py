@@ -112,7 +112,9 @@ class GivenValues:
                 del before[name]
         if not set(values).isdisjoint(joints):
             self.names.state.told = Told()
-        before |= self.stated(values, line)
+        stated = self.stated(values, line)
+        before |= stated
+        self.names.state.given_last |= stated
 
     def stated(self, values: Mapping[str, n.Node], line: int = 0) -> dict[str, Stated]:
         """Return those of the values that are numbers, as stated under the heading at hand."""

@@ -327,8 +327,8 @@ def _are_written(outcome: Outcome) -> bool:
 
 
 def _is_of_letters(node: n.Node) -> bool:
-    """Whether a matrix is a rotation of letters alone: n_x, o_x, a_x … or r_{11}, r_{12} …."""
-    cells = node.cells if isinstance(node, n.Matrix) else ()
+    """Whether a matrix is a rotation of letters alone, n_x, o_x, a_x … or r_{11}, r_{12} …, or a pose with one."""
+    cells = [cell for row in node.rows[:3] for cell in row[:3]] if isinstance(node, n.Matrix) else []
     letters = {
         name.key
         for cell in cells

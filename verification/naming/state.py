@@ -181,6 +181,7 @@ class DocumentState:
         configuration: joint variables, rates and lengths → the value that a display gave them.
         told: what the text between displays says: no display is judged there, but what holds there is not refuted.
         told_lengths: lengths → the value that the text between displays gave them last.
+        given_last: joint variables and lengths → the value that a display or the text gave them last, under whatever heading.
         compares_lengths: whether a display says which lengths are larger.
         comparisons: what displays, and the text between them, say so.
         rounded: names made of rounded numbers → to how many decimals.
@@ -212,6 +213,7 @@ class DocumentState:
     configuration: dict[str, Stated] = field(default_factory=dict)
     told: Told = field(default_factory=Told)
     told_lengths: dict[str, Stated] = field(default_factory=dict)
+    given_last: dict[str, Stated] = field(default_factory=dict)
     compares_lengths: bool = False
     comparisons: list[n.Chain] = field(default_factory=list)
     rounded: dict[str, int] = field(default_factory=dict)

@@ -7,8 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
+from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
+from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
@@ -30,8 +32,8 @@ SECONDS = 0.3
 Found = dict[str, tuple[Scalar, Display]]
 
 
-def candidate_of_closed_form(document: Document, names: Names) -> Candidate | None:
-    """Return the arm whose tool has the coordinates that a document gives first, or None."""
+def candidates_of_closed_form(document: Document, names: Names) -> list[Candidate]:
+    """Return the arm whose tool has the coordinates that a document gives first; those by one of two that do not fit together."""
     algebra = ExactAlgebra(Ring(), None)
     letters: dict[str, n.Name] = {}
     with algebra.budget.of(SECONDS):
@@ -48,21 +50,46 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
                     found[axis], points[axis] = (value, display), number
                 meant = {**meant, key: value} if number else meant
         if not {"x", "y"} <= found.keys():
-            return None
-        form = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, _rates(document))
-        try:
-            moves = form.moves()
-        except EvaluationError:  # a coefficient is no sum of lengths
-            return None
-    if moves is None:
-        return None
-    places = [(display.cell, display.line) for _, display in found.values()]
+            return []
+        rates = _rates(document)
+        if (
+            moves := _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, rates).moves()
+        ) is not None:
+            return [_candidate(moves, found, letters)]
+        tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
+        mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
+        return [each for each in mended if not _turns_back(each)] or mended
+
+
+def _turns_back(found: Candidate) -> bool:
+    """Whether a link leads backwards, a = -l_2: an author who says so of one coordinate alone has slipped there."""
+    return any(row["a"].startswith("-") for row in found.rows)
+
+
+def candidate_of_closed_form(document: Document, names: Names) -> Candidate | None:
+    """Return the first arm that the coordinates which a document gives first can be of, or None."""
+    return next(iter(candidates_of_closed_form(document, names)), None)
+
+
+def _candidate(moves: Moves, told: Found, letters: Mapping[str, n.Name]) -> Candidate:
+    """Return the arm that moves so, as some of the coordinates told it."""
+    places = [(display.cell, display.line) for _, display in told.values()]
     cell, line = min(places, key=lambda place: (place[0] or 0, place[1]))
     joints = tuple(symbol_of(joint) if joint else "" for joint in moves.joints)
-    rows = tuple(moves.rows)
     return Candidate(
-        "closed form", line, cell, rows, joints, renamed(letters.values()), ("classic",), tuple(places), moves.frames
-    )
+        "closed form", line, cell, tuple(moves.rows), joints, renamed(letters.values()), ("classic",), tuple(places),
+        moves.frames,
+    )  # fmt: skip
+
+
+def _mended(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Scalar], Found]]:
+    """Yield the coordinates with y by x, and with x by y, where the other is a slip away: what turns about z has x = ∂y/∂θ_1, y = -∂x/∂θ_1."""
+    values = {axis: value for axis, (value, _) in found.items()}
+    first = min(angles_in(values["x"]) & angles_in(values["y"]), key=_index, default="")
+    for told, axis, sign in (("x", "y", -1), ("y", "x", 1)) if first else ():
+        by_other = (derivative(values[told], algebra.ring.symbol(first)) * sign).normal()
+        if is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))):
+            yield {**values, axis: by_other}, {each: given for each, given in found.items() if each != axis}
 
 
 def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Scalar]:
@@ -171,6 +198,12 @@ class _ClosedForm:
 
     def moves(self) -> Moves | None:
         """Return the chain that has these coordinates, or None."""
+        try:
+            return self._moves()
+        except EvaluationError:  # a coefficient is no sum of lengths
+            return None
+
+    def _moves(self) -> Moves | None:
         x, y, z = (self.values.get(axis, self.algebra.ring.zero) for axis in "xyz")
         angles, above = sorted(angles_in(x) | angles_in(y), key=_index), angles_in(z)
         slides = self._slides(angles, strictly=bool(above))

@@ -16,7 +16,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
-from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
+from armproof.verification.tables.arms.closed_forms import candidates_of_closed_form
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
@@ -50,17 +50,16 @@ def infer_arm(document: Document) -> Inference:
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
-    if found is None:
-        found = _of_formulas(document, plain_names(document))
-    settled = _settle(document, [found]) if found is not None else of_table
+    candidates = [found] if found is not None else _of_formulas(document, plain_names(document))
+    settled = _settle(document, candidates) if candidates else of_table
     return settled if settled.arm is not None else of_table
 
 
-def _of_formulas(document: Document, names: Names) -> Candidate | None:
-    """Return the arm that a document's formulas pin: its tool's coordinates, else a law of cosines."""
-    found = candidate_of_closed_form(document, names)
-    found = with_point_of_law(found, document, names) if found is not None else candidate_of_law(document, names)
-    return with_last_turn(found, document, names) if found is not None else None
+def _of_formulas(document: Document, names: Names) -> list[Candidate]:
+    """Return the arms that a document's formulas pin: its tool's coordinates, else a law of cosines."""
+    found = [with_point_of_law(each, document, names) for each in candidates_of_closed_form(document, names)]
+    by_law = candidate_of_law(document, names) if not found else None
+    return [with_last_turn(each, document, names) for each in found or filter(None, [by_law])]
 
 
 def _of_tables(document: Document) -> Inference:

@@ -9,6 +9,7 @@ from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.sides import Members
@@ -95,6 +96,8 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
         or value.shape != (4, 4)
     ):
         return frozenset()
+    if not is_rigid(value):
+        return frozenset()
     frames, pose, depth = arm.frames, members.exact.pose, trace_of(arm).depth
     links = {k: (frames[k - 1], frames[k]) for k in _span(quantity, members)}
     ends = (frames[min(links) - 1], frames[max(links)]) if links else ("", "")
@@ -104,6 +107,20 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     moving = {joint.symbol for joint in arm.joints}
     own = {k: {joint.symbol for joint in arm.joints[depth(near) : depth(far)]} for k, (near, far) in links.items()}
     return frozenset(k for k, link in left_over.items() if moving & _symbols(link) <= own[k])
+
+
+def is_rigid(pose: Matrix) -> bool:
+    """Whether a 4×4 matrix may be a pose: its rotation is one, or has decimals that may be rounded."""
+    rotation = pose.block(range(3), range(3))
+    if any(number is not None and number.denominator > 1 for number in (cell.as_fraction() for cell in rotation.cells)):
+        return True
+    product = (rotation @ rotation.transpose).map(Scalar.normal)
+    return agrees_with_identity(product) and (rotation.determinant() - 1).normal().is_zero()
+
+
+def agrees_with_identity(matrix: Matrix) -> bool:
+    """Whether a matrix of scalars has 1 on its diagonal and 0 beside it."""
+    return all((matrix.rows[r][c] - (r == c)).normal().is_zero() for r, c in matrix.places)
 
 
 def _symbols(value: Matrix) -> set[str]:
@@ -137,14 +154,23 @@ def settle_data(
     if taken is None:
         return _told(inferred, equations), _told(inferred, tables)
     claims = [each for record in equations for each in record.outcomes if not _is_data(taken, record, each.links)]
+    confirmed = frozenset(link for each in claims if each.verdict in HOLDS for link in each.links)
     settled = _Settled(
         taken,
-        frozenset(link for each in claims if each.verdict in HOLDS for link in each.links),
-        any(each.is_decided and each.links for each in claims) or _shown_twice(taken, tables),
+        confirmed,
+        any(_is_sure(taken, each, confirmed) for each in claims) or _shown_twice(taken, tables),
         {key: each.links for each in claims for key in each.defines},
         _never_as_usual(inferred, equations),
     )
     return tuple(map(settled.display, equations)), tuple(map(settled.table, tables))
+
+
+def _is_sure(taken: TakenArm, claim: EquationResult, confirmed: frozenset[int]) -> bool:
+    """Whether a claim is decided by the arm, and not only other than what that was taken from."""
+    if claim.verdict in HOLDS:
+        return bool(claim.links or claim.usual)
+    sure = taken.source == "matrices" or claim.links - {FRAMES, ORDER, TOLD} <= confirmed
+    return claim.is_decided and bool(claim.links) and sure
 
 
 def _never_as_usual(inferred: Inference, records: Iterable[Record]) -> frozenset[str]:

@@ -1,0 +1,88 @@
+"""Numbers that are worked out step by step: 40 · 0.866 + 30 · 0.2588 = 34.64 + 7.76 = 42.40 cm, each rounded on its way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.decimals import UNITS, fewest_decimals, is_number, roundings
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Members
+from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.state import Stated
+from armproof.verification.verdict import Verdict
+
+FEWEST = 2  # decimals of a number that is rounded; 0.8 for 0.75 is another one
+
+
+def holds_as_worked(members: Members, outcome: Outcome) -> bool:
+    """Confirm an equation between numbers of which each term is that of the other side, rounded to its decimals; the last may have a unit."""
+    sides = [bare(side.node) for side in (outcome.true, outcome.printed) if side is not None]
+    if outcome.pair is None or not outcome.pair.is_scalar or len(sides) != 2 or not all(map(is_number, sides)):
+        return False
+    sides = _without_unit(sides)
+    terms = [*map(_terms, sides)]
+    steps = list(zip(*(terms if len(terms[0]) == len(terms[1]) else [[("+", side)] for side in sides]), strict=True))
+    try:
+        errors = [_error(members, *step) for step in steps]
+    except EvaluationError:
+        return False
+    if None in errors:
+        return False
+    decimals = fewest_decimals(node for each in terms for _, node in each)
+    outcome.verdict, outcome.wrong, outcome.findings = (
+        Verdict.CONFIRMED,
+        [],
+        (say(Kind.TO_DECIMALS, decimals=decimals),),
+    )
+    outcome.samples, outcome.max_error = 1, max(filter(None, errors), default=0.0)
+    return True
+
+
+def _without_unit(sides: list[n.Node]) -> list[n.Node]:
+    """Return the sides without the unit behind one of them, where none of the other's numbers has one."""
+    marks = [any(isinstance(b, n.Postfix) and b.operator in UNITS for b in n.walk(side)) for side in sides]
+    return [side if other else _plain(side) for side, other in zip(sides, reversed(marks), strict=True)]
+
+
+def _plain(node: n.Node) -> n.Node:
+    """Return a number without its unit of length."""
+    return bare(node.base) if isinstance(node, n.Postfix) and node.operator in ("cm", "mm") else node
+
+
+def _terms(node: n.Node) -> list[tuple[str, n.Node]]:
+    return list(node.terms) if isinstance(node, n.Sum) else [("+", node)]
+
+
+def _error(members: Members, one: tuple[str, n.Node], other: tuple[str, n.Node]) -> float | None:
+    """Return how far a term is from that of the other side, None where it is further than rounding takes it."""
+    values = [members.evaluate(node).value for _, node in (one, other)]
+    if one[0] != other[0] or not all(isinstance(value, Scalar) for value in values):
+        return None
+    error = abs(members.number(values[0] - values[1]))  # type: ignore[operator, arg-type]
+    return error if error <= max(_near(node) for _, node in (one, other)) else None
+
+
+def _near(node: n.Node) -> float:
+    """Return how far a number alone is rounded; what is no number alone is exact."""
+    alone = bare(node)
+    rounds = isinstance(alone, n.Number) and alone.decimals >= FEWEST
+    return roundings(alone, (1, 1))[0, 0].near if rounds else 1e-9
+
+
+def unitless(given: Mapping[str, Stated]) -> Iterator[Mapping[str, Stated]]:
+    """Yield given values as they stand, and without their units of length where they have such."""
+    yield given
+    plain = {key: replace(each, node=_plain(bare(each.node))) for key, each in given.items()}
+    if any(plain[key].node != given[key].node for key in given):
+        yield plain
+
+
+def tells_values(node: n.Node) -> bool:
+    """Whether numbers are those of some values, and hardly of others: 0.433, 2 cos 30°; 1 may be that of many."""
+    fine = any(isinstance(b, n.Number) and b.decimals >= FEWEST for b in n.walk(node))
+    return is_number(node) and (fine or any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node)))
