@@ -284,6 +284,7 @@ class TakenArm:
         products: those of them where a product shows its factors.
         several_tools: whether the table shows more end effectors than this arm's.
         is_part: whether the document speaks of joints behind its last one.
+        mended: the links, from 1, whose printed matrices are none, and would be with another entry.
         told_by: the joint whose equation must hold before anything is refuted for it, where a law of cosines gave it.
     """
 
@@ -299,6 +300,7 @@ class TakenArm:
     several_tools: bool = False
     is_part: bool = False
     told_by: str = ""
+    mended: frozenset[int] = frozenset()
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""

@@ -30,6 +30,7 @@ class Candidate:
         quantities: names of the document that are usually something else.
         products: where matrices stand that a product shows factor by factor: all of such a display is data.
         several_tools: whether the table shows more end effectors than the one of the last row.
+        mended: the links, from 1, whose matrices are none as printed, and would be with another entry.
         told_by: the joint of which an equation must hold, where nothing else could tell that this arm is meant.
     """
 
@@ -46,6 +47,7 @@ class Candidate:
     products: tuple[tuple[int | None, int], ...] = ()
     several_tools: bool = False
     told_by: str = ""
+    mended: frozenset[int] = frozenset()
 
     @property
     def lines(self) -> frozenset[tuple[int | None, int]]:

@@ -20,7 +20,7 @@ from armproof.verification.tables.arms.closed_forms import candidates_of_closed_
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
-from armproof.verification.tables.arms.matrices import candidate_of_matrices
+from armproof.verification.tables.arms.matrices import candidates_of_matrices
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.variables import in_variables, told_variables
@@ -44,14 +44,14 @@ def infer_arm(document: Document) -> Inference:
     if of_table.arm is not None:
         return of_table
     try:
-        found = candidate_of_matrices(document, plain_names(document))
+        found = candidates_of_matrices(document, plain_names(document))
     except EvaluationError as error:
         problem = finding_of(error)
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
-    candidates = [found] if found is not None else _of_formulas(document, plain_names(document))
-    settled = _settle(document, candidates) if candidates else of_table
+    found = found or _of_formulas(document, plain_names(document))
+    settled = _settle(document, found) if found else of_table
     return settled if settled.arm is not None else of_table
 
 
@@ -120,7 +120,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     except ArmproofError as error:
         return Inference(document, problem=say(Kind.NO_ARM_IN_TABLE, reason=finding_of(error)), line=line)
     if is_told:
-        return _taken(document, found[0], best, bool(more)) if found[0].told_by in best.joints else Inference(document)
+        return _taken(document, found, best, bool(more)) if found[0].told_by in best.joints else Inference(document)
     rivals = _rivals(best, others)
     is_shown = (rivals or not best.held) and (shown := shown_convention(document, plain_names(document))) != ""
     if is_shown:  # by the link matrix that it prints for any link
@@ -133,12 +133,12 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
         return Inference(document, None, missing, line)
     if _stated(document):
-        return _taken(document, found[0], best, bool(more))
+        return _taken(document, found, best, bool(more))
     if rivals or not (best.held or is_shown):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)
     if best.failed > best.held:
         return Inference(document, problem=say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed), line=line)
-    return _taken(document, found[0], best, bool(more))
+    return _taken(document, found, best, bool(more))
 
 
 def _rivals(best: Reading, others: Sequence[Reading]) -> list[Reading]:
@@ -175,7 +175,9 @@ def _fronts(document: Document, candidate: Candidate) -> Iterator[Mapping[str, A
             yield {**document.front, **found, **more, "transforms": transforms}
 
 
-def _taken(document: Document, candidate: Candidate, reading: Reading, is_part: bool) -> Inference:
+def _taken(document: Document, found: Sequence[Candidate], reading: Reading, is_part: bool) -> Inference:
+    own = (each for each in found if each.front(reading.convention)["arm"] == reading.front["arm"])
+    candidate = next(own, found[0])
     added = {key: value for key, value in reading.front.items() if document.front.get(key) != value}
     arm = TakenArm(
         reading.name,
@@ -190,5 +192,6 @@ def _taken(document: Document, candidate: Candidate, reading: Reading, is_part: 
         candidate.several_tools,
         is_part,
         candidate.told_by,
+        candidate.mended,
     )
     return Inference(replace(document, front=dict(reading.front)), arm)

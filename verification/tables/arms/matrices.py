@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import permutations
 
 from armproof.verification.algebra.matrix import Matrix
@@ -21,6 +21,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
+from armproof.verification.tables.arms.mends import mended
 from armproof.verification.tables.arms.rows import joint_of
 from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, right_row
@@ -32,6 +33,7 @@ SECONDS = 0.5  # for all link matrices of a document
 
 
 Place = tuple[int | None, int]
+_Row = tuple[dict[str, Scalar], str]  # a, alpha, d, theta, and the joint variable among them
 
 
 @dataclass(frozen=True)
@@ -69,8 +71,11 @@ def first_links(document: Document, names: Names) -> list[tuple[Display, str]]:
         return [(link.display, str(link.value.map(Scalar.normal).rows)) for link in links]
 
 
-def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
-    """Return the arm of a document's link matrices, None where it shows none; raises EvaluationError where one fits no link."""
+def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
+    """Return the arm of a document's link matrices, or those that it may be where one of them has a wrong entry.
+
+    Raises EvaluationError where one fits no link, and none with another entry.
+    """
     links: dict[int, _Link] = {}
     fixed: dict[int, _Link] = {}
     algebra = ExactAlgebra(Ring(), None)
@@ -81,14 +86,13 @@ def candidate_of_matrices(document: Document, names: Names) -> Candidate | None:
             if link.is_constant and not link.is_spelt_as_pose and link.index not in links:
                 fixed.setdefault(link.index, link)
         if len(links) < 2:
-            return None
+            return []
         links = {**{index: fixed[index] for index in _between(links, fixed)}, **links}
         chain = [links[index] for index in sorted(links)]
         first = chain[0].index
         if [link.index for link in chain] != list(range(first, first + len(chain))):
-            return None
-        found = _fit(chain)
-        return found if found.first == first - 1 or "" in found.joints else None
+            return []
+        return [each for each in _fit(chain) if each.first == first - 1 or "" in each.joints]
 
 
 def _between(links: Mapping[int, _Link], fixed: Mapping[int, _Link]) -> Iterator[int]:
@@ -145,38 +149,72 @@ def _index(node: n.Node) -> int | None:
     return pair[1] if len(pair) == 2 and pair[1] == pair[0] + 1 else None
 
 
-def _fit(chain: list[_Link]) -> Candidate:
-    """Return the links as rows of the first convention that fits them all; raises EvaluationError for the link that fits none."""
-    fitted = {convention: list(_rows(chain, convention)) for convention in CONVENTIONS}
-    convention, rows = max(fitted.items(), key=lambda item: len(item[1]))  # the first of the best
-    if len(rows) < len(chain):
-        raise EvaluationError(say(Kind.NO_DH_LINK, line=chain[len(rows)].display.line))
-    first = chain[0].display
+def _fit(chain: list[_Link]) -> list[Candidate]:
+    """Return the links as rows of the first convention that fits them all, else of those that fit all but one with a wrong entry.
+
+    Raises EvaluationError for the link that fits none.
+    """
+    fitted = {convention: [_row_or_none(link, convention) for link in chain] for convention in CONVENTIONS}
+    for convention, rows in fitted.items():
+        if None not in rows:
+            return [_candidate(chain, convention, rows)]
+    found = [each for convention, rows in fitted.items() for each in _with_mended(chain, convention, rows)]
+    if not found:
+        rows = max(fitted.values(), key=lambda rows: rows.index(None))  # the first of the best
+        raise EvaluationError(say(Kind.NO_DH_LINK, line=chain[rows.index(None)].display.line))
+    return found
+
+
+def _with_mended(chain: list[_Link], convention: str, rows: Sequence[_Row | None]) -> Iterator[Candidate]:
+    """Yield the links where one alone fits no row, with each row that it fits with another entry."""
+    if sum(row is None for row in rows) != 1:
+        return
+    place = rows.index(None)
+    link, met = chain[place], set[str]()
+    for value in mended(link.value, _angles_of(link)):
+        row = _row_or_none(replace(link, value=value), convention)
+        if row is None or not row[1] or (text := str(_entries(row))) in met or _runs_backwards(row):
+            continue
+        met.add(text)
+        yield _candidate(chain, convention, [*rows[:place], row, *rows[place + 1 :]], place)
+
+
+def _runs_backwards(row: _Row) -> bool:
+    """Whether a joint turns by -θ."""
+    return _entries(row)["theta"].startswith("-")
+
+
+def _entries(row: _Row) -> dict[str, str]:
+    return {name: entry_text(value) for name, value in row[0].items()}
+
+
+def _candidate(chain: list[_Link], convention: str, rows: Sequence[_Row | None], slip: int | None = None) -> Candidate:
+    """Return links as the rows of a table; one with a slip in its matrix is no source of it."""
     letters = [letter for link in chain for letter in link.letters]
-    lines = tuple(link.place for link in chain)
+    lines = tuple(link.place for place, link in enumerate(chain) if place != slip)
     quantities = {
         link.name.key: {"pose": str(link.index), "in": str(link.index - 1)} for link in chain if link.is_spelt_as_pose
     }
-    entries = tuple({name: entry_text(value) for name, value in values.items()} for values, _ in rows)
-    joints = tuple(symbol_of(joint) for _, joint in rows)
+    entries = tuple(_entries(row) for row in rows if row is not None)
+    joints = tuple(symbol_of(row[1]) for row in rows if row is not None)
     return Candidate(
-        "matrices", first.line, first.cell, entries, joints, renamed(letters), (convention,), lines,
+        "matrices", lines[0][1], lines[0][0], entries, joints, renamed(letters), (convention,), lines,
         quantities=quantities, products=tuple(link.place for link in chain if link.in_product),
+        mended=frozenset() if slip is None else frozenset({slip + 1}),
     )  # fmt: skip
 
 
-def _rows(chain: list[_Link], convention: str) -> Iterator[tuple[dict[str, Scalar], str]]:
-    """Yield the rows of the links with their joint variables, up to the first that is none."""
-    for link in chain:
-        try:
-            yield _row(link, convention)
-        except EvaluationError:
-            return
+def _row_or_none(link: _Link, convention: str) -> _Row | None:
+    """Return the row of a link with its joint variable, or None."""
+    try:
+        return _row(link, convention)
+    except EvaluationError:
+        return None
 
 
-def _row(link: _Link, convention: str) -> tuple[dict[str, Scalar], str]:
+def _row(link: _Link, convention: str) -> _Row:
     ring = link.value.rows[0][0].ring
-    angles = sorted({name for cell in link.value.cells for name in _angles_in(cell)})
+    angles = _angles_of(link)
     found = right_row(link.value, convention, [name for name in angles if _JOINTS.fullmatch(name)])
     if found is None:
         raise EvaluationError(say(Kind.NO_DH_LINK, line=link.display.line))
@@ -187,6 +225,10 @@ def _row(link: _Link, convention: str) -> tuple[dict[str, Scalar], str]:
     values = dict(zip(PARAMETERS, (found.a, alpha, found.d, theta), strict=True))
     _, joint = joint_of(values, link.index)
     return values, joint
+
+
+def _angles_of(link: _Link) -> list[str]:
+    return sorted({name for cell in link.value.cells for name in _angles_in(cell)})
 
 
 def _angles_in(cell: Scalar) -> Iterator[str]:

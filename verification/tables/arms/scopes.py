@@ -17,7 +17,7 @@ from armproof.verification.tables.arms.inference import arms_of, dh_tables, join
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
 from armproof.verification.tables.arms.letters import equations_of
-from armproof.verification.tables.arms.matrices import candidate_of_matrices, first_links
+from armproof.verification.tables.arms.matrices import candidates_of_matrices, first_links
 from armproof.verification.tables.arms.sections import named_sections, without_arms
 
 _FRAMES = re.compile(
@@ -59,7 +59,11 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
     names = plain_names(document)
     try:
         tables = any(dh_tables(document))
-        found = None if tables else candidate_of_matrices(document, names) or candidate_of_closed_form(document, names)
+        found = (
+            None
+            if tables
+            else next(iter(candidates_of_matrices(document, names)), None) or candidate_of_closed_form(document, names)
+        )
         found = with_last_turn(found, document, names) if found is not None and found.source == "closed form" else found
     except EvaluationError:
         found = None

@@ -169,7 +169,8 @@ def _is_sure(taken: TakenArm, claim: EquationResult, confirmed: frozenset[int]) 
     """Whether a claim is decided by the arm, and not only other than what that was taken from."""
     if claim.verdict in HOLDS:
         return bool(claim.links or claim.usual)
-    sure = taken.source == "matrices" or claim.links - {FRAMES, ORDER, TOLD} <= confirmed
+    is_own = taken.source == "matrices" and not claim.links & taken.mended
+    sure = is_own or claim.links - {FRAMES, ORDER, TOLD} <= confirmed
     return claim.is_decided and bool(claim.links) and sure
 
 
@@ -271,12 +272,13 @@ class _Settled:
         doubtful = links - self.confirmed
         is_of_links = len(doubtful) == 1 and not doubtful & {FRAMES, ORDER, TOLD}
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
-            links = self.confirmed  # no link in its place makes it right
+            links = doubtful = self.confirmed & links  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
         has_sides = (
             bool(links) or has_entry or result.role is Role.CONDITION
         )  # else a shape, or an inverse that this arm's Jacobian does not have
-        is_sure = has_sides and (self.taken.source == "matrices" or links <= self.confirmed)
+        is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
+        is_sure = has_sides and (is_own or links <= self.confirmed)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum:
             return result
