@@ -442,10 +442,22 @@ class DocumentChecker:
         extra: dict[str, float],
     ) -> Record:
         """Return the record of a display with what became of its equations, and why."""
+        judged = self._explained(self._record_of(record, outcomes, extra), display, outcomes)
+        if any(outcome.uses for outcome in outcomes) and judged.verdict is Verdict.REFUTED and not display.erratum:
+            again = [self._unless_slip_before(outcome, judged) for outcome in outcomes]
+            if again != outcomes:
+                outcomes = again
+                judged = self._explained(self._record_of(record, outcomes, extra), display, outcomes)
+        if judged.verdict is Verdict.REFUTED and self.correct:
+            judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
+        return replace(judged, outcomes=tuple(self._result(outcome, judged) for outcome in outcomes))
+
+    def _record_of(self, record: Record, outcomes: Sequence[Outcome], extra: dict[str, float]) -> Record:
+        """Return the record with the verdict of a display's outcomes, and what they say."""
         verdict = worst([outcome.verdict for outcome in outcomes])
         leading = [outcome for outcome in outcomes if outcome.verdict is verdict]
         errors = [outcome.max_error for outcome in outcomes if outcome.max_error is not None]
-        record = replace(
+        return replace(
             record,
             verdict=verdict,
             findings=tuple(finding.at(outcome.equation) for outcome in leading for finding in outcome.findings),
@@ -453,16 +465,28 @@ class DocumentChecker:
             max_error=max(errors, default=None),
             counterexample=extra,
         )
-        if verdict is Verdict.REFUTED:
-            refuted = [outcome for outcome in outcomes if outcome.verdict is Verdict.REFUTED]
-            try:
-                with self.ring.budget.of(SECONDS_TO_EXPLAIN):
-                    record = self.diagnostician.diagnose(record, normalise_unicode(display.latex), refuted)
-            except TooComplex:
-                record = replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
-            if self.correct:
-                record = replace(record, corrections=self.corrector.correct(record, statements, outcomes))
-        return replace(record, outcomes=tuple(self._result(outcome, record) for outcome in outcomes))
+
+    def _explained(self, record: Record, display: Display, outcomes: Sequence[Outcome]) -> Record:
+        """Return a refuted record with what is wrong."""
+        if record.verdict is not Verdict.REFUTED:
+            return record
+        refuted = [outcome for outcome in outcomes if outcome.verdict is Verdict.REFUTED]
+        try:
+            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                return self.diagnostician.diagnose(record, normalise_unicode(display.latex), refuted)
+        except TooComplex:
+            return replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
+
+    def _unless_slip_before(self, outcome: Outcome, record: Record) -> Outcome:
+        """Leave open what is refuted, and holds if a definition before it has a slip."""
+        if outcome.verdict is not Verdict.REFUTED:
+            return outcome
+        try:
+            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                found = self.diagnostician.slip_before(record, outcome)
+        except TooComplex:
+            return outcome
+        return outcome if found is None else outcome.left_open(found)
 
     def _with_slip(self, outcome: Outcome, display: Display) -> AsUsual | None:
         """Tell the one slip that mends an equation if its names mean what they usually do; return what it then would be.

@@ -14,6 +14,7 @@ from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
 from armproof.verification.diagnosis.slips import swapped_lengths
+from armproof.verification.diagnosis.slips_before import slip_before
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
@@ -73,6 +74,16 @@ class Diagnostician:
             counterexample=counterexample,
             discrepancy=discrepancy,
         )
+
+    def slip_before(self, record: Record, outcome: Outcome) -> Finding | None:
+        """Return that a definition before holds the slip, where none in a refuted equation explains it, or None.
+
+        That a term is missing says what is wrong, and not how that came about.
+        """
+        found = [entry.finding for entry in record.entries if entry.equation == outcome.equation]
+        if any(finding is not None and finding.kind is not Kind.MISSING_TERM for finding in found):
+            return None
+        return slip_before(self.checker, self.learnt, outcome)
 
     def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
         """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""

@@ -92,7 +92,7 @@ class Definitions:
         if (solved := _solved(member, true.node)) is not None:
             root, formula = solved
             if self.defines:
-                self.names.define(root, self.members.meaning(formula), self.line)
+                self.names.define(root, self.members.meaning(formula), self.line, root=formula)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,))
         pattern = self.define_entries(true, member, equation, self.defines)
         if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:

@@ -63,6 +63,7 @@ class Kind(MessageKind):
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
     NOT_AS_USUAL_BOUND = "not_as_usual_bound", "`{name}` is usually {reading}, and with that meaning the equation does not hold: to have it checked, write in the front matter {line}"
     SLIP_AS_USUAL = "slip_as_usual", "if that is meant, `{printed}` should be `{correct}`: {change}"
+    SLIP_BEFORE = "slip_before", "it holds if what line {line} says of `{name}` has a slip: {change}"
     NEVER_AS_USUAL = "never_as_usual", "nothing holds with `{name}` as it is usually meant: it may be of another arm"
     NEAR_QUANTITY = "near_quantity", "but for entry ({row}, {column}) `{name}` would be {reading}: to have it checked, write in the front matter {line}"
     SIDE_BY_SIDE = "side_by_side", "`{name}` may begin an equation of its own, or be a factor in the one before"

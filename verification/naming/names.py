@@ -293,6 +293,7 @@ class Names:
         in_text: bool = False,
         by_table: bool = False,
         of_section: bool = False,
+        root: n.Node | None = None,
     ) -> None:
         """Give a name its meaning, unless it has one."""
         definition = Definition(
@@ -305,5 +306,6 @@ class Names:
             in_text=in_text,
             by_table=by_table,
             of_section=of_section,
+            root=root,
         )
         self.state.definitions.setdefault(key, definition)

@@ -66,6 +66,12 @@ class Definition:
         False  # a block of a matrix that is not the tool's: R and p of other sections may be those of others
     )
     has_ended: bool = False  # with its section
+    root: n.Node | None = None  # what a name is whose square an equation gives
+
+    @property
+    def formula(self) -> n.Node | None:
+        """The formula that an equation of its own says that it is, solved for it."""
+        return self.node or self.root
 
 
 @dataclass(frozen=True)
