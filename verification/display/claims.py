@@ -114,6 +114,8 @@ class Claims:
         for outcome in outcomes:  # c_3 = … := D names what is decided beside it
             met = {key for key in self.consulted() if key[0] not in outcome.defines and key != outcome.repeats}
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
+            if define and outcome.verdict in HOLDS:
+                self.names.state.held |= outcome.uses
         return outcomes
 
     def unless_doubted(self, outcome: Outcome, beside: Set[Key] = frozenset()) -> Outcome:
@@ -312,6 +314,8 @@ class Claims:
         first = len(chain.members) - len(list(takewhile(is_number, reversed(chain.members))))
         is_open = {each.equation for each in outcomes if each.verdict is Verdict.UNCHECKED}
         if first < 1 or len(chain.members) - first < 2 or set(chain.relations) != {"="} or not is_open:
+            return outcomes
+        if not any(map(tells_values, chain.members[first:])):
             return outcomes
         wrong = {each.equation: each for each in self._unequal(chain, first, equation, line)}
         return [wrong.get(each.equation, each) if each.equation in is_open else each for each in outcomes]

@@ -188,6 +188,7 @@ class DocumentState:
         told: what the text between displays says: no display is judged there, but what holds there is not refuted.
         told_lengths: lengths → the value that the text between displays gave them last.
         given_last: joint variables and lengths → the value that a display or the text gave them last, under whatever heading.
+        held: the definitions on which something rests that holds, each with the line of its display.
         compares_lengths: whether a display says which lengths are larger.
         comparisons: what displays, and the text between them, say so.
         rounded: names made of rounded numbers → to how many decimals.
@@ -220,6 +221,7 @@ class DocumentState:
     told: Told = field(default_factory=Told)
     told_lengths: dict[str, Stated] = field(default_factory=dict)
     given_last: dict[str, Stated] = field(default_factory=dict)
+    held: set[tuple[str, int]] = field(default_factory=set)
     compares_lengths: bool = False
     comparisons: list[n.Chain] = field(default_factory=list)
     rounded: dict[str, int] = field(default_factory=dict)

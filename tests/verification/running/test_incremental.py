@@ -55,6 +55,8 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
     "told": lambda state: setattr(state, "told", Told(in_words=True)),
     "told_lengths": lambda state: state.told_lengths.update(l_1=Stated(Name("a"), 0.5)),
+    "given_last": lambda state: state.given_last.update(l_1=Stated(Name("a"), 0.5)),
+    "held": lambda state: state.held.add(("k", 3)),
     "rounded": lambda state: state.rounded.update(a=2),
     "shown": lambda state: state.shown.update(J=JacobianRows((1, 2))),
     "signs": lambda state: state.signs.values.update(sigma=1),

@@ -107,7 +107,7 @@ def test_two_values_of_one_length_tell_none() -> None:
 
 
 def test_numbers_beside_letters_are_no_slip_where_no_arm_is_given() -> None:
-    text = "$$ x = l_1 c_1 + l_2 c_{12} $$\n\n$$ y = l_1 s_1 - l_2 s_{12} $$\n\n"  # of no arm
+    text = "$$ x = l_1 c_1 + l_2 c_{12} $$\n\n$$ y = 2 l_1 s_1 - 3 l_2 s_{12} $$\n\n"  # of no arm
     column = r"$$ \begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} A \\ B \end{bmatrix} $$"
     assert verdicts(text + column.replace("A", "0.39").replace("B", "0.48"))[-1] == "unchecked"
     letters = column.replace("A", "l_1 c_1 + l_2 c_{12}").replace("B", "l_1 s_1 + l_2 s_{12}")

@@ -39,9 +39,18 @@ def test_a_wrong_entry_is_refuted_where_another_claim_confirms_the_arm() -> None
     assert (entry.row, entry.column, entry.correct) == (2, 2, "l_2 c_{12}")
 
 
-@pytest.mark.parametrize("other", ["l_1 s_1 + l_2 s_2", "l_1 s_1 - l_2 s_{12}", "l_1 s_1 + l_3 s_{12}", "l_1 s_1"])
+@pytest.mark.parametrize("other", ["l_1 s_1 + l_3 s_{12}", "l_1 s_1", "-l_1 s_1 - l_2 s_{12}"])
 def test_coordinates_that_are_not_of_one_arm_give_none(other: str) -> None:
     assert not verify_text(PLANAR.replace("l_1 s_1 + l_2 s_{12}", other)).arms
+
+
+@pytest.mark.parametrize("other", ["l_1 s_1 + l_2 s_2", "l_1 s_1 - l_2 s_{12}"])
+def test_one_coordinate_tells_the_arm_where_the_other_has_a_slip(other: str) -> None:
+    wrong = PLANAR.replace("l_1 s_1 + l_2 s_{12}", other)
+    alone, confirmed = verify_text(wrong), verify_text(wrong + JACOBIAN.replace("LAST", "l_2 c_{12}"))
+    assert [record.verdict for record in alone.equations] == ["unchecked"] * 2
+    assert "nothing else that is decided tells which is right" in alone.equations[1].message
+    assert [record.verdict for record in confirmed.equations] == ["proved", "refuted", "proved"]
 
 
 def test_a_turned_arm_needs_its_height() -> None:

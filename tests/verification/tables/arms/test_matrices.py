@@ -73,9 +73,17 @@ def test_link_matrices_are_named_as_they_are_written(first: str, second: str, bo
 
 
 def test_a_matrix_that_is_no_link_gives_no_arm_and_is_named() -> None:
-    result = verify_text(link(1, FIRST) + link(2, SECOND, "-l_2 s_2") + whole())
+    result = verify_text(link(1, FIRST) + link(2, SECOND, "-l_2 s_2").replace("l_2 c_2", "l_3 c_2") + whole())
     assert result.arms == () and "refuted" not in verdicts(result)
     assert "the matrix at line 3 is that of no DH link" in result.equations[1].message
+
+
+def test_a_matrix_with_one_wrong_entry_is_told_by_what_else_holds() -> None:
+    links = link(1, FIRST) + link(2, SECOND, "-l_2 s_2")
+    assert verdicts(verify_text(links + whole())) == ["proved", "refuted", "proved"]
+    (entry,) = verify_text(links + whole()).equations[1].entries
+    assert (entry.row, entry.column, entry.correct) == (2, 4, "l_2 s_2")
+    assert "refuted" not in verdicts(verify_text(links))
 
 
 def test_link_matrices_of_two_arms_give_none() -> None:
