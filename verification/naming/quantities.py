@@ -173,6 +173,7 @@ def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
     if isinstance(node, n.Postfix) and node.operator == "-1":
         inner = is_inverse_link(node.base, transforms)
         return None if inner is None else not inner
+    node = _of_its_parameters(node)
     if not isinstance(node, n.Name) or node.base not in ("T", "A", "H") or node.primes or node.dots:
         return None
     if node.pre_sup and (node.sub or node.pre_sub) and not node.sup:
@@ -183,6 +184,15 @@ def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
         pair = ("i-1", node.sub) if not node.sup and not node.pre_sup else ("", "")
     i = next((letter for letter in "jkn" if f"{letter}-1" in pair), "i")  # an A_n alone may be the last link's
     return {(f"{i}-1", i): False, (i, f"{i}-1"): True}.get(pair)
+
+
+def _of_its_parameters(node: n.Node) -> n.Node:
+    """Return the A_i of A_i(θ_i, d_i, α_i, a_i), which is of all four: what is of some alone is another matrix."""
+    if not (isinstance(node, n.Call) and node.function == "name"):
+        return node
+    name, *given = node.arguments
+    bases = sorted(each.base for each in given if isinstance(each, n.Name) and each.sub)
+    return name if bases in (["a", "alpha", "d", "theta"], ["a", "alpha", "d", "q"]) else node
 
 
 def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:
