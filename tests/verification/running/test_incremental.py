@@ -49,7 +49,6 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "usual": lambda state: state.usual.update({("p_x", "A title"): Quantity("origin", "2")}),
     "used": lambda state: state.used.add("a"),
     "used_in_general": lambda state: state.used_in_general.add("a"),
-    "balanced": lambda state: state.balanced.add(("tau", "")),
     "adopted": lambda state: state.adopted.add("L_3"),
     "balanced": lambda state: state.balanced.add(("tau", "")),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
