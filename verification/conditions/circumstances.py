@@ -14,6 +14,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.postures import kind_of_joints
+from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.forces import heed_forces
@@ -28,6 +29,7 @@ from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.state import Stated, Told
 from armproof.verification.verdict import Verdict
 
+ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere
 
 
@@ -59,9 +61,12 @@ class Circumstances:
     def _heed(self, said: Iterable[str], line: int) -> None:
         names: set[str] = set()
         conditions: list[n.Chain] = []
-        in_words = bounds = False
+        bounds: list[n.Chain] = []
+        in_words = False
         kind = ""
-        for latex in said if self.names.arm is not None else ():
+        if self.names.arm is None:
+            return
+        for latex in said:
             if latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
                 kind = of_joints
                 continue
@@ -70,7 +75,7 @@ class Circumstances:
                 chains = [chain for chain in found if not self.given.repeats(chain)]
                 for bound in filter(_is_bound, chains):
                     self.names.state.compare(bound, self.given.lengths)
-                bounds = bounds or any(map(_is_bound, chains))
+                bounds += filter(_is_bound, chains)
                 chains = [chain for chain in chains if not _is_bound(chain)]
                 if found and not chains:
                     continue
@@ -86,7 +91,7 @@ class Circumstances:
             in_words = in_words or not chains
         self._begin(names, conditions, in_words, line)
         before = self.names.state.told
-        self.names.state.told = replace(before, bounds=bounds or before.bounds, kind=kind or before.kind)
+        self.names.state.told = replace(before, bounds=tuple(bounds) or before.bounds, kind=kind or before.kind)
         told = self._values(conditions)
         self.names.state.given_last |= told
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
@@ -190,8 +195,34 @@ class Circumstances:
         if told.in_words and self._stands_still(outcome):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
-            return outcome.left_open(say(Kind.BOUND_IN_TEXT))
+            return self._within(told.bounds, outcome)
         return outcome
+
+    def within_bounds(self, outcome: Outcome) -> Outcome:
+        """Leave open what holds on a branch alone, unless that is where the text before it says: θ_2 ∈ (0, π)."""
+        is_on_branch = any(finding.kind in ON_A_BRANCH for finding in outcome.findings)
+        bounds = [each for each in self.names.state.told.bounds if is_on_branch and self._moves(each)]
+        return self._within(bounds, outcome) if bounds else outcome
+
+    def _moves(self, bound: n.Chain) -> bool:
+        """Whether a bound is one of the configuration, and not of lengths or of other letters alone."""
+        sides = [node for comparison in comparisons_of(bound) for node in (comparison[0], comparison[2])]
+        members = [as_scalar(self.checker.member(node).value) for node in sides]
+        return not symbols_in([each for each in members if isinstance(each, Scalar)]).isdisjoint(self.given.joints)
+
+    def _within(self, bounds: Sequence[n.Chain], outcome: Outcome) -> Outcome:
+        assert outcome.true is not None and outcome.printed is not None
+        where = [each for chain in bounds for each in comparisons_of(chain)]
+        sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
+        with self.checker.exact.budget.paused():
+            from armproof.verification.equations.sampled_relations import hold_everywhere, holds_where
+        if where and hold_everywhere(self.checker, sampled, where):  # θ_2 ∈ [0, 2π)
+            return outcome
+        count = holds_where(self.checker, sampled, sides, outcome.pair, where)
+        if not count:
+            return outcome.left_open(say(Kind.BOUND_IN_TEXT))
+        found = (say(Kind.HOLDS_WHERE_SAID, count=count),)
+        return replace(outcome, verdict=Verdict.CONFIRMED, findings=found, samples=count, wrong=[])
 
     def of_implication(self, judged: Outcome, implication: Implication) -> Outcome:
         """Leave open what does not follow, where it follows together with what the text before says."""
@@ -299,7 +330,8 @@ def _has_a_sign(node: n.Node) -> bool:
 
 
 def _is_bound(chain: n.Chain) -> bool:
-    return bool(chain.relations) and set(chain.relations) <= set("<>≤≥≠")
+    in_interval = chain.relations == ("∈",) and n.interval_of("∈", chain.members[1]) is not None
+    return in_interval or (bool(chain.relations) and set(chain.relations) <= set("<>≤≥≠"))
 
 
 def _equated(chain: n.Chain) -> Iterator[str]:

@@ -14,6 +14,7 @@ from armproof.verification.conditions.entailment import Entailment
 from armproof.verification.conditions.implication import Implication, is_condition, is_rank_condition
 from armproof.verification.conditions.signs import ORDERS, Reader, Signs, follow
 from armproof.verification.conditions.system import System, Undecided, read_condition
+from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import Outcome
@@ -34,6 +35,8 @@ def check_implication(
     """
     if checker.names.arm is not None and any(compares(chain) for chain in implication.chains):
         outcome, found = _of_signs(checker, implication, equation)
+        if outcome.verdict is Verdict.UNCHECKED and (there := _equation_where(checker, implication, equation)):
+            return there, {}
         wrong = outcome.verdict is Verdict.REFUTED
         return (outcome.left_open(say(Kind.UNDER_MORE)), {}) if wrong and links else (outcome, found)
     outcome, found = _follows(checker, implication, equation)
@@ -62,9 +65,7 @@ def compares(chain: n.Chain) -> bool:
     """Whether a chain says that something is larger, or in an interval; a rank below another is a condition of its own."""
     if is_rank_condition(chain):
         return False
-    interval = (
-        chain.relations == ("∈",) and isinstance(chain.members[1], n.Sequence) and chain.members[1].brackets != "{}"
-    )
+    interval = chain.relations == ("∈",) and n.interval_of("∈", chain.members[1]) is not None
     return interval or not ORDERS.keys().isdisjoint(chain.relations)
 
 
@@ -89,6 +90,23 @@ def _of_signs(checker: ChainChecker, implication: Implication, equation: int) ->
     except EvaluationError as problem:
         return Outcome(Verdict.UNCHECKED, (finding_of(problem),), equation), {}
     return Outcome(Verdict.PROVED, (), equation), {}
+
+
+def _equation_where(checker: ChainChecker, implication: Implication, equation: int) -> Outcome | None:
+    """sin θ_2 > 0 ⇒ sin θ_2 = √(1 − cos² θ_2): return what samples confirm where the comparisons hold."""
+    given, claims = implication.before, implication.behind
+    if implication.arrow == "⇐":
+        given, claims = claims, given
+    if implication.arrow == "⇔" or len(given) != 1 or len(claims) != 1 or not all(map(compares, given[0])):
+        return None
+    if any(chain.relations != ("=",) for chain in claims[0]):
+        return None
+    where, sampled = [each for chain in given[0] for each in comparisons_of(chain)], checker.sampled()
+    with checker.exact.budget.paused():
+        from armproof.verification.equations.sampled_relations import holds_where
+    counts = [holds_where(checker, sampled, (c.members[0], c.members[1]), None, where) for c in claims[0]]
+    found = (say(Kind.HOLDS_WHERE_SAID, count=min(counts)),)
+    return Outcome(Verdict.CONFIRMED, found, equation, samples=min(counts)) if all(counts) else None
 
 
 def _positive(checker: ChainChecker) -> frozenset[str]:

@@ -71,10 +71,10 @@ class Reader:
         return Signs(tuple(found), has_equation)
 
     def _of_pair(self, left: n.Node, relation: str, right: n.Node) -> Iterator[Sign]:
-        if relation == "∈" and isinstance(right, n.Sequence) and right.brackets != "{}" and len(right.items) == 2:
-            order = "<" if right.brackets == "()" else "≤"
-            yield from self._of_pair(right.items[0], order, left)
-            yield from self._of_pair(left, order, right.items[1])
+        if (interval := n.interval_of(relation, right)) is not None:
+            order = "<" if interval.brackets == "()" else "≤"
+            yield from self._of_pair(interval.items[0], order, left)
+            yield from self._of_pair(left, order, interval.items[1])
             return
         inner = bare(left)
         if isinstance(inner, n.Call) and inner.function == "abs" and relation in "<≤":  # |θ_2| < π/2

@@ -350,6 +350,8 @@ class Claims:
         if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
             self.circumstances.of_display(chain)
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        if self.names.state.told.bounds:
+            outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
         is_open = bool(outcomes) and all(o.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for o in outcomes)
         if is_open and holds_of_any_jacobian(chain, self.names):
             known = (say(Kind.OF_ANY_JACOBIAN),)

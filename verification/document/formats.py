@@ -30,7 +30,9 @@ _READERS: dict[str, Callable[[Path, str], Document]] = {
     ".rst": read_rst,
 }
 _MARKS = {".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)), ".rst": (".. math::",)}
-_SAYS = re.compile(r"[=≈<>]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|^\\text\{")
+_SAYS = re.compile(
+    r"[=≈<>]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]|^\\text\{"
+)
 _EQUATION = r"[^\])\"'\s]*(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
 _DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
 _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">

@@ -28,7 +28,7 @@ from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
-_SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])")
+_SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(
     r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?|(?:align|gather)ed|split)\}"

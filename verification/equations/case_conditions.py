@@ -33,7 +33,7 @@ Comparison = tuple[n.Node, str, n.Node]
 class Case:
     """A line of a brace: its value, the values of the names at which it holds, and whether it is for all else.
 
-    `where` are comparisons that hold there; for all else those of the other lines, which do not.
+    `where` are comparisons that hold there; for all else the other way round than in the other line.
     """
 
     value: n.Node
@@ -105,7 +105,7 @@ def _where(checker: ChainChecker, case: Case, outcome: Outcome) -> Outcome:
 
     sides = outcome.true.node, outcome.printed.node
     with checker.exact.budget.paused():
-        count = holds_where(checker, sampled, sides, outcome.pair, case.where, case.is_rest)
+        count = holds_where(checker, sampled, sides, outcome.pair, case.where)
     found = (say(Kind.HOLDS_WHERE, text=case.text, count=count),)
     return replace(outcome, verdict=Verdict.CONFIRMED, findings=found, samples=count, wrong=[]) if count else left_open
 
@@ -119,10 +119,16 @@ def read_cases(cases: n.Cases, names: Names) -> list[Case]:
     by_sign = len(others) == 1 and len(others[0].where) == 1  # what is not so is the other sign
     return [
         replace(
-            c, is_rest=c.is_rest and (at_joints or by_sign), where=others[0].where if c.is_rest and by_sign else c.where
+            c,
+            is_rest=c.is_rest and (at_joints or by_sign),
+            where=_turned(others[0]) if c.is_rest and by_sign else c.where,
         )
         for c in read
     ]
+
+
+def _turned(case: Case) -> tuple[Comparison, ...]:
+    return tuple((right, relation, left) for left, relation, right in case.where)
 
 
 def _read(value: n.Node, condition: str, names: Names) -> Case:
@@ -137,12 +143,25 @@ def _read(value: n.Node, condition: str, names: Names) -> Case:
     chains = [each for each in statements if isinstance(each, n.Chain)]
     words = [each for each in statements if isinstance(each, n.Connective)]
     plain = all(each.kind in ("if", "and", "words") and not CHANGES.search(each.text) for each in words)
-    if plain and chains and all(len(c.members) == 2 and c.relations[0] in COMPARISONS for c in chains):
-        return Case(value, said, where=tuple((c.members[0], c.relations[0], c.members[1]) for c in chains))
+    if plain and chains and all(set(c.relations) <= COMPARISONS and c.relations for c in chains):
+        return Case(value, said, where=tuple(each for c in chains for each in comparisons_of(c)))
     if not plain or not chains or any(set(chain.relations) != {"="} for chain in chains):
         return Case(value, said)
     at = tuple(pair for chain in chains for pair in _values(chain))
     return Case(value, said, at if len({n.bare_key(name) for name, _ in at}) == len(at) else ())
+
+
+def comparisons_of(chain: n.Chain) -> Iterator[Comparison]:
+    """Yield what a chain compares, two by two: 0 < θ_2 < π, or θ_2 ∈ (0, π)."""
+    for left, relation, right in zip(chain.members, chain.relations, chain.members[1:], strict=False):
+        inner = bare(left)
+        if isinstance(inner, n.Call) and inner.function == "abs" and relation in ("<", "≤"):  # |θ_2| < π/2
+            yield from ((inner.arguments[0], relation, right), (n.Sum((("-", right),)), relation, inner.arguments[0]))
+        elif relation in COMPARISONS:
+            yield left, relation, right
+        elif (interval := n.interval_of(relation, right)) is not None:
+            order = "<" if interval.brackets == "()" else "≤"
+            yield from ((interval.items[0], order, left), (left, order, interval.items[1]))
 
 
 def _values(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node]]:

@@ -16,6 +16,7 @@ from armproof.verification.equations.letter_matrices import FEWEST_LETTERS
 from armproof.verification.equations.outcome import HOLDS, Outcome
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
+from armproof.verification.equations.rigid import misses_group
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, partition, written_rows
@@ -82,6 +83,9 @@ class Definitions:
         if (key := bare_key(member.node)) is not None:
             if any(isinstance(below, n.Name) and below.key == key for below in n.walk(true.node)):
                 return Outcome(Verdict.UNCHECKED, (say(Kind.ON_BOTH_SIDES, name=key),), equation, true, member)
+            if self.members.decimals(true.node, least=1) is None and (group := misses_group(member.node, true.value)):
+                other = (say(Kind.NOT_IN_GROUP, group=group),)
+                return Outcome(Verdict.UNCHECKED, other, equation, true, member, role=Role.DEFINITION)
             if self.defines:
                 self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
                 if (decimals := self.members.decimals(true.node)) is not None:

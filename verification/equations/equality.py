@@ -99,7 +99,7 @@ class Equality:
             return outcome.left_open(say(Kind.MADE_OF_ROUNDED))
         if branches and self.stated.enabled and self._is_number_beside_joints(best[0]):
             return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
-        return self.route.doubt(outcome, branches)
+        return self.route.unless_negative(self.route.doubt(outcome, branches), branches)
 
     def _is_number_beside_joints(self, pair: Pair) -> bool:
         """Whether numbers alone stand beside what moves, sin θ_2 = ±√(1 − 0.375²): at a configuration, or to be solved."""

@@ -13,6 +13,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals, is_number
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.rigid import is_pose, is_rotation
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -129,10 +130,7 @@ def _membership(checker: ChainChecker, left: n.Node, right: n.Node, outcome: Out
     rows = group[1] + (group[0] == "SE") if group is not None else 0
     if group is None or value.shape != (rows, rows):
         return outcome
-    inside = _is_rotation(value.block(range(group[1]), range(group[1])))
-    if group[0] == "SE":
-        last = value.rows[-1]
-        inside = inside and all(is_zero(cell) for cell in last[:-1]) and is_zero(last[-1] - 1)
+    inside = is_pose(value) if group[0] == "SE" else is_rotation(value)
     name = f"{group[0]}({group[1]})"
     if inside:
         return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.IN_GROUP, group=name),))
@@ -143,13 +141,6 @@ def _may_be_block(cell: n.Node, checker: ChainChecker) -> bool:
     """Whether a cell holds a letter that may be a block of a larger matrix, [ω; v] ∈ ℝ^6: nothing binds it."""
     letters = [below for below in n.walk(cell) if isinstance(below, n.Name) and below.key != "pi"]
     return any(not checker.members.is_symbol(each) and checker.quantity_of(each) is None for each in letters)
-
-
-def _is_rotation(matrix: Matrix) -> bool:
-    """Whether RᵀR = I and det R = 1."""
-    square = (matrix.transpose @ matrix).rows
-    orthonormal = all(is_zero(cell - int(r == c)) for r, row in enumerate(square) for c, cell in enumerate(row))
-    return orthonormal and is_zero(matrix.determinant() - 1)
 
 
 def _group(node: n.Node) -> tuple[str, int] | None:

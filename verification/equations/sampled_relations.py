@@ -13,7 +13,7 @@ from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import fewest_decimals
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.sampled_errors import errors_between
+from armproof.verification.equations.sampled_errors import errors_between, with_lengths
 from armproof.verification.equations.second_route import TOLERANCE
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
@@ -25,7 +25,9 @@ from armproof.verification.verdict import Verdict
 HOLDS = {"≤": lambda a, b: a <= b + 1e-9, "<": lambda a, b: a < b - 1e-6, "≥": lambda a, b: a >= b - 1e-9,
          ">": lambda a, b: a > b + 1e-6}  # fmt: skip
 ENOUGH = 100
+CLEARLY = 1e-6
 Sides = tuple[n.Node, n.Node]
+Comparison = tuple[n.Node, str, n.Node]
 
 
 def check_inequality(
@@ -54,39 +56,61 @@ def holds_where(
     sampled: SampledAlgebra,
     sides: Sides,
     exact: Pair | None,
-    where: Sequence[tuple[n.Node, str, n.Node]],
-    not_so: bool,
+    where: Sequence[Comparison],
 ) -> int:
-    """Return at how many configurations an equation holds, of all where comparisons do (or one does not); 0 where it fails.
+    """Return at how many configurations an equation holds, of all where comparisons do; 0 where it fails at one.
 
-    An angle that is compared, θ_2 < 0, is one of at most half a turn.
+    Lengths without a value are drawn as well.
     """
-    errors = errors_between(checker.names, sampled, *sides, exact, False)
-    if errors is None:
-        return 0
+    count = 0
+    for lengths in (sampled, *with_lengths(sampled, checker.names.state.stated)):
+        errors = errors_between(checker.names, lengths, *sides, exact, False)
+        if errors is None:
+            return 0
+        try:
+            with np.errstate(all="ignore"):
+                at = errors.counted & errors.at_random & where_all_hold(checker, lengths, where)
+        except (EvaluationError, TypeError):
+            return 0
+        if (errors.scaled[..., at] > TOLERANCE).any():
+            return 0
+        count = max(count, int(at.sum()))
+    return count if count >= ENOUGH else 0
+
+
+def hold_everywhere(checker: ChainChecker, sampled: SampledAlgebra, where: Sequence[Comparison]) -> bool:
+    """Whether comparisons say nothing: they hold at every configuration, whatever the lengths."""
     try:
-        with np.errstate(all="ignore"):
-            at = errors.counted & errors.at_random
-            for left, relation, right in where:
-                evaluator = Evaluator(checker.names, sampled)
-                one, other = (as_scalar(evaluator.evaluate(side)) for side in (left, right))
-                apart = (_within_half_a_turn(one) if _is_angle(left, checker) else one) - other
-                is_so = apart > 0 if relation in ">≥" else apart < 0
-                at &= (is_so != not_so) & (np.abs(apart) > 1e-6)
+        arms = (sampled, *with_lengths(sampled, checker.names.state.stated))
+        return all(bool(where_all_hold(checker, each, where)[each.random].all()) for each in arms)
     except (EvaluationError, TypeError):
-        return 0
-    good = (errors.scaled[..., at] <= TOLERANCE).all()
-    return int(at.sum()) if good and at.sum() >= ENOUGH else 0
+        return False
+
+
+def where_all_hold(checker: ChainChecker, sampled: SampledAlgebra, where: Sequence[Comparison]) -> np.ndarray:
+    """Return the samples at which comparisons are clearly so; an angle between two bounds is so up to whole turns."""
+    evaluator = Evaluator(checker.names, sampled)
+    at = np.ones(sampled.samples, dtype=bool)
+    bounds: dict[n.Node, dict[bool, np.ndarray]] = {}
+    for left, relation, right in where:
+        is_above = relation in ">≥"
+        name, bound = (left, right) if _is_angle(left, checker) else (right, left)
+        one, other = (as_scalar(evaluator.evaluate(side)) for side in (left, right))
+        if _is_angle(name, checker) and not _is_angle(bound, checker):
+            bounds.setdefault(name, {})[is_above is (name is left)] = other if name is left else one
+        else:
+            at &= (one - other if is_above else other - one) > CLEARLY
+    for name, each in bounds.items():
+        low, high = each.get(True, -np.pi), each.get(False, np.pi)
+        turned = np.remainder(evaluator.evaluate(name) - low, 2 * np.pi)
+        at &= (np.minimum(turned, high - low - turned) > CLEARLY) | (high - low >= 2 * np.pi - CLEARLY)
+    return at
 
 
 def _is_angle(node: n.Node, checker: ChainChecker) -> bool:
     symbol = checker.names.known_symbol(node.key) if isinstance(node, n.Name) else None
     joints = checker.names.arm.joints if checker.names.arm is not None else ()
     return any(joint.symbol == symbol and joint.kind == "revolute" for joint in joints)
-
-
-def _within_half_a_turn(angle: Any) -> Any:
-    return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
 
 
 def check_approximation(

@@ -84,6 +84,13 @@ class SecondRoute:
             outcome.findings = outcome.findings or (say(Kind.ROOTS_POSITIVE),)
         return outcome
 
+    def unless_negative(self, outcome: Outcome, branches: bool) -> Outcome:
+        """Leave open what is refuted, and holds where a letter is negative: √(a²) = −a of a coordinate a."""
+        if outcome.verdict is not Verdict.REFUTED or self.weighs or not self._holds_roots(outcome):
+            return outcome
+        letters = [each for each in self._coordinates(outcome) if not self._fails_for_negative(each, outcome, branches)]
+        return outcome.left_open(say(Kind.NEGATIVE_ALONE, letters=", ".join(letters))) if letters else outcome
+
     def confirm_only(
         self, true: n.Node, printed: n.Node, equation: int, branches: bool, problem: EvaluationError
     ) -> Outcome:

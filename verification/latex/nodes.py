@@ -302,6 +302,12 @@ def bare_key(node: Node) -> str | None:
     return None
 
 
+def interval_of(relation: str, node: Node) -> Sequence | None:
+    """Return the interval that stands behind ∈, (0, π) or [0, π]; a set in braces is none."""
+    is_list = relation == "∈" and isinstance(node, Sequence) and len(node.items) == 2
+    return node if is_list and isinstance(node, Sequence) and node.brackets != "{}" else None
+
+
 def call_key(node: Call) -> str:
     """Return the key of a name with arguments: J(q)."""
     name, *arguments = node.arguments

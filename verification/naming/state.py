@@ -92,7 +92,7 @@ class Told:
         conditions: equations that it gives.
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation.
-        bounds: whether it says where something is positive, or larger than something else.
+        bounds: where it says that something is positive, or larger than something else, or in an interval.
         kind: of which joints it speaks alone, "revolute" or "prismatic".
         line: of the display behind it.
         section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
@@ -101,7 +101,7 @@ class Told:
     conditions: tuple[n.Chain, ...] = ()
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
-    bounds: bool = False
+    bounds: tuple[n.Chain, ...] = ()
     kind: str = ""
     line: int = 0
     section: str = ""

@@ -1,0 +1,45 @@
+"""Whether a matrix that is to be a rotation or a pose is one: a name with two frames, {}^A_BR, gets no other meaning."""
+
+from __future__ import annotations
+
+from armproof.verification.algebra.matrix import Matrix, is_zero
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.latex import nodes as n
+
+TRIGONOMETRIC = ("cos", "sin", "pi", "sqrt")
+
+
+def is_rotation(matrix: Matrix) -> bool:
+    """Whether RᵀR = I and det R = 1."""
+    square = (matrix.transpose @ matrix).rows
+    orthonormal = all(is_zero(cell - int(r == c)) for r, row in enumerate(square) for c, cell in enumerate(row))
+    return orthonormal and is_zero(matrix.determinant() - 1)
+
+
+def is_pose(matrix: Matrix) -> bool:
+    """Whether a square matrix is a rotation and a translation above a row of 0 … 0 1."""
+    size, last = matrix.shape[0] - 1, matrix.rows[-1]
+    ends = all(is_zero(cell) for cell in last[:-1]) and is_zero(last[-1] - 1)
+    return ends and is_rotation(matrix.block(range(size), range(size)))
+
+
+def misses_group(name: n.Node, value: object) -> str:
+    """Return the group that a name with two frames belongs to and its matrix does not; "" where it does, or nobody can tell.
+
+    Letters in the rotation, and numbers that are rounded, leave it open; in the plane a pose has three rows.
+    """
+    if not isinstance(name, n.Name) or name.base not in ("R", "T", "A", "H") or not _has_two_frames(name):
+        return ""
+    if not isinstance(value, Matrix) or value.shape not in ((3, 3), (4, 4)):
+        return ""
+    turns = value.block(range(3), range(3)) if value.shape == (4, 4) else value
+    cells = [cell for cell in turns.cells if isinstance(cell, Scalar)]
+    if len(cells) < 9 or any(kind not in TRIGONOMETRIC for cell in cells for kind, _ in cell.generators):
+        return ""
+    if is_pose(value) or (value.shape == (3, 3) and is_rotation(value)):
+        return ""
+    return "SE(3)" if value.shape == (4, 4) else "SO(3)"
+
+
+def _has_two_frames(name: n.Name) -> bool:
+    return bool(name.pre_sup and (name.pre_sub or name.sub)) or bool(name.sup and name.sub and not name.pre_sub)
