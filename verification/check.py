@@ -29,8 +29,9 @@ from armproof.verification.findings import MISPRINTS, Finding, Kind, finding_of,
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.reading import read_names, spelling_of
+from armproof.verification.naming.settled import settle_definitions
 from armproof.verification.naming.shown import settle_usual
-from armproof.verification.naming.state import Stated, settle_definitions
+from armproof.verification.naming.state import Stated
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -131,20 +132,13 @@ def _left_open(record: Record, doubt: Finding) -> Record:
     """Return a refuted record as one that is not decided."""
     if record.verdict is not Verdict.REFUTED:
         return record
-    outcomes = tuple(
-        replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),))
-        if each.verdict is Verdict.REFUTED
-        else each
-        for each in record.outcomes
-    )
-    return replace(
-        record,
-        verdict=Verdict.UNCHECKED,
-        findings=(doubt,),
-        outcomes=outcomes,
-        entries=(),
-        counterexample={},
-        discrepancy=None,
+    return record.with_outcomes(
+        tuple(
+            replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),))
+            if each.verdict is Verdict.REFUTED
+            else each
+            for each in record.outcomes
+        )
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import Any
@@ -222,6 +222,15 @@ class Record:
         """Whether all that is unchecked in it is about something else than the arm: it never fails `--strict`."""
         unchecked = [each for each in self.outcomes if each.verdict is Verdict.UNCHECKED]
         return self.verdict is Verdict.UNCHECKED and bool(unchecked) and all(each.is_remark for each in unchecked)
+
+    def with_outcomes(self, outcomes: tuple[EquationResult, ...]) -> Record:
+        """Return the record with other outcomes, some of which are left open: it has the worst verdict of them."""
+        verdict = worst([each.verdict for each in outcomes])
+        if verdict is self.verdict or verdict is not Verdict.UNCHECKED:
+            return replace(self, verdict=verdict, outcomes=outcomes)
+        findings = tuple(finding for each in outcomes if each.verdict is verdict for finding in each.findings)
+        known = replace(self, verdict=verdict, outcomes=outcomes, findings=findings)
+        return replace(known, entries=(), counterexample={}, discrepancy=None, corrections=None)
 
     @property
     def message(self) -> str:

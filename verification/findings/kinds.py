@@ -84,6 +84,7 @@ class Kind(MessageKind):
     WHICH_INDEX = "which_index", "which of the two indices is the reference frame is not clear: write {{}}^1p_2, or `transforms` in the front matter"
     GIVES_RATES = "gives_rates", "it may say how fast the joints are to move, and claim nothing"
     FOLLOWS_FROM_DOUBT = "follows_from_doubt", "it follows from what line {line} says that {name} is, and that is not decided"
+    CONTRADICTED = "contradicted", "what lines {lines} say does not hold with it: it, or they, are wrong"
     RESTS_ON_DOUBT = "rests_on_doubt", "it, or what line {line} says that {name} is, is wrong"
     SECOND_MEANING = "second_meaning", "`{name}` means something else since line {line}: give it another name, or a section of its own"
     MAY_BE_ADDED = "may_be_added", "`{name}` may be what one joint or link adds: write the terms out, or bind `{name}` in the front matter"

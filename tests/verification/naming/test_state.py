@@ -18,13 +18,12 @@ from armproof.verification.latex.tokens import Spelling
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.reading import read_names
+from armproof.verification.naming.settled import settle_definitions, used_names
 from armproof.verification.naming.state import (
     Definition,
     DocumentState,
     JacobianRows,
     NamedSigns,
-    settle_definitions,
-    used_names,
 )
 from armproof.verification.verdict import EquationResult, Record, Role, Verdict
 
@@ -148,6 +147,24 @@ def test_a_definition_on_which_nothing_rests_is_unchecked() -> None:
     assert settled[:2] == (claim, used)
     assert [record.verdict for record in settled[2:]] == [Verdict.UNCHECKED] * 2
     assert [[found.kind for found in record.findings] for record in settled[2:]] == [[Kind.NEVER_USED], []]
+
+
+def test_a_definition_that_makes_more_lines_wrong_than_right_may_be_the_mistake_itself() -> None:
+    define = Record(1, "", Verdict.DEFINED, outcomes=(result(Verdict.DEFINED, {A}, role=Role.DEFINITION),))
+    right, *wrong = (
+        Record(line, "", verdict, outcomes=(result(verdict, uses={A}),))
+        for line, verdict in ((2, Verdict.PROVED), (3, Verdict.REFUTED), (4, Verdict.REFUTED), (5, Verdict.REFUTED))
+    )
+
+    def verdicts(*records: Record) -> list[Verdict]:
+        return [record.verdict for record in settle_definitions([define, *records])]
+
+    refuted, left_open = Verdict.REFUTED, Verdict.UNCHECKED
+    assert verdicts(wrong[0]) == [Verdict.DEFINED, refuted]
+    assert verdicts(*wrong[:2]) == [left_open] * 3
+    assert verdicts(right, *wrong[:1]) == [Verdict.DEFINED, Verdict.PROVED, refuted]
+    assert verdicts(right, right, *wrong[:2]) == [Verdict.DEFINED, Verdict.PROVED, Verdict.PROVED, refuted, refuted]
+    assert verdicts(right, *wrong) == [left_open, Verdict.PROVED, *[left_open] * 3]
 
 
 def test_a_display_keeps_the_verdict_of_its_claim_beside_an_idle_definition() -> None:

@@ -1,0 +1,92 @@
+"""Which definitions count in the end: those that a decided claim uses, and that do not make several lines wrong."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.verdict import EquationResult, Record, Role, Verdict
+
+Key = tuple[str, int]  # a name and the line of the display that defines it
+RIGHT = (Verdict.PROVED, Verdict.CONFIRMED)
+SEVERAL = 2
+
+
+def settle_definitions(records: Iterable[Record]) -> tuple[Record, ...]:
+    """Return the records of a document; a definition that no decided claim uses is unchecked.
+
+    Where more displays are wrong with it than right, and several are, it may be the mistake: neither is decided.
+    """
+    records = tuple(records)
+    wrong = contradicted([record for record in records if not record.erratum])
+    records = tuple(record if record.erratum else _unless_doubted(record, wrong) for record in records)
+    used = used_names([each for record in records if not record.erratum for each in record.outcomes])
+    return tuple(_settled(record, used) for record in records)
+
+
+def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
+    """Return the names that decided equations rest on, those of the definitions between included."""
+    results = list(results)
+    through = [each for each in results if each.defines]
+    used: set[Key] = set()
+    new = {key for each in results if each.is_decided for key in each.uses}
+    while new:
+        used |= new
+        new = {key for each in through if each.defines & new for key in each.uses} - used
+    return frozenset(used)
+
+
+def contradicted(records: Sequence[Record]) -> dict[Key, list[int]]:
+    """Return the definitions that several displays contradict, more than agree with them, and the lines of those."""
+    defined = {key for each in records for o in each.outcomes if o.role is Role.DEFINITION for key in o.defines}
+    wrong: dict[Key, list[int]] = {}
+    right: Counter[Key] = Counter()
+    for record in records:
+        used = {
+            verdict: {key for o in record.outcomes if o.verdict is verdict for key in o.uses} for verdict in Verdict
+        }
+        refuted = used[Verdict.REFUTED] & defined
+        right.update(key for verdict in RIGHT for key in used[verdict] - refuted)
+        for key in refuted:
+            wrong.setdefault(key, []).append(record.line)
+    return {key: lines for key, lines in wrong.items() if len(lines) >= max(SEVERAL, right[key] + 1)}
+
+
+def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]]) -> Record:
+    """Leave open the definitions that are contradicted, and what is refuted by them."""
+    doubts = [_doubt(each, wrong) for each in record.outcomes]
+    if not any(doubts):
+        return record
+    outcomes = tuple(
+        replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),)) if doubt is not None else each
+        for each, doubt in zip(record.outcomes, doubts, strict=True)
+    )
+    return record.with_outcomes(outcomes)
+
+
+def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]]) -> Finding | None:
+    own = sorted(result.defines & wrong.keys())
+    if own and result.verdict is Verdict.DEFINED:
+        return say(Kind.CONTRADICTED, name=own[0][0], lines=wrong[own[0]])
+    used = sorted(result.uses & wrong.keys())
+    if used and result.verdict is Verdict.REFUTED:
+        return say(Kind.RESTS_ON_DOUBT, name=used[0][0], line=used[0][1])
+    return None
+
+
+def _settled(record: Record, used: frozenset[Key]) -> Record:
+    if not any(_rests(each, used) for each in record.outcomes):
+        return record
+    return record.with_outcomes(tuple(_unused(each) if _rests(each, used) else each for each in record.outcomes))
+
+
+def _rests(result: EquationResult, used: frozenset[Key]) -> bool:
+    return result.verdict is Verdict.DEFINED and not result.defines & used
+
+
+def _unused(result: EquationResult) -> EquationResult:
+    names = sorted(name for name, _ in result.defines if result.role is not Role.DATA)
+    found = (say(Kind.NEVER_USED, names=names).at(result.index),) if names else ()
+    return replace(result, verdict=Verdict.UNCHECKED, findings=(*result.findings, *found))
