@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import groupby
 from typing import Any
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
@@ -20,6 +21,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict, worst
 
 GROUPS = ("SO", "SE")
+ORDERS = frozenset("<>≤≥")
 
 
 def parts_of(chain: n.Chain) -> Iterator[tuple[int, n.Chain]]:
@@ -55,6 +57,8 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
         if known and _identical(sides[0].value, sides[1].value):
             return replace(outcome, verdict=Verdict.REFUTED, findings=(say(Kind.ALWAYS_EQUAL),))
         return outcome
+    if relation in ORDERS and (bound := _of_the_arm(checker, left, relation, right, outcome)) is not None:
+        return bound
     constant = known and all(_is_constant(side.value) for side in sides)
     if (isinstance(left, n.Name) or isinstance(right, n.Name)) and not constant:
         of_arm = known and any(map(checker.members.is_symbol, (left, right)))
@@ -71,6 +75,26 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
     if relation == "≈":
         return check_approximation(checker, sampled, (left, right), constant, outcome)
     return check_inequality(checker, sampled, (left, right), relation, outcome)
+
+
+def _of_the_arm(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, outcome: Outcome) -> Outcome | None:
+    """Return what samples confirm of a coordinate, x ≤ l_1 + l_2; elsewhere it may be a condition, and None is returned."""
+    arm, members, before = checker.names.arm, checker.members, checker.names.state.copy()
+    if arm is None or any(map(members.is_symbol, (left, right))):
+        return None
+    checker.conventions.infer_tool([left, right])
+    names = [below for side in (left, right) for below in n.walk(side) if isinstance(below, n.Name)]
+    values = [as_scalar(checker.member(each).value) for each in names]
+    cells = [c for v in values for c in (v.cells if isinstance(v, Matrix) else (v,)) if isinstance(c, Scalar)]
+    if not symbols_in(cells).isdisjoint(joint.symbol for joint in arm.joints):
+        sampled = checker.sampled()
+        with checker.exact.budget.paused():
+            from armproof.verification.equations.sampled_relations import check_inequality
+        found = check_inequality(checker, sampled, (left, right), relation, outcome)
+        if found.verdict is Verdict.CONFIRMED:
+            return found
+    checker.names.state.become(before)
+    return None
 
 
 def _at_configuration(checker: ChainChecker, left: n.Node, right: n.Node, equation: int) -> Outcome | None:

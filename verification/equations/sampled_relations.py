@@ -25,6 +25,8 @@ from armproof.verification.verdict import Verdict
 HOLDS = {"≤": lambda a, b: a <= b + 1e-9, "<": lambda a, b: a < b - 1e-6, "≥": lambda a, b: a >= b - 1e-9,
          ">": lambda a, b: a > b + 1e-6}  # fmt: skip
 ENOUGH = 100
+STEPS = (0.5, 0.2, 0.1, 0.05, 0.02)  # rad and m, and of lengths: how far each search goes from the nearest samples
+NEAREST = 20
 CLEARLY = 1e-6
 Sides = tuple[n.Node, n.Node]
 Comparison = tuple[n.Node, str, n.Node]
@@ -40,6 +42,8 @@ def check_inequality(
             if any(isinstance(value, Matrix | Identity | list) for value in (a, b)):
                 return outcome
             good = HOLDS[relation](a, b)[np.isfinite(a) & np.isfinite(b)]
+            if good.size and good.all() and _is_exceeded(checker, sampled, sides, relation, np.abs(a - b)):
+                return outcome
     except (EvaluationError, KeyError):
         return outcome
     if good.size < ENOUGH or (good.any() and not good.all()):
@@ -136,8 +140,8 @@ def check_approximation(
     return replace(outcome, verdict=verdict, findings=(say(Kind.APPROXIMATION),), samples=len(a))
 
 
-def _values(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides) -> list[Any]:
-    """Return values at the samples, with lengths that the document gives no value drawn at random, all 1 in every fourth."""
+def _drawn(checker: ChainChecker, sampled: SampledAlgebra) -> dict[str, np.ndarray]:
+    """Return lengths that the document gives no value, drawn at random, all 1 in every fourth sample."""
     arm, given = checker.names.arm, checker.names.state.stated
     random = np.random.default_rng(sampled.seed)
     lengths: dict[str, np.ndarray] = {}
@@ -146,5 +150,33 @@ def _values(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides) -> lis
             lengths[name] = random.uniform(0.1, 2.0, sampled.samples)
             lengths[name][::4] = 1.0
             lengths[name] *= np.sign(value) or 1.0
-    algebra = sampled.at(lengths) if lengths else sampled
+    return lengths
+
+
+def _values(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides) -> list[Any]:
+    lengths = _drawn(checker, sampled)
+    return _values_at(checker, sampled.at(lengths) if lengths else sampled, sides)
+
+
+def _values_at(checker: ChainChecker, algebra: SampledAlgebra, sides: Sides) -> list[Any]:
     return [as_scalar(Evaluator(checker.names, algebra).evaluate(node)) for node in sides]
+
+
+def _is_exceeded(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, relation: str, gap: Any) -> bool:
+    """Whether an inequality that holds at all samples fails near those where its sides are closest: a maximum is sought."""
+    arm = checker.names.arm
+    if arm is None:
+        return False
+    random = np.random.default_rng(sampled.seed)
+    at = {joint.symbol: sampled.q[:, k] for k, joint in enumerate(arm.joints)} | _drawn(checker, sampled)
+    turns = {joint.symbol for joint in arm.joints}
+    for step in STEPS:
+        near = np.argsort(np.where(np.isfinite(gap), gap, np.inf))[:NEAREST]
+        near = np.resize(near, sampled.samples)
+        noise = {name: step * random.standard_normal(sampled.samples) for name in at}
+        at = {n: v[near] + noise[n] if n in turns else v[near] * np.exp(noise[n]) for n, v in at.items()}
+        a, b = _values_at(checker, sampled.at(at), sides)
+        if (np.isfinite(a) & np.isfinite(b) & ~HOLDS[relation](a, b)).any():
+            return True
+        gap = np.abs(a - b)
+    return False

@@ -74,6 +74,8 @@ class SecondRoute:
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
             return outcome
+        if not errors.samples:
+            return outcome.left_open(say(Kind.FEW_VALUES))
         equal = errors.samples >= FEWEST and errors.largest <= TOLERANCE
         if equal and not self._fails_for_lengths(outcome, branches):
             outcome.verdict, outcome.wrong = Verdict.CONFIRMED, []
