@@ -71,6 +71,7 @@ class EquationResult:
         links: the links of the arm that it tells of.
         explained_by: those of them of which another one would make it right; None where that is not known.
         usual: the names in it that convention alone binds, each with the quantity that it is taken for.
+        alone: the names that stand alone on a side.
     """
 
     index: int
@@ -85,6 +86,7 @@ class EquationResult:
     links: frozenset[int] = frozenset()
     explained_by: frozenset[int] | None = None
     usual: Mapping[str, object] = field(default_factory=dict)
+    alone: frozenset[str] = frozenset()
 
     @property
     def is_remark(self) -> bool:

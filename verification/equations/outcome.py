@@ -16,7 +16,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import DECIDED, EquationResult, Role, Verdict
+from armproof.verification.verdict import DECIDED, EquationResult, Role, Verdict, worst
 
 HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
 
@@ -91,6 +91,7 @@ class Outcome:
             self.max_error,
             frozenset([*((key, line) for key in self.defines), *([self.repeats] if self.repeats else [])]),
             self.uses,
+            alone=frozenset(key for node in self.nodes if (key := n.bare_key(node)) is not None),
         )
 
     @property
@@ -147,14 +148,15 @@ class Outcome:
 def new_one(old: Outcome, before: list[Outcome], after: list[Outcome]) -> Outcome:
     """Return what became of the same equation when its display was checked again, or the old outcome where that is not sure.
 
-    It is the only one of its number both times, or holds the same printed member.
+    It is the only one of its number both times, or holds the same printed member: of several that do, the worst.
     """
     same = [outcome for outcome in after if outcome.equation == old.equation]
     if len(same) == 1 and sum(outcome.equation == old.equation for outcome in before) == 1:
         return same[0]
     if old.printed is None:
         return old
-    return next((o for o in same if o.printed is not None and o.printed.node == old.printed.node), old)
+    alike = [o for o in same if o.printed is not None and o.printed.node == old.printed.node]
+    return next((o for o in alike if o.verdict is worst([each.verdict for each in alike])), old)
 
 
 def with_role(outcome: Outcome, chain: n.Chain, names: Names) -> Outcome:

@@ -105,7 +105,8 @@ class CallReader(NameReader):
             style = "index" if isinstance(argument, n.JointAngles) else "script"
             call = n.Call(function, (argument,), item.base, style, span=(item.start, subs[0][2][1]))
             return self.scripted(call, sups, item.start), 1
-        if following is None or self.is_bound(item.base) or any(kind == "DOT" for kind, *_ in following.scripts):
+        is_own = self.is_bound(item.base) or item.base in self.spelling.letters
+        if following is None or is_own or any(kind == "DOT" for kind, *_ in following.scripts):
             return None  # c \dot\theta is damping: a rate is no angle
         head, span = self.text[item.start : item.end], (item.start, following.end)
         if following.kind == "letter" and following.base in ANGLE_LETTERS and not following.pre:
@@ -143,7 +144,8 @@ class CallReader(NameReader):
     def _is_angle(self, node: n.Node) -> bool:
         names = [below for below in n.walk(node) if isinstance(below, n.Name)]
         calls = any(isinstance(below, n.Call | n.Matrix) for below in n.walk(node))
-        return bool(names) and not calls and all(name.base in ANGLE_LETTERS or name.base == "pi" for name in names)
+        angles = all(name.base in ANGLE_LETTERS or name.base == "pi" for name in names)
+        return bool(names) and not calls and angles and not any(name.dots for name in names)  # a rate is no angle
 
     def call(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
         """Return the call that begins with a function's name, and where the next factor does."""

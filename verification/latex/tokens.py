@@ -132,7 +132,7 @@ _OUTSIDE = re.compile(
     r"(?P<open>\{|\\begin(?![A-Za-z]))|(?P<close>\}|\\end(?![A-Za-z]))|\\[{}]|=|&|\\\\|\\(?:approx|[lg]eq?|equiv)(?![A-Za-z])|\\.",
     re.DOTALL,
 )
-_TAKES_ARGUMENT = frozenset(["FRAC", "SQRT", "ACCENT", "BRACE", "OVERSET", "RBRACE", "FUNC"])
+_TAKES_ARGUMENT = frozenset(["FRAC", "PARTIAL", "SQRT", "ACCENT", "BRACE", "OVERSET", "RBRACE", "FUNC"])
 _BEGINS = frozenset(["", "NEWLINE", "AMP", "SEP", "COMMA", "CONN", "TEXT", "LBRACE", "BEGIN", "OPEN_EMPTY"])
 _BEFORE_OPERAND = frozenset(["CDOT", "TIMES", "SLASH", "PLUS", "MINUS"])
 _RELATION_NEXT = re.compile(r"(?:\s|\\[,;:! ]|&|:)*(?:=|\\(?:approx|equiv|[lg]eq?|simeq|triangleq)(?![A-Za-z]))")
@@ -161,6 +161,7 @@ class Spelling:
     variables: str = ""  # "both" where it has q_i beside θ_i, "told" where it says what θ_i is by q_i
     angle: str = "theta"  # what c_1 is the cosine of where there is no arm: q_1, where it has no θ_1
     sums: tuple[tuple[str, tuple[int, ...]], ...] = ()  # digits of θ_{34} = θ_3 - θ_4 → the signs that it says
+    letters: frozenset[str] = frozenset()  # S and C that it gives a meaning: S(…) is a product
     reference_below: bool = False  # {}_0^1T is the pose of frame 1 in frame 0
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:

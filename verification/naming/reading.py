@@ -42,6 +42,9 @@ _OWN_SUM = re.compile(
 )
 
 
+_OWN_LETTER = re.compile(r"(?:^|[,;]|\\\\|quad|\\begin\{\w+\*?\})\s*([cCsS])\s*&?\s*:?=")  # S = sin(θ_1 + θ_2)
+
+
 def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     """Return the bindings of a front matter; raises DocumentError with the key and the valid choices."""
     symbols_spec = front.get("symbols") or {}
@@ -91,7 +94,8 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
     angle = "q" if of_q & of_cosine and not of_theta else "theta"
     sums = tuple(dict(_own_sums(texts)).items())
-    return Spelling(words, frozenset(apart), comma, variables, angle, sums, _refers_below(text))
+    own = frozenset(letter for each in texts for letter in _OWN_LETTER.findall(each))
+    return Spelling(words, frozenset(apart), comma, variables, angle, sums, own, _refers_below(text))
 
 
 def _own_sums(said: Iterable[str]) -> Iterator[tuple[str, tuple[int, ...]]]:

@@ -39,19 +39,24 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
 
 
 def contradicted(records: Sequence[Record]) -> dict[Key, list[int]]:
-    """Return the definitions that several displays contradict, more than agree with them, and the lines of those."""
+    """Return the definitions that several displays contradict, more than agree with them, and the lines of those.
+
+    A name said to be something else, K = …, is a second definition, and tells nothing of the first.
+    """
     defined = {key for each in records for o in each.outcomes if o.role is Role.DEFINITION for key in o.defines}
     wrong: dict[Key, list[int]] = {}
     right: Counter[Key] = Counter()
     for record in records:
-        used = {
-            verdict: {key for o in record.outcomes if o.verdict is verdict for key in o.uses} for verdict in Verdict
-        }
+        used = {v: {key for o in record.outcomes if o.verdict is v for key in _rested_on(o)} for v in Verdict}
         refuted = used[Verdict.REFUTED] & defined
         right.update(key for verdict in RIGHT for key in used[verdict] - refuted)
         for key in refuted:
             wrong.setdefault(key, []).append(record.line)
     return {key: lines for key, lines in wrong.items() if len(lines) >= max(SEVERAL, right[key] + 1)}
+
+
+def _rested_on(result: EquationResult) -> frozenset[Key]:
+    return frozenset(key for key in result.uses if key[0] not in result.alone)
 
 
 def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]]) -> Record:

@@ -124,7 +124,8 @@ def test_a_premise_is_not_a_number_of_the_text() -> None:
 @pytest.mark.parametrize(
     ("said", "display", "verdict"),
     [
-        ("For $\\sin\\theta_2 < 0$ we have", "\\sqrt{1 - c_2^2} = -s_2", "unchecked"),  # a bound tells the sign
+        ("For $\\sin\\theta_2 < 0$ we have", "\\sqrt{1 - c_2^2} = -s_2", "confirmed"),  # a bound tells the sign
+        ("For $\\sin\\theta_2 > 0$ we have", "\\sqrt{1 - c_2^2} = -s_2", "unchecked"),
         ("For $\\sin\\theta_2$ we have", "\\sqrt{1 - c_2^2} = -s_2", "refuted"),
         ("For $\\theta_1 > 0$ we have", "x = l_1 c_1 - l_2 c_{12}", "refuted"),  # a bound mends no formula
         ("When $\\sin\\theta_2 = 0$,", "x = (l_1 - l_2) c_1", "unchecked"),  # one of the two postures in which it is 0
