@@ -225,18 +225,27 @@ class Circumstances:
         return replace(outcome, verdict=Verdict.CONFIRMED, findings=found, samples=count, wrong=[])
 
     def of_implication(self, judged: Outcome, implication: Implication) -> Outcome:
-        """Leave open what does not follow, where it follows together with what the text before says."""
-        given = self.names.state.told.conditions
-        if judged.verdict is not Verdict.REFUTED or not given:
+        """Leave open what does not follow, where it follows together with what the text before says; lengths that are stated hold."""
+        if judged.verdict is not Verdict.REFUTED:
             return judged
+        stated = self.names.state.configuration
+        lengths = [_value(name, each.node) for name, each in stated.items() if name in self.given.lengths]
+        if lengths and (again := self._together(lengths, implication, judged)) is not None:
+            return replace(again, equation=judged.equation)
+        given = self.names.state.told.conditions
+        if not given or self._together([*lengths, *given], implication, judged) is None:
+            return judged
+        return judged.left_open(say(Kind.HOLDS_AS_TOLD))
+
+    def _together(self, given: Sequence[n.Chain], implication: Implication, judged: Outcome) -> Outcome | None:
+        """Return what becomes of an implication under more conditions; None where it fails, or they are never met."""
         with self.checker.exact.budget.paused():
             from armproof.verification.conditions.judgement import check_implication
         before = [[*given, *each] for each in implication.before]
         behind = [[*given, *each] for each in implication.behind]
-        wider = replace(implication, before=before, behind=behind)
-        again = check_implication(self.checker, wider, judged.equation)[0]
+        again = check_implication(self.checker, replace(implication, before=before, behind=behind), judged.equation)[0]
         fails = again.verdict is Verdict.REFUTED or say(Kind.CONDITION_NEVER_MET) in again.findings
-        return judged if fails else judged.left_open(say(Kind.HOLDS_AS_TOLD))
+        return None if fails else again
 
     def at_premised(self, implication: Implication, equation: int) -> Outcome | None:
         """θ_2 = 60°, l_1 = 1 ⇒ P_x = 0.5: numbers that follow from values alone are those there, as they are rounded."""

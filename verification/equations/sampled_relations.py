@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -25,7 +25,8 @@ from armproof.verification.verdict import Verdict
 HOLDS = {"≤": lambda a, b: a <= b + 1e-9, "<": lambda a, b: a < b - 1e-6, "≥": lambda a, b: a >= b - 1e-9,
          ">": lambda a, b: a > b + 1e-6}  # fmt: skip
 ENOUGH = 100
-STEPS = (0.5, 0.2, 0.1, 0.05, 0.02)  # rad and m, and of lengths: how far each search goes from the nearest samples
+# How far each search goes from the nearest samples: rad and m, and the logarithm of what stretches lengths and slides.
+STEPS = ((0.5, 4.0), (0.5, 0.5), (0.2, 0.2), (0.1, 0.1), (0.05, 0.05), (0.02, 0.02))
 NEAREST = 20
 CLEARLY = 1e-6
 Sides = tuple[n.Node, n.Node]
@@ -67,7 +68,7 @@ def holds_where(
     Lengths without a value are drawn as well.
     """
     count = 0
-    for lengths in (sampled, *with_lengths(sampled, checker.names.state.stated)):
+    for lengths in _arms(checker, sampled):
         errors = errors_between(checker.names, lengths, *sides, exact, False)
         if errors is None:
             return 0
@@ -82,10 +83,22 @@ def holds_where(
     return count if count >= ENOUGH else 0
 
 
+def _arms(checker: ChainChecker, sampled: SampledAlgebra) -> Iterator[SampledAlgebra]:
+    """Yield the samples of the arm of the lengths that the document states, and of others where it states none."""
+    arm, stated = checker.names.arm, checker.names.state.stated
+    own = {
+        name: np.full(sampled.samples, stated[name])
+        for name in (arm.lengths if arm is not None else ())
+        if name in stated
+    }
+    yield sampled.at(own) if own else sampled
+    yield from with_lengths(sampled, stated)
+
+
 def hold_everywhere(checker: ChainChecker, sampled: SampledAlgebra, where: Sequence[Comparison]) -> bool:
     """Whether comparisons say nothing: they hold at every configuration, whatever the lengths."""
     try:
-        arms = (sampled, *with_lengths(sampled, checker.names.state.stated))
+        arms = _arms(checker, sampled)
         return all(bool(where_all_hold(checker, each, where)[each.random].all()) for each in arms)
     except (EvaluationError, TypeError):
         return False
@@ -141,12 +154,14 @@ def check_approximation(
 
 
 def _drawn(checker: ChainChecker, sampled: SampledAlgebra) -> dict[str, np.ndarray]:
-    """Return lengths that the document gives no value, drawn at random, all 1 in every fourth sample."""
+    """Return lengths: the values that the document gives, others drawn at random, all 1 in every fourth sample."""
     arm, given = checker.names.arm, checker.names.state.stated
     random = np.random.default_rng(sampled.seed)
     lengths: dict[str, np.ndarray] = {}
     for name, value in (arm.lengths if arm is not None else {}).items():
-        if name not in given:
+        if name in given:
+            lengths[name] = np.full(sampled.samples, given[name])
+        else:
             lengths[name] = random.uniform(0.1, 2.0, sampled.samples)
             lengths[name][::4] = 1.0
             lengths[name] *= np.sign(value) or 1.0
@@ -169,14 +184,16 @@ def _is_exceeded(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, r
         return False
     random = np.random.default_rng(sampled.seed)
     at = {joint.symbol: sampled.q[:, k] for k, joint in enumerate(arm.joints)} | _drawn(checker, sampled)
-    turns = {joint.symbol for joint in arm.joints}
-    for step in STEPS:
-        near = np.argsort(np.where(np.isfinite(gap), gap, np.inf))[:NEAREST]
-        near = np.resize(near, sampled.samples)
-        noise = {name: step * random.standard_normal(sampled.samples) for name in at}
-        at = {n: v[near] + noise[n] if n in turns else v[near] * np.exp(noise[n]) for n, v in at.items()}
+    given = checker.names.state.stated.keys()
+    turns = {joint.symbol for joint in arm.joints if joint.kind == "revolute"}
+    for step, stretch in STEPS:
+        near = np.resize(np.argsort(np.where(np.isfinite(gap), gap, np.inf))[:NEAREST], sampled.samples)
+        for name, values in at.items():
+            noise = random.standard_normal(sampled.samples) * (name not in given)
+            at[name] = values[near] + step * noise if name in turns else values[near] * np.exp(stretch * noise)
         a, b = _values_at(checker, sampled.at(at), sides)
-        if (np.isfinite(a) & np.isfinite(b) & ~HOLDS[relation](a, b)).any():
+        rounding = 1e-9 * (np.abs(a) + np.abs(b)) * (1 if relation in "≤<" else -1)
+        if (np.isfinite(a) & np.isfinite(b) & ~HOLDS[relation](a, b + rounding)).any():
             return True
         gap = np.abs(a - b)
     return False
