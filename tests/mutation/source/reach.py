@@ -6,10 +6,10 @@ The record is a help and no more: where there is none, or the file is newer, eve
 from __future__ import annotations
 
 import ast
+import json
 import os
 import subprocess
 import sys
-from collections import Counter
 from collections.abc import Set
 
 import pytest
@@ -18,30 +18,55 @@ from coverage import CoverageData
 from tests.mutation.source.trusted import ROOT
 
 RECORD = ROOT / "build" / "reach.coverage"
-RECORDED = ("tests/models", "tests/verification", "tests/labelled", "course/handouts")
+SECONDS = ROOT / "build" / "reach.json"
+TESTS = ("tests/models", "tests/verification", "course/handouts")  # and all that is labelled
+LABELLED = "tests/labelled/displays"  # where the names of those begin
+OPTIONS = (  # pages in a browser, clusters and what watches files decide nothing, and each copy of a process would begin them anew
+    *("-q", "-p", "no:cacheprovider", "-p", "tests.mutation.source.labels"),
+    *("--ignore=tests/verification/report", "--ignore=tests/verification/running"),
+)
+QUIETLY = (
+    *OPTIONS,
+    "-s",
+    "-p",
+    "no:xdist",
+    "-p",
+    "no:cov",
+)  # -s: copies would share the file that takes what is printed
 
 
-def record() -> int:
-    """Run the tests once and keep which of them reach each line; return the exit code.
+def record(jobs: int) -> int:
+    """Run the tests once, keep which of them reach each line and how long each takes; return the exit code.
 
     A test that fails is no failure of the record: under a tracer, time limits and guards are not what they are.
     """
     RECORD.parent.mkdir(exist_ok=True)
     rooms = [f"--cov={room}" for room in ("models", "verification")]
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
+    options = [
+        *OPTIONS,
         "-n",
-        "auto",
+        str(jobs),
         *rooms,
         "--cov-context=test",
         "--cov-report=",
-        *RECORDED,
+        "-p",
+        "tests.mutation.source.reach",
     ]
+    command = [sys.executable, "-m", "pytest", *options, *TESTS]
     code = subprocess.run(command, cwd=ROOT, env={**os.environ, "COVERAGE_FILE": str(RECORD)}).returncode
     return 0 if code == pytest.ExitCode.TESTS_FAILED else code
+
+
+TOOK: dict[str, float] = {}
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    TOOK[report.nodeid] = TOOK.get(report.nodeid, 0) + report.duration
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    if not hasattr(session.config, "workerinput"):
+        SECONDS.write_text(json.dumps(TOOK), "utf-8")
 
 
 def reaching(file: str, line: int) -> Set[str] | None:
@@ -57,6 +82,11 @@ def reaching(file: str, line: int) -> Set[str] | None:
     return {test.rpartition("|")[0] for test in met} - {""}
 
 
+def seconds() -> dict[str, float]:
+    """Return how long each test on record took."""
+    return json.loads(SECONDS.read_text("utf-8")) if SECONDS.exists() else {}
+
+
 def _lines_of_function(source: str, line: int) -> range:
     """Return the lines of the innermost function round a line; none at the level of the module, which runs once, at import."""
     bodies = [
@@ -65,9 +95,3 @@ def _lines_of_function(source: str, line: int) -> range:
         if isinstance(node, ast.FunctionDef)
     ]
     return min((body for body in bodies if line in body), key=len, default=range(0))
-
-
-def files_of(tests: Set[str]) -> list[str]:
-    """Return the files of tests, those with the fewest first."""
-    counts = Counter(test.partition("::")[0] for test in tests)
-    return sorted(counts, key=lambda file: (counts[file], file))

@@ -1,4 +1,4 @@
-"""The tool that changes our source code: what it changes, and that a change is noticed."""
+"""The tool that changes our source code: what it changes, where, and which tests meet it."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ import pytest
 from coverage import CoverageData
 
 from tests.mutation.source import reach
-from tests.mutation.source.__main__ import draw, fate_of, report, tell
+from tests.mutation.source.__main__ import draw, report, tell
+from tests.mutation.source.fates import KILLED, SURVIVED, Fate
+from tests.mutation.source.labels import labelled
 from tests.mutation.source.mutants import Mutant, mutants_of, mutate
-from tests.mutation.source.run import UNCHANGED
 from tests.mutation.source.trusted import ROOT, selection, trusted_files
 
 SOURCE = '''
@@ -102,21 +103,21 @@ def test_a_sample_is_drawn_from_all_files():
     assert draw(["verification/verdict.py"], 0, 1)[0][0] == "verification/verdict.py"
 
 
-def test_a_mutant_is_killed():
-    """The hook hands out the changed file, and a test notices."""
-    file = "verification/algebra/matrix.py"
-    found = mutants_of((ROOT / file).read_text("utf-8"))
-    sum_of_two = next(mutant for mutant in found if mutant.words == "Add → Sub")
-    assert fate_of((file, sum_of_two), 60).fate == "killed"
+def test_each_labelled_display_and_page_is_a_test():
+    tests = dict(labelled())
+    assert len(tests) == len(list(labelled())) > 3000
+    assert next(iter(tests.values()))()
 
 
 def test_a_share_below_what_is_wanted_is_a_failure(capsys: pytest.CaptureFixture[str]):
-    from tests.mutation.source.__main__ import Fate
-
-    mutant = Mutant(UNCHANGED, 1, "operator", "Add → Sub")
-    assert report([Fate("a.py", mutant, "killed")] * 19 + [Fate("a.py", mutant, "survived")]) == 0
-    assert report([Fate("a.py", mutant, "killed")] * 18 + [tell(Fate("a.py", mutant, "survived"))] * 2) == 1
-    assert "a.py:1: operator" in capsys.readouterr().out
+    mutant = Mutant(0, 1, "operator", "Add → Sub")
+    killed, survived = Fate("a.py", mutant, KILLED, "test_a.py::test_a"), Fate("a.py", mutant, SURVIVED, imported=True)
+    assert report([killed] * 19 + [survived]) == 0
+    assert report([tell(killed)] * 18 + [tell(survived), survived]) == 1
+    said = capsys.readouterr().out
+    assert said.count("a.py:1: operator") == 1 and "test_a" not in said
+    tell(killed, every=True)
+    assert "killed test_a.py::test_a a.py:1: operator" in capsys.readouterr().out
 
 
 def test_a_line_of_a_function_is_reached_by_its_tests_and_a_line_of_the_module_by_all(tmp_path, monkeypatch):
@@ -136,4 +137,3 @@ def test_a_line_of_a_function_is_reached_by_its_tests_and_a_line_of_the_module_b
     assert reach.reaching("a.py", 1) is None and reach.reaching("a.py", 2) is None  # both run at import
     os.utime(file, (2**31, 2**31))
     assert reach.reaching("a.py", 3) is None  # the file is newer
-    assert reach.files_of({"b.py::x", "b.py::y", "a.py::z"}) == ["a.py", "b.py"]
