@@ -128,6 +128,7 @@ SWEPT = {
     "verification/running/test_incremental.py::test_a_handout_changed_at_random": DOCUMENTS,
     "verification/singularities/test_singularities.py": (*ARMS, "spherical_wrist"),
     "verification/tables/test_origin_tables.py::test_every_change": ("planar_2r", "scara"),
+    "verification/tables/test_origin_tables.py::test_the_cause": (*ARMS, "kr210"),
     "verification/tables/test_origin_tables.py": ARMS,
     "verification/tables/test_tables.py::test_every_change": ("planar_2r", "scara"),
     "verification/test_handouts.py::test_one_flipped": ("scara-000",),

@@ -22,7 +22,7 @@ from tests.mutation.source.reach import QUIETLY, TESTS, record
 from tests.mutation.source.trials import Trials
 from tests.mutation.source.trusted import ROOT, trusted_files
 
-WANTED, SECONDS = 0.95, 60
+WANTED, SECONDS = 0.95, 30
 
 
 def main() -> int:

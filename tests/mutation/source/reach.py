@@ -21,18 +21,11 @@ RECORD = ROOT / "build" / "reach.coverage"
 SECONDS = ROOT / "build" / "reach.json"
 TESTS = ("tests/models", "tests/verification", "course/handouts")  # and all that is labelled
 LABELLED = "tests/labelled/displays"  # where the names of those begin
-OPTIONS = (  # pages in a browser, clusters and what watches files decide nothing, and each copy of a process would begin them anew
-    *("-q", "-p", "no:cacheprovider", "-p", "tests.mutation.source.labels"),
-    *("--ignore=tests/verification/report", "--ignore=tests/verification/running"),
-)
-QUIETLY = (
-    *OPTIONS,
-    "-s",
-    "-p",
-    "no:xdist",
-    "-p",
-    "no:cov",
-)  # -s: copies would share the file that takes what is printed
+OPTIONS = "-q -p no:cacheprovider -p tests.mutation.source.labels".split()
+# pages in a browser, clusters and what watches files decide nothing, and each copy of a process would begin them anew
+OPTIONS += [f"--ignore=tests/verification/{room}" for room in ("report", "running")]
+QUIETLY = [*OPTIONS, *"-s -p no:xdist -p no:cov".split()]  # -s: copies would share the file that takes what is printed
+RECORDING = "-p tests.mutation.source.reach --cov=models --cov=verification --cov-context=test --cov-report=".split()
 
 
 def record(jobs: int) -> int:
@@ -41,18 +34,7 @@ def record(jobs: int) -> int:
     A test that fails is no failure of the record: under a tracer, time limits and guards are not what they are.
     """
     RECORD.parent.mkdir(exist_ok=True)
-    rooms = [f"--cov={room}" for room in ("models", "verification")]
-    options = [
-        *OPTIONS,
-        "-n",
-        str(jobs),
-        *rooms,
-        "--cov-context=test",
-        "--cov-report=",
-        "-p",
-        "tests.mutation.source.reach",
-    ]
-    command = [sys.executable, "-m", "pytest", *options, *TESTS]
+    command = [sys.executable, "-m", "pytest", *OPTIONS, *RECORDING, "-n", str(jobs), *TESTS]
     code = subprocess.run(command, cwd=ROOT, env={**os.environ, "COVERAGE_FILE": str(RECORD)}).returncode
     return 0 if code == pytest.ExitCode.TESTS_FAILED else code
 
@@ -70,16 +52,18 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 
 def reaching(file: str, line: int) -> Set[str] | None:
-    """Return the tests that reach the function round a line; None where that is not known, or it runs at import."""
+    """Return the tests that reach the function round a line, of a line that runs at import its file; None where that is not known."""
     path = ROOT / file
-    inside = _lines_of_function(path.read_text("utf-8"), line)
-    if not inside or not RECORD.exists() or RECORD.stat().st_mtime < path.stat().st_mtime:
+    if not RECORD.exists() or RECORD.stat().st_mtime < path.stat().st_mtime:
         return None
     data = CoverageData(str(RECORD))
     data.read()
-    tests = data.contexts_by_lineno(str(path))
-    met = tests.get(line) or [test for each in inside for test in tests.get(each, ())]
-    return {test.rpartition("|")[0] for test in met} - {""}
+    tests = {
+        at: {test.rpartition("|")[0] for test in met} - {""} for at, met in data.contexts_by_lineno(str(path)).items()
+    }
+    inside = _lines_of_function(path.read_text("utf-8"), line)
+    met = tests.get(line) if inside else None
+    return met or set().union(*(tests.get(at, ()) for at in inside or tests)) or None
 
 
 def seconds() -> dict[str, float]:
@@ -88,7 +72,7 @@ def seconds() -> dict[str, float]:
 
 
 def _lines_of_function(source: str, line: int) -> range:
-    """Return the lines of the innermost function round a line; none at the level of the module, which runs once, at import."""
+    """Return the lines of the innermost function round a line; none for what runs once, at import."""
     bodies = [
         range(node.body[0].lineno, (node.end_lineno or node.lineno) + 1)
         for node in ast.walk(ast.parse(source))

@@ -120,20 +120,26 @@ def test_a_share_below_what_is_wanted_is_a_failure(capsys: pytest.CaptureFixture
     assert "killed test_a.py::test_a a.py:1: operator" in capsys.readouterr().out
 
 
-def test_a_line_of_a_function_is_reached_by_its_tests_and_a_line_of_the_module_by_all(tmp_path, monkeypatch):
+def test_a_line_is_reached_by_the_tests_of_its_function_and_one_that_runs_at_import_by_those_of_its_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
     file = tmp_path / "a.py"
-    file.write_text("LIMIT = 3\ndef f(x=2):\n    y = x\n    return y\n", "utf-8")
+    file.write_text("LIMIT = 3\ndef f(x=2):\n    y = x\n    return y\ndef g():\n    return 1\n", "utf-8")
     monkeypatch.setattr(reach, "ROOT", tmp_path)
     monkeypatch.setattr(reach, "RECORD", tmp_path / "reach.coverage")
     assert reach.reaching("a.py", 3) is None  # no record
     data = CoverageData(str(reach.RECORD))
-    for test in ("tests/test_a.py::test_f|run", "tests/test_b.py::test_g|setup"):
+    for test, lines in (
+        ("test_a.py::test_f|run", [3]),
+        ("test_b.py::test_f|setup", [3]),
+        ("c.py::test_g|run", [6]),
+        ("", [1]),
+    ):
         data.set_context(test)
-        data.add_lines({str(file): [3]})
+        data.add_lines({str(file): lines})
     data.write()
-    assert (
-        reach.reaching("a.py", 3) == {"tests/test_a.py::test_f", "tests/test_b.py::test_g"} == reach.reaching("a.py", 4)
-    )
-    assert reach.reaching("a.py", 1) is None and reach.reaching("a.py", 2) is None  # both run at import
+    of_f, of_g = {"test_a.py::test_f", "test_b.py::test_f"}, {"c.py::test_g"}
+    assert [reach.reaching("a.py", line) for line in (3, 4, 6)] == [of_f, of_f, of_g]
+    assert reach.reaching("a.py", 1) == reach.reaching("a.py", 2) == of_f | of_g
     os.utime(file, (2**31, 2**31))
     assert reach.reaching("a.py", 3) is None  # the file is newer

@@ -60,7 +60,7 @@ So $y = 2$ and
 \arm \[ no display \]
 \end{verbatim}
 a table
-\begin{tabular}{cc} 1 & 2 \\ 3 & 4 \end{tabular} and
+\begin{tabular}{cc} 1 & 2 \\ 3 & 4 \end{tabular}, and
 \begin{equation} z = 0 \end{equation} end.
 \end{document}
 behind"""
@@ -79,10 +79,16 @@ def test_words_and_displays_make_up_a_latex_file() -> None:
         (8, r"\begin{verbatim} \arm \[ no display \] \end{verbatim}"),
         (10, "a table"),
         (12, r"\begin{tabular}{cc} 1 & 2 \\ 3 & 4 \end{tabular}"),
-        (12, "and"),
+        (12, ", and"),
         (13, "[ z = 0 ]"),
         (13, "end."),
     ]
+
+
+def test_the_title_of_a_piece_of_a_document_stands_where_it_stands() -> None:
+    """What is input into another file has no beginning of its own, before which a title would be."""
+    parts = list(read_parts(Path("a.tex"), "\\title{A sheet}\n$$ x = 1 $$\n"))
+    assert [part.text.strip() for part in parts if isinstance(part, Words)] == [r"\title{A sheet}", ""]
 
 
 @pytest.mark.parametrize(

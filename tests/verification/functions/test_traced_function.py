@@ -95,10 +95,13 @@ def by_functions(q):
 
 
 def with_an_import(q):
+    import json
+    from math import sin as sine
+
     import numpy as numerical
     from numpy.linalg import norm as length
 
-    return [numerical.cos(q[0]), length(numerical.array([q[0], q[1]]))]
+    return [numerical.cos(q[0]), sine(q[1]), json.loads("0.5") * q[0], length(numerical.array([q[0], q[1]]))]
 
 
 class Arm:

@@ -369,5 +369,12 @@ def test_what_has_no_tree_is_refused_at_its_place(latex: str, message: str) -> N
     assert f"{caught.value.offset} {caught.value}".startswith(message)
 
 
+def test_what_stands_for_a_name_is_placed_where_the_name_is() -> None:
+    """All of it: rows of a matrix, terms with their signs, the letters of an index."""
+    tree = Reader().read_expression(r"\begin{bmatrix} a - b & \frac{c}{2} \\ \sin(x)^2 & J_{n} \end{bmatrix}^T")
+    moved = n.placed(tree, (3, 5))
+    assert {below.span for below in n.walk(moved)} == {(3, 5)} and shown(moved) == shown(tree)
+
+
 def test_the_largest_exponent_and_the_longest_number_are_read() -> None:
     assert read("(x)^{24}") == "(x)**24" and read("1" * 40) == "1" * 40
