@@ -96,6 +96,17 @@ def test_it_is_about_the_next_display_alone() -> None:
     assert [record.is_accepted for record in result.equations] == [True, False] and not result.passed
 
 
+@pytest.mark.parametrize(("lines", "accepted"), [(-1, True), (0, True), (2, True), (3, True), (4, False)])
+def test_it_may_stand_beside_its_display_and_a_few_lines_before_it(lines: int, accepted: bool) -> None:
+    """Behind it, on a line of its own, it is about the next one."""
+    mark, wrong = "% armproof: accept: as the book has it", WRONG.strip()
+    body = {-1: f"{mark}\n{wrong}", 0: f"{wrong} {mark}"}.get(lines, mark + "\n" * (lines + 1) + wrong)
+    (record,) = one(f"% arm: planar_2r\n\\begin{{document}}\n{body}\n\\end{{document}}\n", "tex").equations
+    assert record.is_accepted == accepted
+    (record,) = one(f"% arm: planar_2r\n\\begin{{document}}\n{wrong}\n{mark}\n\\end{{document}}\n", "tex").equations
+    assert not record.is_accepted
+
+
 def test_an_unchecked_display_can_be_accepted_and_is_still_not_decided() -> None:
     result = one(FRONT + RIGHT + ACCEPT + OPEN)
     assert result.passed_strictly() and result.equations[1].verdict == "unchecked"

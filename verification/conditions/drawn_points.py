@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from armproof.models.arm import Arm
+from armproof.models.exact.numbers import angle_value, is_number
 from armproof.models.exact.trace import trace_of
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 from armproof.verification.singularities.points import Sampler, unknowns_of
@@ -70,8 +71,9 @@ class DrawnPoints:
         return {**point, **special}
 
     def _sampler(self, variety: Variety, scale: float) -> Sampler:
-        """The unknowns of the conditions, with lengths, scaled, that meet those on them."""
-        constants = {**trace_of(self.arm).constants, **self.arm.lengths} if self.arm is not None else {}
+        """The unknowns of the conditions, with lengths, scaled, that meet those on them; an angle such as 25° is known."""
+        constants = {name: angle_value(name) for name in self.half.angles if is_number(name)}
+        constants |= {**trace_of(self.arm).constants, **self.arm.lengths} if self.arm is not None else {}
         for place, name in enumerate(sorted(self.positive - set(constants))):
             constants[name] = 0.5 + 0.3 * place
         constants |= {name: scale * constants[name] for name in self.positive & set(constants)}
