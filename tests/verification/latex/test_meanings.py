@@ -248,6 +248,16 @@ def test_a_second_meaning_within_a_section_is_not_decided(judge: Judge) -> None:
     assert judge(r"K = a_2c_2", r"K = \begin{bmatrix} a_2 \\ a_3 \end{bmatrix}", arm=ARM).verdict is Verdict.UNCHECKED
 
 
+def test_what_stands_behind_a_second_meaning_is_decided_as_the_next_equation(judge: Judge) -> None:
+    for rest, verdict in ((r"c_3a_3", Verdict.PROVED), (r"a_3s_3", Verdict.REFUTED)):
+        record = judge(
+            r"K = a_2c_2",
+            rf"K = \begin{{bmatrix}} a_3c_3 \\ 0 \end{{bmatrix}} = \begin{{bmatrix}} {rest} \\ 0 \end{{bmatrix}}",
+            arm=ARM,
+        )
+        assert [(each.index, each.verdict) for each in record.outcomes] == [(1, Verdict.UNCHECKED), (2, verdict)]
+
+
 def test_a_slip_of_a_letters_meaning_is_refuted(judge: Judge) -> None:
     assert judge(r"K = a_2c_2 + a_3c_3", r"K = a_2c_2 + a_3s_3", arm=ARM).verdict is Verdict.REFUTED
     assert judge(r"K = 2a_2c_2", r"K = a_2c_2", arm=ARM).verdict is Verdict.REFUTED

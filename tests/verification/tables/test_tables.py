@@ -15,6 +15,7 @@ from armproof.verification.check import DocumentChecker, check_document, verify
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.findings import Kind
 from armproof.verification.tables import check_array_table, check_table
+from armproof.verification.tables.check import read_array
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 CLASSIC = ("i", "a_i", r"\alpha_i", "d_i", r"\theta_i")
@@ -502,6 +503,15 @@ def test_other_tables_are_no_claims(header: tuple[str, ...], row: tuple[str, ...
 )
 def test_other_displays_are_no_tables(latex: str) -> None:
     assert check_array_table(checker("scara").checker, Display(1, latex)) is None
+
+
+def test_the_place_of_a_cell_is_that_of_its_text_without_blanks_and_rules() -> None:
+    """There a correction is written, and nothing else is touched."""
+    latex = r"\begin{array}{c|c} i & \alpha_i  \\ \hline 1 & 0\quad \\ 2  &\pi \\ \hline \end{array}"
+    array = read_array(Display(1, latex))
+    assert array is not None
+    cells = [[latex[begin:end] for begin, end in row] for row in array.spans]
+    assert cells == [["i", r"\alpha_i"], ["1", r"0\quad"], ["2", r"\pi"]]
 
 
 def test_an_entry_that_cannot_be_read_is_named() -> None:
