@@ -14,6 +14,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.reader import key_as_latex
 
 ROUNDED = 5e-3  # rad: 1.57 for π/2
+TWELFTHS = sorted((Fraction(k, 12) for k in range(-11, 13)), key=abs)
 Angle = tuple[Scalar, Scalar]  # the cosine and the sine
 
 
@@ -56,21 +57,18 @@ def constant_angle(ring: Ring, name: str) -> Scalar:
 
 
 def angle_as_scalar(ring: Ring, angle: Angle, bases: Iterable[Scalar]) -> Scalar | None:
-    """Return an angle of known cosine and sine as ±base + k·π/12 (k·π/2 where that will do), or None."""
+    """Return an angle of known cosine and sine as ±base + k·π/12, or None."""
     pi = ring.generator(("pi", ""))
-    signed = [ring.zero, *(sign * base for base in bases for sign in (1, -1))]
-    for step in (Fraction(1, 2), Fraction(1, 12)):
-        turns = [step * k for k in sorted(range(int(-1 / step) + 1, int(1 / step) + 1), key=abs)]
-        for base in signed:
-            cosine, sine = cos_sin(base)
-            # what is left of the angle must be a constant: cos(angle − base), sin(angle − base)
-            left = (angle[0] * cosine + angle[1] * sine, angle[1] * cosine - angle[0] * sine)
-            if step == Fraction(1, 2) and left[0].as_fraction() is None:
-                continue
-            for turn in turns:
-                made = cos_sin(pi * ring.rational(turn))
-                if (left[0] - made[0]).is_zero() and (left[1] - made[1]).is_zero():
-                    return base + pi * ring.rational(turn)
+    for base in (ring.zero, *(sign * base for base in bases for sign in (1, -1))):
+        cosine, sine = cos_sin(base)
+        # what is left of the angle must be a constant: cos(angle − base), sin(angle − base)
+        left = (angle[0] * cosine + angle[1] * sine, angle[1] * cosine - angle[0] * sine)
+        if any(kind != "sqrt" for kind, _ in left[0].generators):
+            continue
+        for turn in TWELFTHS:
+            made = cos_sin(pi * ring.rational(turn))
+            if (left[0] - made[0]).is_zero() and (left[1] - made[1]).is_zero():
+                return base + pi * ring.rational(turn)
     return None
 
 
