@@ -23,7 +23,7 @@ def read(latex: str) -> list[n.Statement]:
     ("latex", "offset", "message"),
     [
         (r"a + = b", 4, "unexpected '='; expected"),
-        (r"\times a = b", 0, r"unexpected '\\times'; expected"),
+        (r"/ a = b", 0, "unexpected '/'; expected"),
         (r"(a + b", 0, r"'\(' is opened here and never closed"),
         (r"a = b \left( c + d \\ e = f", 6, r"'\(' is opened here and never closed"),
         (r"\begin{bmatrix} (a & b \\ c & d \end{bmatrix}", 16, r"'\(' is opened here and never closed"),
