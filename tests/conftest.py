@@ -147,7 +147,6 @@ LATER = (
     "course/figures/test_files.py::test_a_trimmed_figure_loses_nothing_but_empty_paper",
     "course/test_words_decide_nothing.py",
     "labelled/test_bare.py::test_most_claims_are_decided",
-    "mutation/source/test_source.py::test_a_mutant_is_killed",
     "sweeps/test_mutants_of_displays.py::test_a_hard_display_is_borne",
     "test_installed.py::test_a_foreign_repository_with_packages_of_the_same_names_is_tested",
     "test_installed.py::test_a_notebook_stands_beside_modules_of_the_same_names",

@@ -1,6 +1,6 @@
 """A plugin of pytest: each labelled display and page as a test of its own, that of it is said what is on record.
 
-`make test` judges some of them, many in one test; a mutant meets them all, one at a time, those that reach it.
+`make test` and `make test-rest` judge many of them in one test; a mutant meets one at a time, those that reach it.
 """
 
 from __future__ import annotations
