@@ -17,6 +17,7 @@ import sympy
 from numpy import array, linalg, zeros
 
 from armproof.verification.functions.traced_function import trace_function
+from armproof.verification.functions.tracing.expressions import FromSympy
 from armproof.verification.functions.tracing.number import FUNCTIONS, TracedNumber, Untraceable
 from armproof.verification.functions.tracing.number import function as function_of
 
@@ -212,6 +213,12 @@ def complexes(q):
 
 
 @pytest.mark.filterwarnings("ignore:invalid value")
+def test_symbols_of_sympy_have_the_names_that_they_are_given() -> None:
+    q1, l1 = sympy.symbols("q1 l1")
+    formula = FromSympy(lambda name: f"{name[0]}_{name[1:]}").convert(l1 * sympy.cos(q1) + q1)
+    assert value(formula, {"q_1": 0.5, "l_1": 2.0}) == pytest.approx(2 * math.cos(0.5) + 0.5)
+
+
 @pytest.mark.parametrize(
     "function", [branches, equals, integers, rounds, indexes, complexes, lambda q: np.where(q > 0, q, -q),
                  lambda q: max(q), lambda q: q % 3, lambda q: "text", lambda q: q.nothing, lambda: 1]
