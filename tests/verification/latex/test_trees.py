@@ -369,6 +369,11 @@ def test_what_has_no_tree_is_refused_at_its_place(latex: str, message: str) -> N
     assert f"{caught.value.offset} {caught.value}".startswith(message)
 
 
+def test_a_brace_that_is_printed_closes_no_other() -> None:
+    for latex in (r"\boxed{a \{b + c\}} = d", r"\boxed{a \{b + c\} = d}", r"{a \{b + c\}} = d"):
+        assert read(latex) == read(r"a \{b + c\} = d") == "(a {(+ b + c)}) = d"
+
+
 def test_what_stands_for_a_name_is_placed_where_the_name_is() -> None:
     """All of it: rows of a matrix, terms with their signs, the letters of an index."""
     tree = Reader().read_expression(r"\begin{bmatrix} a - b & \frac{c}{2} \\ \sin(x)^2 & J_{n} \end{bmatrix}^T")
