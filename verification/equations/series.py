@@ -147,7 +147,7 @@ def _open_sign(node: n.Node) -> tuple[list[n.Node], n.Dots | None]:
     """Return the factors before a sign that is open to the end of a tree, and the sign: in a product, a × or a slash behind it."""
     if isinstance(node, n.Product):
         if (at := next((k for k, each in enumerate(node.factors) if isinstance(each, n.Dots)), None)) is not None:
-            between = node.operators[: max(at, 0)]
+            between = node.operators[:at]
             return ([*node.factors[:at]], node.factors[at]) if "×" not in between else ([], None)  # type: ignore[return-value]
         return _open_sign(node.factors[0]) if node.operators == ("×",) else ([], None)
     if isinstance(node, n.Quotient) and node.style == "slash":

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from armproof import verify_text
 from armproof.models.catalogue import load_arm
 from armproof.verification.check import DocumentChecker
 from armproof.verification.document import Display, Document
@@ -40,6 +41,18 @@ def test_what_is_wrong_there_is_told_with_the_values_stated(judge: Judge) -> Non
     record = judge(*STATED, r"p_2 = \begin{bmatrix} 1 \\ 2 \\ 0 \end{bmatrix}", **PLANAR)
     assert [(each.row, each.printed, each.correct) for each in record.entries] == [(2, "2", "1")]
     assert record.counterexample == pytest.approx({"l_1": 1, "l_2": 1, "theta_1": 0, "theta_2": 1.5707963})
+
+
+def test_zeros_and_ones_do_not_tell_that_numbers_are_of_the_configuration_of_the_text() -> None:
+    """At θ_2 = π/2 a rotation has them at many others, too; lengths it has there alone."""
+    front = "---\narm: planar_2r\n---\n\n$$ l_1 = 0.5, \\; l_2 = 0.25 $$\n\n"
+    said = front + "At $\\theta_1 = 0$ and $\\theta_2 = \\pi/2$ we get\n\n$$ %s $$\n"
+    turned = r"R_2^0 = \begin{bmatrix} %s & -1 & 0 \\ 1 & 0 & 0 \\ 0 & 0 & 1 \end{bmatrix}"
+    point = r"p_2 = \begin{bmatrix} 0.5 \\ 0.25 \\ %s \end{bmatrix}"
+    verdicts = [
+        verify_text(said % (form % entry)).equations[-1].verdict for form in (turned, point) for entry in ("0", "0.5")
+    ]
+    assert verdicts == [Verdict.CONFIRMED, Verdict.UNCHECKED, Verdict.CONFIRMED, Verdict.REFUTED]
 
 
 def test_a_slip_is_in_a_few_entries_and_another_configuration_in_more(judge: Judge) -> None:
