@@ -7,6 +7,7 @@ a slower way) or a missing test. Exit code 1 if fewer are killed than wanted, 2 
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import time
 from collections import Counter
@@ -34,6 +35,7 @@ def main() -> int:
     if not drawn:
         print("no mutant of these files", file=sys.stderr)
         return 2
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # a copy has no threads, and would wait for them
     until = time.monotonic() + 60 * options.minutes
     trials = Trials(load(), drawn, options.seconds, options.jobs, until, partial(tell, every=options.verbose))
     code = pytest.main([*QUIETLY, *TESTS], plugins=[trials])

@@ -16,10 +16,8 @@ DRAWN = 50  # labelled displays that are judged although they do not reach a lin
 
 def tests_of(file: str, mutant: Mutant, collected: Iterable[str]) -> list[str]:
     """Return the tests that a mutant meets, in their order: what reaches it, what is about its file, and what is not on record."""
-    own, took = set(selection(file)[0]), seconds()
-    tests = Random(1).sample(
-        there := list(collected), len(there)
-    )  # another kind of display each time: what is wrong shows early
+    own, took, there = set(selection(file)[0]), seconds(), list(collected)
+    tests = Random(1).sample(there, len(there))  # another kind of display each time: what is wrong shows early
     met = reaching(file, mutant.line)
     if met is not None:
         drawn = {test for test in tests if test.startswith(LABELLED)}

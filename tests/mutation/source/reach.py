@@ -62,8 +62,8 @@ def reaching(file: str, line: int) -> Set[str] | None:
         at: {test.rpartition("|")[0] for test in met} - {""} for at, met in data.contexts_by_lineno(str(path)).items()
     }
     inside = _lines_of_function(path.read_text("utf-8"), line)
-    met = tests.get(line) if inside else None
-    return met or set().union(*(tests.get(at, ()) for at in inside or tests)) or None
+    met = {test for at in inside or tests for test in tests.get(at, ())}
+    return (tests.get(line) or met) if inside else met or None
 
 
 def seconds() -> dict[str, float]:

@@ -124,7 +124,9 @@ def test_a_line_is_reached_by_the_tests_of_its_function_and_one_that_runs_at_imp
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     file = tmp_path / "a.py"
-    file.write_text("LIMIT = 3\ndef f(x=2):\n    y = x\n    return y\ndef g():\n    return 1\n", "utf-8")
+    file.write_text(
+        "LIMIT = 3\ndef f(x=2):\n    y = x\n    return y\ndef g():\n    return 1\ndef h():\n    return 2\n", "utf-8"
+    )
     monkeypatch.setattr(reach, "ROOT", tmp_path)
     monkeypatch.setattr(reach, "RECORD", tmp_path / "reach.coverage")
     assert reach.reaching("a.py", 3) is None  # no record
@@ -139,7 +141,7 @@ def test_a_line_is_reached_by_the_tests_of_its_function_and_one_that_runs_at_imp
         data.add_lines({str(file): lines})
     data.write()
     of_f, of_g = {"test_a.py::test_f", "test_b.py::test_f"}, {"c.py::test_g"}
-    assert [reach.reaching("a.py", line) for line in (3, 4, 6)] == [of_f, of_f, of_g]
+    assert [reach.reaching("a.py", line) for line in (3, 4, 6, 8)] == [of_f, of_f, of_g, set()]
     assert reach.reaching("a.py", 1) == reach.reaching("a.py", 2) == of_f | of_g
     os.utime(file, (2**31, 2**31))
     assert reach.reaching("a.py", 3) is None  # the file is newer
