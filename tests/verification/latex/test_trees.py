@@ -369,6 +369,12 @@ def test_what_has_no_tree_is_refused_at_its_place(latex: str, message: str) -> N
     assert f"{caught.value.offset} {caught.value}".startswith(message)
 
 
+def test_equations_in_cells_before_an_arrow_hold_together() -> None:
+    array = r"\begin{array}{rcl} a = 0 & b = 0 & %s & c = 0 \end{array}"
+    assert read(array % r"\Rightarrow") == "a = 0; [and ]; b = 0; [⇒]; c = 0"
+    assert read(array % "d = 0") == "a = 0; b = 0; d = 0; c = 0"
+
+
 def test_a_brace_that_is_printed_closes_no_other() -> None:
     for latex in (r"\boxed{a \{b + c\}} = d", r"\boxed{a \{b + c\} = d}", r"{a \{b + c\}} = d"):
         assert read(latex) == read(r"a \{b + c\} = d") == "(a {(+ b + c)}) = d"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armproof import verify_text
+from armproof.verification.findings import Kind
 from tests.verification.tables.arms.test_inference import (
     CLASSIC,
     CRAIG,
@@ -34,6 +35,14 @@ def test_each_table_has_its_own_arm_and_names(heading: str) -> None:
     assert [record.arm_index for record in result.equations] == [0, 0, 0, 1]
     wrong = verify_text(first + second.replace("q_1 + q_2", "q_1 - q_2"))
     assert verdicts(wrong)[:3] == ["proved"] * 3 and verdicts(wrong)[3] != "proved"
+
+
+def test_what_holds_of_another_arm_of_the_document_is_not_refuted_by_that_of_its_part() -> None:
+    """Who goes back to the first arm says nothing wrong; what holds of neither is."""
+    begun = "## Exercise 1\n\n" + PLAIN + "\n" + CLASSIC + "## Exercise 2\n\n" + SLIDE + OF_SLIDE
+    back = verify_text(begun + whole())
+    assert verdicts(back) == ["proved"] * 4 + ["unchecked"] and back.equations[-1].says(Kind.HOLDS_OF_OTHER_ARM)
+    assert verdicts(verify_text(begun + whole(y="l_1 s_1 - l_2 s_{12}")))[-1] == "refuted"
 
 
 def test_the_same_table_once_more_is_the_same_arm() -> None:
