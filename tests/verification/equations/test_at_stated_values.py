@@ -55,6 +55,14 @@ def test_zeros_and_ones_do_not_tell_that_numbers_are_of_the_configuration_of_the
     assert verdicts == [Verdict.CONFIRMED, Verdict.UNCHECKED, Verdict.CONFIRMED, Verdict.REFUTED]
 
 
+@pytest.mark.parametrize(
+    ("said", "verdict"), [("", Verdict.REFUTED), (r"Now $l_1 = \foo{3}$.", Verdict.UNCHECKED), ("Now $l_1 = 2$.", Verdict.CONFIRMED)]
+)  # fmt: skip
+def test_what_the_text_says_and_is_not_read_ends_what_was_stated_before_it(said: str, verdict: Verdict) -> None:
+    page = f"---\narm: planar_2r\n---\n\n$$ l_1 = 1, \\; l_2 = 0.5 $$\n\n{said}\n\n$$ \\|p_1\\| = 2 $$\n"
+    assert verify_text(page).equations[-1].verdict is verdict
+
+
 def test_a_slip_is_in_a_few_entries_and_another_configuration_in_more(judge: Judge) -> None:
     rows = [["-1", "-1"], ["1", "0"]]
 
