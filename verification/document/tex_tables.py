@@ -79,7 +79,7 @@ def _rows(content: str, start: int) -> list[list[tuple[int, int]]]:
 def _trimmed(content: str, start: int, end: int) -> tuple[int, int]:
     """Return the place of a cell without blanks, rules and the dollars around it."""
     blank = re.compile(r"\s+|\$|%s" % _RULE.pattern)
-    while (found := blank.match(content, start, end)) is not None and found.end() > start:
+    while (found := blank.match(content, start, end)) is not None:
         start = found.end()
     while end > start and (content[end - 1].isspace() or content[end - 1] == "$"):
         end -= 1

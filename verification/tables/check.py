@@ -98,7 +98,7 @@ def _cut(latex: str, start: int) -> tuple[list[list[tuple[int, int]]], int] | No
 
 def _trimmed(latex: str, start: int, end: int) -> tuple[int, int]:
     """Return the place of a cell without blanks and rules."""
-    while (found := re.compile(r"\s+|%s" % _RULE.pattern).match(latex, start, end)) is not None and found.end() > start:
+    while (found := re.compile(r"\s+|%s" % _RULE.pattern).match(latex, start, end)) is not None:
         start = found.end()
     while end > start and latex[end - 1].isspace():
         end -= 1

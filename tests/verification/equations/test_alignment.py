@@ -152,6 +152,21 @@ def test_a_slip_away_is_half_of_the_entries_or_a_third_of_the_terms(true: str, p
     assert is_near(Pair(matrix(printed), matrix(true))) is near
 
 
+def test_sums_of_hundreds_of_terms_are_near_where_they_are_and_are_no_slip_in_a_short_one() -> None:
+    long, one = scalar("a+b+c+d+e"), scalar("a+b")
+    for _ in range(5):
+        long = long * scalar("a+b+c+d+e")  # 210 terms
+    assert is_near(Pair(Matrix(((long,),)), Matrix(((long + scalar("x"),),))))
+    cosine = power = RING.generator(("cos", "q"))
+    turned = scalar("a")
+    for _ in range(21):
+        turned, power = turned + scalar("b") * power, power * cosine
+    assert is_near(
+        Pair(Matrix(((one,),)), Matrix(((turned,),)))
+    )  # the same lengths, and half of them have the same factor
+    assert not is_near(Pair(Matrix(((one,),)), Matrix(((long * turned,),))))
+
+
 def test_quotients_are_near_where_an_entry_is_the_same() -> None:
     a, b = scalar("a"), scalar("b")
     assert not is_near(Pair(Matrix(((a / (a + b),),)), Matrix(((b / (a + b),),))))
