@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.angles import has_arcs
@@ -74,7 +75,7 @@ class SecondRoute:
         errors = self.sampled_errors(outcome, branches)
         if errors is None:
             return outcome
-        if not errors.samples:
+        if not errors.samples and not self._has_values(outcome, branches):
             return outcome.left_open(say(Kind.FEW_VALUES))
         equal = errors.samples >= FEWEST and errors.largest <= TOLERANCE
         if equal and not self._fails_for_lengths(outcome, branches):
@@ -85,6 +86,11 @@ class SecondRoute:
             self._refute(outcome, outcome.wrong, branches)
             outcome.findings = outcome.findings or (say(Kind.ROOTS_POSITIVE),)
         return outcome
+
+    def _has_values(self, outcome: Outcome, branches: bool) -> bool:
+        """Whether what is true has values, and what is printed has none."""
+        alone = self.sampled_errors(replace(outcome, printed=outcome.true), branches)
+        return alone is not None and alone.samples > 0
 
     def unless_negative(self, outcome: Outcome, branches: bool) -> Outcome:
         """Leave open what is refuted, and holds where a letter is negative: √(a²) = −a of a coordinate a."""
