@@ -224,7 +224,9 @@ def test_one_joint_the_other_way_is_caught_and_named(name: str) -> None:
 def test_one_mirrored_axis_is_caught(name: str) -> None:
     pose = CLOSED_FORMS[name].pose
     mirror = r"\operatorname{diag}(1, -1, 1, 1)"
-    before, after = judge(name, f"X = {mirror} {pose}", f"X = {pose} {mirror}")
+    (before,), (after,) = (
+        judge(name, f"X = {turned}") for turned in (f"{mirror} {pose}", f"{pose} {mirror}")
+    )  # of two, what both rest on may be the mistake
     assert before.verdict is after.verdict is Verdict.REFUTED
     assert {entry.row for entry in before.entries} == {2} and {entry.column for entry in after.entries} == {2}
 
