@@ -97,7 +97,7 @@ def time_handouts() -> list[HandoutTime]:
 
 SYNTHETIC = (
     r"{{}}^0T_{j} = \begin{{bmatrix}} C_{{{angles}}} & -S_{{{angles}}} & 0 & {x} \\ S_{{{angles}}} & C_{{{angles}}} & 0 & {y} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{{bmatrix}}",
-    r"x_{{{k}}} = {x}",
+    r"\frac{{\partial}}{{\partial \theta_1}} ({y}) = {x}",
     r"\frac{{\partial}}{{\partial \theta_1}} ({x}) = -({y})",
     r"\sin(\theta_1 + \theta_2 + {k}\theta_3) = S_{{12}} \cos({k}\theta_3) + C_{{12}} \sin({k}\theta_3)",
     r"({x})^2 + ({y})^2 = ({x})^2 + ({y})^2 + {k} - {k}",
@@ -112,12 +112,7 @@ def synthetic(displays: int, first: int = 2) -> str:
     for index in range(displays):
         angles, x, y = REACH[index % 3]
         form = SYNTHETIC[index % len(SYNTHETIC)]
-        lines += [
-            f"$$ {form.format(j=len(angles), angles=angles, x=x, y=y, k=index % 7 + first)} $$".replace(
-                "x_{", f"x_{{{index},"
-            ),
-            "",
-        ]
+        lines += [f"$$ {form.format(j=len(angles), angles=angles, x=x, y=y, k=index % 7 + first)} $$", ""]
     return "\n".join(lines)
 
 

@@ -138,6 +138,8 @@ class SecondRoute:
     def _leave_open_for_signs(self, outcome: Outcome, branches: bool) -> None:
         """Leave open what holds for positive letters only, as √(x²) = x, where a letter is not a length by its look."""
         letters = self._coordinates(outcome)
+        if len(letters) > 1 and not self._fails_in(self.sampled().of_either_sign(letters), outcome, branches):
+            return
         if letters := [name for name in letters if self._fails_for_negative(name, outcome, branches)]:
             outcome.verdict, outcome.wrong = Verdict.UNCHECKED, []
             outcome.findings = (say(Kind.POSITIVE_ALONE, letters=", ".join(letters)),)
@@ -150,7 +152,10 @@ class SecondRoute:
 
     def _fails_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:
         own = self.sampled()
-        errors = self.sampled_errors(outcome, branches, own.at({letter: -own.symbol(letter)}))
+        return self._fails_in(own.at({letter: -own.symbol(letter)}), outcome, branches)
+
+    def _fails_in(self, sampled: SampledAlgebra, outcome: Outcome, branches: bool) -> bool:
+        errors = self.sampled_errors(outcome, branches, sampled)
         return errors is not None and bool(errors.wrong(TOLERANCE))
 
     def _refute(self, outcome: Outcome, wrong: list[tuple[int, int]], branches: bool) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -195,6 +195,11 @@ class SampledAlgebra(ArmAlgebra):
 
     def substitute(self, value: Value, values: Mapping[str, Any]) -> Value:
         raise EvaluationError("samples are taken anew at a configuration")
+
+    def of_either_sign(self, names: Sequence[str]) -> SampledAlgebra:
+        """Return the algebra at configurations in which each of these letters is negative at half of the samples, at random."""
+        signs = np.random.default_rng(self.seed).choice((-1.0, 1.0), size=(len(names), self.samples))
+        return self.at({name: sign * self.symbol(name) for name, sign in zip(names, signs, strict=True)})
 
     def at(self, values: Mapping[str, np.ndarray]) -> SampledAlgebra:
         """Return the algebra at configurations in which some joint variables or lengths have other values."""
