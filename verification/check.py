@@ -22,7 +22,7 @@ from armproof.verification.document import Display, Document, Table, parse_docum
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
-from armproof.verification.equations.outcome import HOLDS, AsUsual, Outcome, new_one
+from armproof.verification.equations.outcome import AsUsual, Outcome, new_one
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import MISPRINTS, Finding, Kind, finding_of, say
@@ -47,6 +47,7 @@ from armproof.verification.tables.arms import (
 )
 from armproof.verification.verdict import (
     DECIDED,
+    HOLDS,
     DocumentResult,
     EquationResult,
     IfShown,

@@ -37,7 +37,8 @@ class Role(StrEnum):
 
 
 _ACCEPTS = (Kind.ACCEPTED, Kind.ACCEPTED_WITHOUT_REASON, Kind.ACCEPTS_NOTHING, Kind.ACCEPTS_NO_DISPLAY)
-DECIDED = (Verdict.PROVED, Verdict.CONFIRMED, Verdict.REFUTED)
+HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
+DECIDED = (*HOLDS, Verdict.REFUTED)
 
 
 # A display carries the worst verdict of its equations; one that only defines a name yields to one that was checked.

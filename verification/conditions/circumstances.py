@@ -19,7 +19,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues
-from armproof.verification.equations.outcome import HOLDS, Outcome
+from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.evaluation.blocks import cells_of, rows_of_letters
 from armproof.verification.findings import Kind, say
@@ -27,7 +27,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.state import Stated, Told
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import HOLDS, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere

@@ -13,10 +13,10 @@ from armproof.verification.conditions.implication import (
 )
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.misreadings import letters_held, sizes_of_convention
-from armproof.verification.equations.outcome import HOLDS, Outcome, hold
+from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.verdict import DECIDED, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 Judgement = tuple[Outcome, dict[str, float]] | None  # the verdict of an implication and what refutes it
 

@@ -19,7 +19,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.latex.writer import Notation, Writer
-from armproof.verification.verdict import Correction, Record, Verdict
+from armproof.verification.verdict import HOLDS, Correction, Record, Verdict
 
 SECONDS_TO_CORRECT = 1.3
 MOST_TRIALS = 60
@@ -73,7 +73,7 @@ class Corrector:
         if _number(after, Verdict.UNCHECKED) > _number(before, Verdict.UNCHECKED):
             return None
         wrong = {outcome.equation for outcome in before if outcome.verdict is Verdict.REFUTED}
-        right = {outcome.equation for outcome in after if outcome.verdict in (Verdict.PROVED, Verdict.CONFIRMED)}
+        right = {outcome.equation for outcome in after if outcome.verdict in HOLDS}
         return (wrong - right) | {outcome.equation for outcome in after if outcome.verdict is Verdict.REFUTED}
 
     # -- what may be tried ---------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ from math import remainder, tau
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.display.taken_arm import names_in
 from armproof.verification.equations.any_jacobian import holds_of_any_jacobian
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
@@ -26,7 +27,7 @@ from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
-from armproof.verification.equations.outcome import HOLDS, Outcome, hold
+from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
 from armproof.verification.equations.worked_numbers import tells_values, unitless
@@ -35,7 +36,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import Key, Told
-from armproof.verification.verdict import DECIDED, Role, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 CLOSE = 1e-9  # so near are angles that are the same
 
@@ -101,7 +102,8 @@ class Claims:
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
         own = {key for outcome in outcomes for key in outcome.defines}
         outcomes = [
-            self.unless_doubted(outcome, {(key, line) for key in own - _names_in(outcome)}) for outcome in outcomes
+            self.unless_doubted(outcome, {(key, line) for key in own - {name.key for name in names_in(outcome)}})
+            for outcome in outcomes
         ]
         if by_table := self.names.state.from_table():
             doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
@@ -401,10 +403,6 @@ class Claims:
             return None
         rest = replace(chain, members=chain.members[1:], relations=chain.relations[1:])
         return self.general.identity(rest, equation + 1, line)
-
-
-def _names_in(outcome: Outcome) -> set[str]:
-    return {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
 
 
 def _is_there(outcome: Outcome) -> bool:

@@ -20,11 +20,11 @@ from armproof.verification.conditions.wording import is_alternative, is_conclude
 from armproof.verification.display.claims import Claims
 from armproof.verification.display.prepared import asked, prepared
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.outcome import HOLDS, Outcome, with_role
+from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.verdict import Role, Verdict
+from armproof.verification.verdict import HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
 

@@ -32,7 +32,7 @@ from armproof.verification.equations.letter_matrices import (
     stale,
     take_entries,
 )
-from armproof.verification.equations.outcome import HOLDS, Outcome
+from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import Check, Readings
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
@@ -47,7 +47,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import HOLDS, Verdict
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -251,7 +251,7 @@ class ChainChecker:
             self.of_entries = False
             self.names.state.become(before)
             self.conventions.doubts, self.conventions.before = meant
-            if all(outcome.verdict in (Verdict.PROVED, Verdict.CONFIRMED) for outcome in tried):
+            if all(outcome.verdict in HOLDS for outcome in tried):
                 return tried
         made = self.names.state.definitions
         others = [key for entries in readings for key in entries if key in made and made[key].by_place]

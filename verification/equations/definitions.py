@@ -13,7 +13,7 @@ from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.equations.alignment import Pair, is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.letter_matrices import FEWEST_LETTERS
-from armproof.verification.equations.outcome import HOLDS, Outcome
+from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.rigid import misses_group
@@ -27,7 +27,7 @@ from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.conventions import AXES
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
-from armproof.verification.verdict import Role, Verdict
+from armproof.verification.verdict import HOLDS, Role, Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
 

@@ -18,7 +18,7 @@ from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.quantities import is_inverse_link
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import HOLDS, Verdict
 
 MIXED = 9  # as many where indices of both conventions are mixed, which is nobody's own definition
 NEARLY = 6  # a matrix with at most so many wrong entries is meant to be that link matrix
@@ -133,7 +133,7 @@ class GeneralStatements:
         if not letters or any(base not in known for base, _ in letters):
             return None
         outcomes = self._general.check(chain, equation, line, False)
-        if all(outcome.verdict in (Verdict.PROVED, Verdict.CONFIRMED) for outcome in outcomes):
+        if all(outcome.verdict in HOLDS for outcome in outcomes):
             return outcomes
         claimed = elementary and any(found == letters for found, m in members if not isinstance(m, n.Name))
         return outcomes if claimed and all(o.verdict is not Verdict.UNCHECKED for o in outcomes) else None

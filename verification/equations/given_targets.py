@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.equations.outcome import HOLDS, Outcome
+from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import Verdict
+from armproof.verification.verdict import HOLDS, Verdict
 
 
 def asked_of_the_tool(names: Names, outcomes: list[Outcome], again: Callable[[], list[Outcome]]) -> list[Outcome]:

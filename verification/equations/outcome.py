@@ -16,9 +16,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.conventions import conventional, is_usual
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import DECIDED, EquationResult, Role, Verdict, worst
-
-HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
+from armproof.verification.verdict import DECIDED, HOLDS, EquationResult, Role, Verdict, worst
 
 DEFINES = {Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.NUMBER_HERE, Kind.SIGN}
 

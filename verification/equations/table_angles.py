@@ -9,7 +9,7 @@ from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import DECIDED, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 VARIABLE, TABLE, LOOSE = "variable", "table", "loose"
 
@@ -64,7 +64,7 @@ class TableAngles:
         state = self.names.state
         bound = state.inferred.copy(), state.conventional.copy()
         with self._read_as(LOOSE):
-            found = all(each.verdict in (Verdict.PROVED, Verdict.CONFIRMED) for each in again())
+            found = all(each.verdict in HOLDS for each in again())
         state.inferred, state.conventional = bound
         return found
 

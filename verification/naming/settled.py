@@ -7,10 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.verdict import EquationResult, Record, Role, Verdict
+from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, Verdict
 
 Key = tuple[str, int]  # a name and the line of the display that defines it
-RIGHT = (Verdict.PROVED, Verdict.CONFIRMED)
 SEVERAL = 2
 
 
@@ -49,7 +48,7 @@ def contradicted(records: Sequence[Record]) -> dict[Key, list[int]]:
     for record in records:
         used = {v: {key for o in record.outcomes if o.verdict is v for key in _rested_on(o)} for v in Verdict}
         refuted = used[Verdict.REFUTED] & defined
-        right.update(key for verdict in RIGHT for key in used[verdict] - refuted)
+        right.update(key for verdict in HOLDS for key in used[verdict] - refuted)
         for key in refuted:
             wrong.setdefault(key, []).append(record.line)
     return {key: lines for key, lines in wrong.items() if len(lines) >= max(SEVERAL, right[key] + 1)}

@@ -8,10 +8,9 @@ from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.findings import OTHER_ANGLES
-from armproof.verification.verdict import Record, Verdict
+from armproof.verification.verdict import HOLDS, Record, Verdict
 
 _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
-_HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
 
 
 def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
@@ -26,7 +25,7 @@ def _settled(record: Record, others: Iterable[Record]) -> Record:
     if record.if_shown is None:
         return record
     around = [each for each in others if each.section == record.section or not _of_other_angles(record.if_shown.record)]
-    held = [each for one in (record, *around) for each in one.outcomes if each.verdict in _HOLDS]
+    held = [each for one in (record, *around) for each in one.outcomes if each.verdict in HOLDS]
     shown = [each.usual for each in held]
     if all(_is_shown(key, quantity, shown) for key, quantity in record.if_shown.meanings.items()):
         return record.if_shown.record

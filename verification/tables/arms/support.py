@@ -9,14 +9,14 @@ from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
-from armproof.verification.equations.outcome import HOLDS, Outcome
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.rigid import is_rotation
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
-from armproof.verification.verdict import EquationResult, Record, Role, TakenArm, Verdict, worst
+from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
 @dataclass(frozen=True)
@@ -114,13 +114,7 @@ def is_rigid(pose: Matrix) -> bool:
     rotation = pose.block(range(3), range(3))
     if any(number is not None and number.denominator > 1 for number in (cell.as_fraction() for cell in rotation.cells)):
         return True
-    product = (rotation @ rotation.transpose).map(Scalar.normal)
-    return agrees_with_identity(product) and (rotation.determinant() - 1).normal().is_zero()
-
-
-def agrees_with_identity(matrix: Matrix) -> bool:
-    """Whether a matrix of scalars has 1 on its diagonal and 0 beside it."""
-    return all((matrix.rows[r][c] - (r == c)).normal().is_zero() for r, c in matrix.places)
+    return is_rotation(rotation)
 
 
 def _symbols(value: Matrix) -> set[str]:
