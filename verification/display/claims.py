@@ -220,7 +220,7 @@ class Claims:
             return self._either_reading(chain, unclear, equation, line, define)
         if letters := crossed_letters(self.names, chain):
             check = partial(self._clear_chain, chain, equation, line)
-            return of_vectors(self.names, chain, letters, line, check)
+            return of_vectors(self.names, chain, letters, line, define, check)
         if parts := side_by_side(chain):
             return self._side_by_side(chain, parts, equation, line, define)
         return self._clear_chain(chain, equation, line, define)

@@ -28,17 +28,22 @@ def crossed_letters(names: Names, chain: n.Chain) -> frozenset[str]:
 
 
 def of_vectors(
-    names: Names, chain: n.Chain, letters: frozenset[str], line: int, check: Callable[[bool], list[Outcome]]
+    names: Names,
+    chain: n.Chain,
+    letters: frozenset[str],
+    line: int,
+    define: bool,
+    check: Callable[[bool], list[Outcome]],
 ) -> list[Outcome]:
     """Return the outcomes of a chain with ×, of vectors or of numbers: what is so of one of them alone is left open.
 
-    `check` checks the chain, and says whether names get a meaning by it.
+    `check` checks the chain; what it is called with says whether names get a meaning by it, as they do where `define`.
     """
     doubt = say(Kind.CROSS_OF_LETTERS, letters=sorted(letters))
-    of_numbers = check(True)
+    of_numbers = check(define)
     if made := [key for outcome in of_numbers for key in outcome.defines]:
-        names.forget(made)
-        for key in made:
+        names.forget(made if define else ())
+        for key in made if define else ():
             names.define(key, undecided(doubt), line)
         return [outcome.left_open(doubt) for outcome in of_numbers]
     before = names.state.copy()

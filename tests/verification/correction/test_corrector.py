@@ -10,8 +10,9 @@ import pytest
 from armproof.verification.check import check_document
 from armproof.verification.correction import corrected, corrected_latex, edits
 from armproof.verification.correction.corrector import Corrector, joined
-from armproof.verification.document import parse_document
+from armproof.verification.document import parse_document, read_document
 from armproof.verification.verdict import Correction, Record, Verdict
+from tests.sweeps.correct import HANDOUTS
 
 FRONT = """---
 arm: planar_2r
@@ -180,3 +181,11 @@ def test_a_correction_may_not_turn_a_claim_into_a_definition(monkeypatch: pytest
 def test_a_correction_within_another_counts_once() -> None:
     outer, inner, twin = Correction(2, 9, "x"), Correction(3, 4, "y"), Correction(12, 13, "z")
     assert joined([(inner,), (outer, twin), (twin,)]) == (outer, twin)
+
+
+@pytest.mark.parametrize("name", ["jacobian-revolute-002", "jacobian-general-002", "scara-000"])
+def test_what_is_tried_for_a_correction_gives_no_name_a_meaning(name: str) -> None:
+    document = read_document(HANDOUTS / f"{name}.md")
+    plain, tried = (check_document(document, correct=each).equations for each in (False, True))
+    assert [record.verdict for record in tried] == [record.verdict for record in plain]
+    assert any(record.corrections is not None for record in tried)
