@@ -253,7 +253,7 @@ def test_continuous_integration_lints_before_it_tests(tmp_path: Path):
     shutil.copy(ROOT / ".ci/run", checkout)
     environment = os.environ | {"PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}"}
     subprocess.run([checkout / "run"], cwd=tmp_path, env=environment, check=True, timeout=60)
-    assert (tmp_path / "calls").read_text().split() == ["lint", "test", "test-rest"]
+    assert (tmp_path / "calls").read_text().split() == ["lint", "report", "test", "test-rest"]
 
 
 def test_the_readme_names_every_make_target():
