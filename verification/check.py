@@ -20,6 +20,7 @@ from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
 from armproof.verification.equations.outcome import AsUsual, Outcome, new_one
@@ -44,6 +45,7 @@ from armproof.verification.tables.arms import (
     settle_data,
     stated_lengths,
     table_of_named,
+    unless_disputed,
 )
 from armproof.verification.verdict import (
     DECIDED,
@@ -109,8 +111,15 @@ def check_document(
     options = confirm and samples, correct and samples, samples
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
     results = [_unless_of_another_arm(k, parts, result) for k, result in enumerate(results)] if samples else results
+    if samples:
+        results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
     result = results[0] if len(results) == 1 else joined(document, results)
     return with_accepted(document, result) if document.accepts else result
+
+
+def plainly(part: Inference) -> DocumentResult:
+    """Return the verdicts of a part of a document, and nothing that takes time to find out besides."""
+    return DocumentChecker(part.document, load_arm_of(part.document), False, False, True, part).run()
 
 
 def _unless_of_another_arm(place: int, parts: Sequence[Inference], result: DocumentResult) -> DocumentResult:
@@ -121,7 +130,7 @@ def _unless_of_another_arm(place: int, parts: Sequence[Inference], result: Docum
         return result
     for part, arm in others:
         there = replace(part.document, displays=parts[place].document.displays, tables=())
-        records = DocumentChecker(there, load_arm_of(there), False, False, True, replace(part, document=there)).run()
+        records = plainly(replace(part, document=there))
         holding = {(each.cell, each.line) for each in records.equations if each.verdict in HOLDS}
         doubt = say(Kind.HOLDS_OF_OTHER_ARM, line=arm.line)
         found = (_left_open(each, doubt) if (each.cell, each.line) in holding else each for each in result.equations)
@@ -414,6 +423,7 @@ class DocumentChecker:
         if self.inferred.arm is not None:
             of_taken_arm = OfTakenArm(self.checker, self.document, self.inferred.arm)
             outcomes = [of_taken_arm.judge(outcome) for outcome in outcomes]
+        outcomes = [unless_written_elsewhere(outcome, display, self.document) for outcome in outcomes]
         slips = [self._with_slip(outcome, display) for outcome in outcomes]
         for place, slip in enumerate(slips):
             if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip

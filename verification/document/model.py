@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,11 @@ class Display:
     said_outside: int = 0  # and how many of those in sections that are not around that of the display
     said_behind: tuple[str, ...] = ()  # those of the next text below it, under the same heading
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
+
+    @property
+    def place(self) -> tuple[int | None, int]:
+        """Its cell and its line."""
+        return self.cell, self.line
 
 
 INLINE = "$"  # the opening of what stands in the text: readers hand it over in its place among the displays
@@ -100,6 +106,15 @@ class Document:
     remarks: tuple[Finding, ...] = ()  # on how it was read
     headings: tuple[tuple[int, str], ...] = ()  # with their lines, where its front matter has `arms` by section
     named: tuple[str, ...] = ()  # the arms of the catalogue that its text names
+
+    def writes(self, key: str, *besides: tuple[int | None, int]) -> bool:
+        """Whether a name such as d_3 stands in a display or in the text between, but at these places (cell, line)."""
+        letter, _, digits = key.partition("_")
+        named = re.compile(rf"(?<![A-Za-z]){letter}\s*_\s*\{{?\s*{digits}(?!\d)")
+        texts = (
+            text for each in self.displays for text in (*each.said, *(() if each.place in besides else (each.latex,)))
+        )
+        return any(named.search(text) for text in texts)
 
     def at(self, key: str) -> str:
         """Return `file:line` of a front-matter key, for messages."""

@@ -21,6 +21,7 @@ from armproof.verification.equations.definitions import (
 )
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import heed_forces, unless_left_out
+from armproof.verification.equations.foreign_index import of_foreign_index
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.letter_matrices import (
@@ -116,6 +117,10 @@ class ChainChecker:
         if define and self.names.arm is not None and (matrix := stale(members)) is not None:
             forget_letters(self.names, matrix)
             members, fresh = self._evaluated(chain)
+        if define and self.names.arm is not None:
+            aside = partial(self._aside, first_equation=first_equation, line=line)
+            if (slipped := of_foreign_index(chain, members, self.names, first_equation, aside)) is not None:
+                return slipped
         branches = has_branches(chain) or bool(self.names.state.signs.read)
         definitions = Definitions(self.readings, line, define, fresh)
         known = [member for member in members if member.known]
@@ -244,19 +249,26 @@ class ChainChecker:
             return first
         readings = [*entries_elsewhere(self.names, chain)]
         for entries in readings:
-            before, meant = self.names.state.copy(), (self.conventions.doubts, self.conventions.before)
-            take_entries(self.names, entries)
             self.of_entries = True
-            tried = self.check(chain, equation, line, define=False)
+            tried = self._aside(chain, equation, line, partial(take_entries, self.names, entries))
             self.of_entries = False
-            self.names.state.become(before)
-            self.conventions.doubts, self.conventions.before = meant
             if all(outcome.verdict in HOLDS for outcome in tried):
                 return tried
         made = self.names.state.definitions
         others = [key for entries in readings for key in entries if key in made and made[key].by_place]
         doubt = say(Kind.SECOND_MEANING, name=others[0], line=made[others[0]].line) if others else None
         return [each if doubt is None or _is_slip(each) else each.left_open(doubt) for each in first]
+
+    def _aside(
+        self, chain: n.Chain, first_equation: int, line: int, first: Callable[[], None] = lambda: None
+    ) -> list[Outcome]:
+        """Check another chain, with what is done `first`, and leave nothing of it behind."""
+        before, meant = self.names.state.copy(), (self.conventions.doubts, self.conventions.before)
+        first()
+        tried = self.check(chain, first_equation, line, define=False)
+        self.names.state.become(before)
+        self.conventions.doubts, self.conventions.before = meant
+        return tried
 
     def _give_letters(self, chain: n.Chain, definitions: Definitions) -> None:
         """Let the letters of a matrix mean the entries of a name that a chain gives a value."""

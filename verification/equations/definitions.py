@@ -79,7 +79,7 @@ class Definitions:
         return Outcome(Verdict.UNCHECKED, (finding_of(member.problem),), equation, true, member)
 
     def _define_unbound(self, true: Member, member: Member, equation: int) -> Outcome | None:
-        """A name alone, its square, a matrix of names; or an index that slipped."""
+        """A name alone, its square, a matrix of names."""
         if (key := bare_key(member.node)) is not None:
             if any(isinstance(below, n.Name) and below.key == key for below in n.walk(true.node)):
                 return Outcome(Verdict.UNCHECKED, (say(Kind.ON_BOTH_SIDES, name=key),), equation, true, member)
@@ -98,10 +98,7 @@ class Definitions:
             if self.defines:
                 self.names.define(root, self.members.meaning(formula), self.line, root=formula)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,))
-        pattern = self.define_entries(true, member, equation, self.defines)
-        if pattern is not None and pattern.verdict is not Verdict.UNCHECKED:
-            return pattern
-        return self.readings.slipped_index(true, member, equation) or pattern
+        return self.define_entries(true, member, equation, self.defines)
 
     def define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""

@@ -188,27 +188,6 @@ class Readings:
         index = index if holding[0] else other
         return say(Kind.HOLDS_IF_REFERENCE, index=index, name=indexed[0].text) if holding[0] != holding[1] else None
 
-    def slipped_index(self, true: Member, member: Member, equation: int) -> Outcome | None:
-        """A length that the arm does not have (a_3 of a 2R arm) is a slip where one of its lengths makes the equation hold."""
-        named = [below for below in n.walk(member.node) if isinstance(below, n.Name)]
-        unknown = {name.key: name for name in named if not self.members.evaluate(name).known}
-        if self.names.arm is None or len(unknown) != 1:
-            return None
-        (name,) = unknown.values()
-        for length in self.names.arm.lengths if name.sub.isdigit() else ():
-            letter, _, index = length.partition("_")
-            if letter != name.base:
-                continue
-            read = member.node
-            for below in named:
-                if below.key == name.key:
-                    read = n.substitute(read, below, replace(below, sub=index))
-            mended = self.members.evaluate(read)
-            if mended.known and self.equality.compare(true, mended, equation, False).verdict is Verdict.PROVED:
-                slip = say(Kind.NO_SUCH_LENGTH, name=name.key, length=length)
-                return Outcome(Verdict.REFUTED, (slip,), equation, true, member)
-        return None
-
 
 def counted(chain: n.Chain, names: Names) -> Finding | None:
     """Say that a script above a letter may be no power: θ^{(2)}, θ^1, a θ^2 alone on its side, which may count solutions; a θ° alone."""

@@ -64,6 +64,8 @@ class Kind(MessageKind):
     NOT_AS_USUAL_BOUND = "not_as_usual_bound", "`{name}` is usually {reading}, and with that meaning the equation does not hold: to have it checked, write in the front matter {line}"
     SLIP_AS_USUAL = "slip_as_usual", "if that is meant, `{printed}` should be `{correct}`: {change}"
     SLIP_BEFORE = "slip_before", "it holds if what line {line} says of `{name}` has a slip: {change}"
+    SLIP_IN_LINK = "slip_in_link", "it holds if the matrix of link {link} has {column} = `{correct}` instead of `{printed}`: one of the two is wrong"
+    LINK_DISPUTED = "link_disputed", "with {column} = `{correct}` instead of `{printed}` in this matrix, what lines {lines} say holds: one of the two is wrong"
     NEVER_AS_USUAL = "never_as_usual", "nothing holds with `{name}` as it is usually meant: it may be of another arm"
     NEAR_QUANTITY = "near_quantity", "but for entry ({row}, {column}) `{name}` would be {reading}: to have it checked, write in the front matter {line}"
     SIDE_BY_SIDE = "side_by_side", "`{name}` may begin an equation of its own, or be a factor in the one before"

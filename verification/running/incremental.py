@@ -10,13 +10,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from armproof.verification.check import DocumentChecker, check_document, load_arm_of
+from armproof.verification.check import DocumentChecker, check_document, load_arm_of, plainly
 from armproof.verification.diagnosis.accepted import accepted, with_accepted
 from armproof.verification.document import Display, Document
 from armproof.verification.equations.later_definitions import AHEAD
 from armproof.verification.naming.reading import spelling_of
 from armproof.verification.naming.state import DocumentState
-from armproof.verification.tables.arms import Inference, infer_arm, scopes
+from armproof.verification.tables.arms import Inference, infer_arm, scopes, unless_disputed
 from armproof.verification.verdict import DocumentResult, Record
 
 
@@ -100,7 +100,8 @@ class IncrementalChecker:
             is_other = index < changed and record != old[index].record
             if _key(display) not in known or index == changed or is_other:
                 yield accepted(document, record)
-        self.result = with_accepted(document, checker.result_of(tuple(each.record for each in checked)))
+        result = checker.result_of(tuple(each.record for each in checked))
+        self.result = with_accepted(document, unless_disputed(found, result, plainly))
 
 
 def _key(display: Display) -> tuple[str, bool]:

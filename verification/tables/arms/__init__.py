@@ -1,6 +1,7 @@
 """The arm that a document shows where its front matter names none: read from its DH table or from its link matrices."""
 
 from armproof.verification.tables.arms.catalogue import difference, table_of_named
+from armproof.verification.tables.arms.disputed import unless_disputed
 from armproof.verification.tables.arms.inference import infer_arm
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.support import Inference, links_of, links_that_explain, settle_data
@@ -17,4 +18,5 @@ __all__ = [
     "settle_data",
     "stated_lengths",
     "table_of_named",
+    "unless_disputed",
 ]

@@ -134,10 +134,12 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return Inference(document, None, missing, line)
     if _stated(document):
         return _taken(document, found, best, bool(more))
+    unfit = _taken(document, found, best, bool(more)) if found[0].source == "matrices" and len(found) == 1 else None
     if rivals or not (best.held or is_shown):
-        return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)
+        return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
     if best.failed > best.held:
-        return Inference(document, problem=say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed), line=line)
+        problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
+        return Inference(document, problem=problem, line=line, unfit=unfit)
     return _taken(document, found, best, bool(more))
 
 

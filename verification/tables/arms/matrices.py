@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations
@@ -38,7 +39,10 @@ _Row = tuple[dict[str, Scalar], str]  # a, alpha, d, theta, and the joint variab
 
 @dataclass(frozen=True)
 class _Link:
-    """The printed matrix of a link, counted from 1, its name and letters, its display, and whether a product shows it."""
+    """The printed matrix of a link, counted from 1, its name and letters, its display, and whether a product shows it.
+
+    Its index is 0 where its name is that of no link; it is misnamed where its place among the others tells the index.
+    """
 
     index: int
     value: Matrix
@@ -46,6 +50,7 @@ class _Link:
     letters: tuple[n.Name, ...]
     display: Display
     in_product: bool
+    misnamed: bool = False
 
     @property
     def place(self) -> Place:
@@ -80,7 +85,7 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
     fixed: dict[int, _Link] = {}
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
-        for link in _links(document, names, algebra):
+        for link in _by_place([*_links(document, names, algebra)], document, names):
             if not link.is_constant and not equal(links.setdefault(link.index, link).value, link.value):
                 raise EvaluationError(say(Kind.LINK_AGAIN, number=link.index, line=link.display.line))
             if link.is_constant and not link.is_spelt_as_pose and link.index not in links:
@@ -92,12 +97,86 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
         first = chain[0].index
         if [link.index for link in chain] != list(range(first, first + len(chain))):
             return []
-        return [each for each in _fit(chain) if each.first == first - 1 or "" in each.joints]
+        found = [_by_own_index(each, chain, document) for each in _fit(chain)]
+        return [each for each in found if each.first == first - 1 or "" in each.joints]
+
+
+def _by_own_index(found: Candidate, chain: Sequence[_Link], document: Document) -> Candidate:
+    """Return an arm with the joint that one matrix alone names by another number, where the document writes its own: θ_1, d_1, d_3."""
+    parted = [joint.rpartition("_") for joint in found.joints]
+    strange = [place for place, (letter, _, digit) in enumerate(parted) if letter and digit != str(chain[place].index)]
+    if len(strange) != 1 or len(chain) < 2 or found.mended:
+        return found
+    [place] = strange
+    own = f"{parted[place][0]}_{chain[place].index}"
+    if own in found.joints or not parted[place][2].isdigit() or not document.writes(own, chain[place].place):
+        return found
+    row = {name: re.sub(rf"\b{found.joints[place]}\b", own, entry) for name, entry in found.rows[place].items()}
+    (cell, line), *more = (link.place for link in chain if link is not chain[place])
+    return replace(
+        found,
+        line=line,
+        cell=cell,
+        rows=(*found.rows[:place], row, *found.rows[place + 1 :]),
+        joints=(*found.joints[:place], own, *found.joints[place + 1 :]),
+        more_lines=tuple(more),
+        mended=frozenset({place + 1}),
+    )
 
 
 def _between(links: Mapping[int, _Link], fixed: Mapping[int, _Link]) -> Iterator[int]:
     """Yield the links in which nothing moves, between those that move and the one behind them."""
     yield from (index for index in range(min(links), max(links) + 2) if index in fixed and index not in links)
+
+
+def _by_place(links: list[_Link], document: Document, names: Names) -> list[_Link]:
+    """Return the links, the one whose name is of none or of another where it stands between its neighbours: {}^1T_1 behind {}^0T_1."""
+    found = [link for link in links if link.index]
+    count = Counter(link.index for link in found if not link.is_constant)
+    loose = [link for link in links if not link.is_constant and count[link.index] != 1]
+    again = {link.index for link in loose for other in loose if link.index == other.index and not _same(link, other)}
+    loose = [link for link in loose if _is_link(link) and (not link.index or link.index in again)]
+    if not loose or not count:
+        return found
+    spoken = _frames_of(document, names)
+    places = []
+    for link in loose:
+        frames = {0, *(spoken - Counter(_digits(link.name)))}  # as the others name them
+        missing = [k for k in range(1, max(frames | count.keys()) + 1) if not count[k] and {k - 1, k} <= frames]
+        places += [(link, k) for k in missing if len(missing) == 1 and _is_in_place(link, k, links)]
+    if len(places) != 1:
+        return found
+    [(wrong, index)] = places
+    own = (replace(link, index=index, misnamed=True) if link is wrong else link for link in links)
+    return [link for link in own if link.index]
+
+
+def _same(link: _Link, other: _Link) -> bool:
+    return equal(link.value, other.value)
+
+
+def _is_link(link: _Link) -> bool:
+    """Whether a matrix is that of a DH link with one joint variable, whatever its number."""
+    return any((row := _row_or_none(link, convention)) is not None and row[1] for convention in CONVENTIONS)
+
+
+def _frames_of(document: Document, names: Names) -> Counter[int]:
+    """Return the frames that the transforms in the equations of a document name, and how often."""
+    chains = (chain for display in document.displays for chain in equations_of(display, names))
+    nodes = (node for chain in chains for member in chain.members for node in n.walk(member))
+    return Counter(k for node in nodes for k in _digits(node))
+
+
+def _is_in_place(link: _Link, index: int, links: Sequence[_Link]) -> bool:
+    """Whether a matrix stands where that of a link is looked for, under a name that one digit tells from its own."""
+    at = next(place for place, each in enumerate(links) if each is link)
+    before = [place for place, each in enumerate(links) if each.index == index - 1 > 0]
+    behind = [place for place, each in enumerate(links) if each.index == index + 1 and each is not link]
+    if not (all(place < at for place in before) and all(at < place for place in behind)):
+        return False
+    digits = _digits(link.name)
+    own = ((index,),) if len(digits) == 1 else ((index - 1, index), (index, index - 1))
+    return any(sum(one != other for one, other in zip(digits, each, strict=True)) == 1 for each in own)
 
 
 def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[_Link]:
@@ -110,8 +189,8 @@ def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[
 
 def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Display) -> Iterator[_Link]:
     for name, printed, in_product in _printed(chain):
-        index, evaluated = _index(name), value_in_letters(printed, names, algebra)
-        if index is None or evaluated is None or not isinstance(evaluated[0], Matrix) or evaluated[0].shape != (4, 4):
+        index, evaluated = _index(name) or 0, value_in_letters(printed, names, algebra)
+        if evaluated is None or not isinstance(evaluated[0], Matrix) or evaluated[0].shape != (4, 4):
             continue
         if isinstance(name, n.Name):
             yield _Link(index, evaluated[0], name, evaluated[1], display, in_product)
@@ -120,7 +199,7 @@ def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Displ
 def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
     """Yield names with what is printed for them: A_1 = […], R_z(θ_1) Trans(0, 0, d_1) or […] […]; T_0^1 T_1^2 = […] […]."""
     members = [unapplied(member) for member in chain.members]
-    named = [member for member in members if _index(member) is not None]
+    named = [member for member in members if _index(member) is not None or (len(members) == 2 and _digits(member))]
     written = [member for member in members if _is_written(member)]
     if written and len({_index(name) for name in named}) == 1:
         yield named[0], min(written, key=lambda one: not isinstance(one, n.Matrix)), False
@@ -138,15 +217,22 @@ def _is_written(node: n.Node) -> bool:
 
 def _index(node: n.Node) -> int | None:
     """Return i of a name of {}^{i-1}T_i, T^{i-1}_i, T_{i-1,i} or A_i."""
+    digits = _digits(node)
+    if len(digits) == 1:
+        return digits[0]
+    return digits[1] if len(digits) == 2 and digits[1] == digits[0] + 1 else None
+
+
+def _digits(node: n.Node) -> tuple[int, ...]:
+    """Return the one or two digits in the scripts of a transform's name, outwards where it does not say which is the reference."""
     if not isinstance(node, n.Name) or node.base not in _TRANSFORMS or node.primes or node.dots:
-        return None
+        return ()
     scripts = [part for part in (node.pre_sup, node.pre_sub, node.sup, node.sub) if part]
     digits = [int(digit) for part in scripts for digit in re.findall(r"\d", part) if re.fullmatch(r"\d(?:,?\d)?", part)]
-    if len(scripts) == len(digits) == 1:
-        return digits[0]
+    if len(digits) == 1 and len(scripts) > 1:
+        return ()
     is_outward = not (node.pre_sup or node.pre_sub) and len(scripts) == 2
-    pair = sorted(digits) if is_outward else digits
-    return pair[1] if len(pair) == 2 and pair[1] == pair[0] + 1 else None
+    return tuple(sorted(digits) if is_outward else digits) if len(digits) < 3 else ()
 
 
 def _fit(chain: list[_Link]) -> list[Candidate]:
@@ -191,16 +277,19 @@ def _entries(row: _Row) -> dict[str, str]:
 def _candidate(chain: list[_Link], convention: str, rows: Sequence[_Row | None], slip: int | None = None) -> Candidate:
     """Return links as the rows of a table; one with a slip in its matrix is no source of it."""
     letters = [letter for link in chain for letter in link.letters]
-    lines = tuple(link.place for place, link in enumerate(chain) if place != slip)
+    wrong = {place for place, link in enumerate(chain) if place == slip or link.misnamed}
+    lines = tuple(link.place for place, link in enumerate(chain) if place not in wrong)
     quantities = {
-        link.name.key: {"pose": str(link.index), "in": str(link.index - 1)} for link in chain if link.is_spelt_as_pose
+        link.name.key: {"pose": str(link.index), "in": str(link.index - 1)}
+        for link in chain
+        if link.is_spelt_as_pose and not link.misnamed
     }
     entries = tuple(_entries(row) for row in rows if row is not None)
     joints = tuple(symbol_of(row[1]) for row in rows if row is not None)
     return Candidate(
         "matrices", lines[0][1], lines[0][0], entries, joints, renamed(letters), (convention,), lines,
         quantities=quantities, products=tuple(link.place for link in chain if link.in_product),
-        mended=frozenset() if slip is None else frozenset({slip + 1}),
+        mended=frozenset(place + 1 for place in wrong),
     )  # fmt: skip
 
 

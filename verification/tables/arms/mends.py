@@ -1,22 +1,43 @@
-"""Link matrices with one wrong entry: a sign, a sine for a cosine. What would be a DH link with that entry mended is none as printed."""
+"""Link matrices with one wrong entry: what would be a DH link with that entry mended is none as printed."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from armproof.verification.algebra.calculus import derivative
+from armproof.verification.algebra.calculus import derivative, substitute
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 
+_LAST = (0, 0, 0, 1)
+
 
 def mended(matrix: Matrix, angles: Sequence[str]) -> Iterator[Matrix]:
-    """Yield a printed pose with another sign in one entry, or with the other function of an angle there."""
-    ring = matrix.rows[0][0].ring
-    for place in ((r, c) for r, c in matrix.places if r < 3):
-        entry = matrix.rows[place[0]][place[1]]
-        turned = [derivative(entry, ring.symbol(angle)).normal() for angle in angles]
-        others = [-entry, *(sign * each for each in turned for sign in (1, -1))]
-        yield from (_with(matrix, place, other) for other in others if not other.is_zero())
+    """Yield a printed pose with one other entry: another sign, the other function, another angle or letter, 0 or ±1 for a number."""
+    letters = sorted({name for cell in matrix.cells for kind, name in cell.normal().generators if kind == "symbol"})
+    for r, c in matrix.places:
+        entry = matrix.rows[r][c]
+        others = _others(entry, angles, letters) if r < len(_LAST) - 1 else (entry.ring.rational(_LAST[c]),)
+        yield from (_with(matrix, (r, c), other) for other in others if not (other - entry).is_zero())
+
+
+def _others(entry: Scalar, angles: Sequence[str], letters: Sequence[str]) -> Iterator[Scalar]:
+    """Yield what a slip may have made of another entry."""
+    ring = entry.ring
+    if entry.as_fraction() is not None:
+        yield from map(ring.rational, (0, 1, -1))
+        return
+    yield -entry
+    for angle in angles:
+        turned = derivative(entry, ring.symbol(angle)).normal()
+        yield from (sign * turned for sign in (1, -1) if not turned.is_zero())
+    for names in (angles, letters):
+        for name in names:
+            own = [other for other in names if other != name and _names(entry, other)]
+            yield from (substitute(entry, {other: ring.symbol(name)}) for other in own)
+
+
+def _names(entry: Scalar, name: str) -> bool:
+    return any(own == name for _, own in entry.normal().generators)
 
 
 def _with(matrix: Matrix, place: tuple[int, int], entry: Scalar) -> Matrix:

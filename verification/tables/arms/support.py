@@ -21,12 +21,16 @@ from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, T
 
 @dataclass(frozen=True)
 class Inference:
-    """A document whose front matter names the arm that it shows, and what that was taken from; or why there is none."""
+    """A document whose front matter names the arm that it shows, and what that was taken from; or why there is none.
+
+    `unfit` is the arm as its link matrices are printed, where nothing else holds with it: one of them may hold a slip.
+    """
 
     document: Document
     arm: TakenArm | None = None
     problem: Finding | None = None
     line: int | None = None  # of what gives no arm, or not one
+    unfit: Inference | None = None
 
 
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
@@ -261,7 +265,7 @@ class _Settled:
     def _outcome(self, result: EquationResult, record: Record) -> EquationResult:
         """Return an equation's result; unchecked where it differs from the source in what nothing else confirms."""
         if result.verdict in HOLDS and _is_data(self.taken, record, result.links):
-            return result if result.links <= self.confirmed else self._data(result.index)
+            return result if result.links <= self.confirmed else self._data(result.index, result.links)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
         doubtful = links - self.confirmed
         is_of_links = len(doubtful) == 1 and not doubtful & {FRAMES, ORDER, TOLD}
@@ -284,8 +288,7 @@ class _Settled:
         doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)
         return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index), *result.findings))
 
-    def _data(self, index: int) -> EquationResult:
+    def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
         verdict = Verdict.DEFINED if self.is_used else Verdict.UNCHECKED
-        return EquationResult(
-            index, Role.DATA, verdict, findings=(say(Kind.GIVES_ARM, convention=self.taken.convention),)
-        )
+        gives = say(Kind.GIVES_ARM, convention=self.taken.convention)
+        return EquationResult(index, Role.DATA, verdict, findings=(gives,), links=links)

@@ -285,3 +285,70 @@ def test_letters_by_their_rows_are_the_numbers_of_the_links() -> None:
     column = "$$ p_2 = \\begin{bmatrix} a_1 c_1 + a_2 c_{12} \\\\ a_1 s_1 + a_2 s_{12} \\\\ 0 \\end{bmatrix} $$\n"
     assert verdicts(verify_text(text + column))[-1] == "proved"
     assert verdicts(verify_text(text + column.replace("a_2 s", "a_1 s")))[-1] == "unchecked"
+
+
+CYLINDRICAL = r"""
+$${}^0T_1 = \begin{bmatrix} c_1 & -s_1 & 0 & 0 \\ s_1 & c_1 & 0 & 0 \\ 0 & 0 & 1 & l_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}, \quad
+{}^1T_2 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & -1 & 0 & d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}, \quad
+{}^2T_3 = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & d_3 \\ 0 & 0 & 0 & 1 \end{bmatrix}$$
+
+$${}^0T_3 = {}^0T_1 {}^1T_2 {}^2T_3 = \begin{bmatrix} c_1 & 0 & -s_1 & -d_3 s_1 \\ s_1 & 0 & c_1 & d_3 c_1 \\ 0 & -1 & 0 & l_1 + d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}$$
+
+$$p_x = -d_3 s_1, \quad p_y = d_3 c_1, \quad p_z = l_1 + d_2$$
+
+$$J_v = \begin{bmatrix} -d_3 c_1 & 0 & -s_1 \\ -d_3 s_1 & 0 & c_1 \\ 0 & 1 & 0 \end{bmatrix}$$
+
+$$\det J_v = d_3$$
+"""
+
+
+def with_slip(printed: str, other: str) -> DocumentResult:
+    """The verdicts of a cylindrical arm's sheet with one thing printed otherwise, where that stands first."""
+    assert printed in CYLINDRICAL
+    return verify_text(CYLINDRICAL.replace(printed, other, 1))
+
+
+@pytest.mark.parametrize(
+    ("printed", "other"),
+    [
+        ("{}^0T_1 = ", "{}^1T_1 = "),
+        ("{}^1T_2 = ", "{}^1T_3 = "),
+        ("{}^2T_3 = ", "{}^2T_2 = "),
+        ("-1 & 0 & d_2", "-1 & 0 & d_1"),
+        ("-1 & 0 & d_2", "-1 & 0 & d_3"),
+        ("-1 & 0 & d_2", "1 & 0 & d_2"),
+        ("1 & 0 & 0 & 0 ", "1 & 0 & 1 & 0 "),
+        ("c_1 & -s_1", "c_2 & -s_1"),
+        ("0 & 0 & 0 & 1", "0 & 0 & 1 & 1"),
+    ],
+)
+def test_a_link_matrix_with_a_slip_is_refuted_and_costs_the_others_nothing(printed: str, other: str) -> None:
+    assert set(verdicts(with_slip(printed, printed))) == {"proved"}
+    first, *others = verdicts(with_slip(printed, other))
+    assert first == "refuted" and set(others) == {"proved"}
+
+
+@pytest.mark.parametrize(
+    ("printed", "other", "correct"),
+    [("& l_1", "& l_2", "l_1"), ("& l_1", "& -l_1", "l_1"), ("& d_2", "& -d_2", "d_2"), ("1 & d_3", "1 & -d_3", "d_3")],
+)
+def test_a_length_in_a_link_matrix_against_the_rest_leaves_both_open(printed: str, other: str, correct: str) -> None:
+    first, *others = with_slip(printed, other).equations
+    assert first.verdict.value == "unchecked" and first.findings[0].terms["correct"] == correct
+    assert "refuted" not in {each.verdict.value for each in others} and "one of the two is wrong" in others[0].message
+
+
+def test_one_display_against_a_link_matrix_is_refuted() -> None:
+    assert verdicts(with_slip("p_z = l_1 + d_2", "p_z = l_1 - d_2")) == [
+        "proved",
+        "proved",
+        "refuted",
+        "proved",
+        "proved",
+    ]
+
+
+def test_what_holds_speaks_for_a_link_matrix() -> None:
+    """Two displays that have the same slip are wrong where a third one holds as the matrix is printed."""
+    wrong = CYLINDRICAL.replace("l_1 + d_2", "l_1 - d_2")
+    assert verdicts(verify_text(wrong + "\n$$\\dot p_z = \\dot d_2$$\n"))[:3] == ["proved", "refuted", "refuted"]

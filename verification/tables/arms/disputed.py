@@ -1,0 +1,145 @@
+"""A link matrix against the rest of its document: where several displays hold with one other length in it, either may be wrong."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from armproof.models.errors import ArmproofError
+from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.tables.arms.support import Inference
+from armproof.verification.tables.arms.witnesses import weigh
+from armproof.verification.verdict import HOLDS, DocumentResult, EquationResult, Record, TakenArm, Verdict
+
+FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself
+_NAME = re.compile(r"[A-Za-z]\w*")
+MOST = 100  # other arms that are weighed
+
+Check = Callable[[Inference], DocumentResult]
+
+
+@dataclass(frozen=True)
+class _Other:
+    """An arm with another a or d in the row of one link, counted from 1."""
+
+    link: int
+    column: str
+    printed: str
+    correct: str
+    front: Mapping[str, Any]
+
+
+def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> DocumentResult:
+    """Leave open what holds with one other length in a link matrix, and that matrix: nobody knows which of the two is wrong.
+
+    What holds of the arm as its matrices are printed, and not with the other length, speaks for the matrix.
+    """
+    if part.unfit is not None:
+        printed = check(part.unfit)
+        found = unless_disputed(part.unfit, printed, check)
+        return result if found is printed or any(each.verdict is Verdict.REFUTED for each in found.equations) else found
+    if part.arm is None or part.arm.source != "matrices" or part.arm.mended:
+        return result
+    lost = [each for each in result.equations if _is_lost(each, part)]
+    if _letters(part) == _own_letters(part) and all(each.verdict is not Verdict.REFUTED for each in lost):
+        return result
+    if len(lost) < FEWEST or (other := _best(part, lost)) is None:
+        return result
+    there = check(replace(part, document=replace(part.document, front=dict(other.front), tables=())))
+    verdicts = {(each.cell, each.line): each.verdict for each in there.equations}
+    gained = [each for each in lost if verdicts[each.cell, each.line] in HOLDS]
+    against = [
+        each
+        for each in result.equations
+        if each.verdict in HOLDS and not _is_data(each, part) and verdicts[each.cell, each.line] is Verdict.REFUTED
+    ]
+    if len(gained) < FEWEST or against:
+        return result
+    return replace(result, equations=tuple(_doubted(each, other, gained, part.arm) for each in result.equations))
+
+
+def _is_data(record: Record, part: Inference) -> bool:
+    return part.arm is not None and (record.cell, record.line) in part.arm.lines
+
+
+def _is_lost(record: Record, part: Inference) -> bool:
+    """Whether a display does not hold of the arm as its link matrices are printed."""
+    is_open = record.verdict is Verdict.UNCHECKED and not record.is_remark
+    return (is_open or record.verdict is Verdict.REFUTED) and not (record.erratum or _is_data(record, part))
+
+
+def _best(part: Inference, lost: Sequence[Record]) -> _Other | None:
+    """Return the arm with another length under which most of these displays hold, and more than under any second one."""
+    assert part.arm is not None
+    places = {(each.cell, each.line) for each in lost}
+    displays = tuple(each for each in part.document.displays if each.place in places)
+    others = {str(other.front["arm"]["rows"]): other for other in _others(part)}
+    fronts = [other.front for other in others.values()][:MOST]
+    try:
+        readings = weigh(replace(part.document, displays=displays), fronts)
+    except ArmproofError:
+        return None
+    best = [others[str(each.front["arm"]["rows"])] for each in readings if each.held == readings[0].held >= FEWEST]
+    numbers = [other for other in best if other.printed.isdigit() and other.printed != "0"]  # of lines in parallel
+    return next(iter(numbers if len(best) > 1 else best), None)
+
+
+def _others(part: Inference) -> Iterator[_Other]:
+    """Yield the arms with another letter, another sign, or none, in one length or slide."""
+    front = part.document.front
+    arm, letters = front["arm"], sorted(_letters(part))
+    for k, row in enumerate(arm["rows"]):
+        for column in ("a", "d"):
+            printed = str(row[column])
+            for correct in _entries(printed, letters, printed.lstrip("-") in arm["joints"]):
+                rows = [{**each, column: correct} if each is row else each for each in arm["rows"]]
+                yield _Other(k + 1, column, printed, correct, {**front, "arm": {**arm, "rows": rows}})
+
+
+def _letters(part: Inference) -> set[str]:
+    """Return the lengths of an arm, and what its document writes with one of their letters and another digit."""
+    arm, own = part.document.front["arm"], _own_letters(part)
+    bases = {name.partition("_")[0] for name in own if "_" in name}
+    alike = (f"{base}_{k + 1}" for base in sorted(bases) for k in range(len(arm["rows"])))
+    return own | {name for name in alike if name not in arm["joints"] and part.document.writes(name)}
+
+
+def _own_letters(part: Inference) -> set[str]:
+    arm = part.document.front["arm"]
+    texts = (str(row[column]) for row in arm["rows"] for column in ("a", "d"))
+    return {name for text in texts for name in _NAME.findall(text)} - set(arm["joints"])
+
+
+def _entries(printed: str, letters: Sequence[str], is_joint: bool) -> Iterator[str]:
+    """Yield what a slip may have made of an entry."""
+    if printed not in ("0", "pi") and re.fullmatch(r"-?[\w.]+", printed):
+        yield printed[1:] if printed.startswith("-") else f"-{printed}"
+    if not is_joint:
+        yield from (letter for letter in letters if letter != printed)
+        yield from () if printed == "0" else ("0",)
+
+
+def _doubted(record: Record, other: _Other, gained: Sequence[Record], taken: TakenArm) -> Record:
+    """Return a record left open where it is of the link, or holds if that has another length."""
+    change = {"column": other.column, "printed": other.printed, "correct": other.correct}
+    if record in gained:
+        return _left_open(
+            record, say(Kind.SLIP_IN_LINK, link=other.link, **change), lambda each: each.verdict not in HOLDS
+        )
+    if (record.cell, record.line) not in taken.lines:
+        return record
+    doubt = say(Kind.LINK_DISPUTED, lines=[each.line for each in gained], **change)
+    return _left_open(record, doubt, lambda each: each.links == {other.link})
+
+
+def _left_open(record: Record, doubt: Finding, is_meant: Callable[[EquationResult], bool]) -> Record:
+    opened = record.with_outcomes(
+        tuple(
+            replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),)) if is_meant(each) else each
+            for each in record.outcomes
+        )
+    )
+    said = (finding for each in opened.outcomes if each.verdict is opened.verdict for finding in each.findings)
+    return opened if opened.verdict is not Verdict.UNCHECKED else replace(opened, findings=tuple(said))
