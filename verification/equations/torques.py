@@ -34,6 +34,7 @@ class Torques:
         if not pairs or len(pairs) != self._asked(outcome):
             return outcome
         if all(map(agree_exactly, pairs)):
+            self._heed(outcome)
             return replace(outcome, verdict=Verdict.PROVED, findings=(), role=Role.CLAIM)
         turned = [replace(pair, true=pair.true.map(lambda cell: -cell)) for pair in pairs]
         said = self._is_said_to_be(outcome)
@@ -48,11 +49,19 @@ class Torques:
             self.members.names.leave_open(name, finding)
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
 
-    def _is_said_to_be(self, outcome: Outcome) -> bool:
-        """Whether the exercise says that these torques are J^T F."""
-        named = [*(cells_of(outcome.printed.node) or (outcome.printed.node,))] if outcome.printed is not None else []
-        letters = {each.base for each in map(bare, named) if isinstance(each, n.Name)}
+    def _heed(self, outcome: Outcome) -> None:
+        """One torque that is what J^T F makes of the force shows what the others of its letter are."""
         state = self.members.names.state
+        state.balanced |= {(letter, state.exercise) for letter in self._letters(outcome)}
+
+    @staticmethod
+    def _letters(outcome: Outcome) -> set[str]:
+        named = [*(cells_of(outcome.printed.node) or (outcome.printed.node,))] if outcome.printed is not None else []
+        return {each.base for each in map(bare, named) if isinstance(each, n.Name)}
+
+    def _is_said_to_be(self, outcome: Outcome) -> bool:
+        """Whether the exercise says, or shows, that these torques are J^T F."""
+        letters, state = self._letters(outcome), self.members.names.state
         return len(letters) == 1 and bool(state.balanced & {(*letters, state.exercise), (*letters, "")})
 
     def _refuted(self, outcome: Outcome, pairs: list[Pair]) -> Outcome:

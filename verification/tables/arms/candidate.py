@@ -61,6 +61,12 @@ class Candidate:
         return tuple(int(number[1]) for number in numbers if number is not None)
 
     @property
+    def kinds(self) -> str:
+        """R for each joint that turns, P for each that slides, from the base on."""
+        moving = ((row, joint) for row, joint in zip(self.rows, self.joints, strict=True) if joint)
+        return "".join("R" if joint in row["theta"] else "P" for row, joint in moving)
+
+    @property
     def first(self) -> int:
         """The number of the base's frame: 3, where the joints are θ_4, θ_5 and θ_6."""
         begin = self.indices[0] if self.indices else 1

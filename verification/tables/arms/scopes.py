@@ -149,6 +149,7 @@ def _starts(document: Document) -> Iterator[Place]:
     for source in sorted(_sources(document), key=lambda one: one.place):
         if source.arm is not None:
             is_new = table is not None and table.arm is not None and _is_other(source.arm, table.arm)
+            is_new = is_new or (link is not None and table is None and _is_of_other_joints(document, link, source))
             table, link = source, None if is_new else link
         else:
             is_new = link is not None and (source.entries != link.entries and source.section != link.section)
@@ -165,6 +166,18 @@ def _is_other(arm: Candidate, before: Candidate) -> bool:
     if before.source == "closed form":
         return sum(map(bool, arm.joints)) != sum(map(bool, before.joints))
     return arm.is_other_than(before)
+
+
+def _is_of_other_joints(document: Document, link: _Source, source: _Source) -> bool:
+    """Whether the closed form of an exercise has other joints than the link matrices of one before it: q_1, q_2 behind θ_1, d_2, d_3."""
+    if source.arm is None or source.arm.source != "closed form":
+        return False
+    part = _between(document, link.place, source.place)
+    try:
+        before = next(iter(candidates_of_matrices(part, plain_names(document))), None)
+    except EvaluationError:
+        return False
+    return before is not None and before.kinds != source.arm.kinds and not set(source.arm.joints) <= set(before.joints)
 
 
 def _sources(document: Document) -> Iterator[_Source]:
