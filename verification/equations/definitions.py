@@ -8,8 +8,10 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.letter_matrices import FEWEST_LETTERS
@@ -24,7 +26,7 @@ from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
-from armproof.verification.naming.conventions import AXES
+from armproof.verification.naming.conventions import AXES, is_usual
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import HOLDS, Role, Verdict
@@ -120,7 +122,7 @@ class Definitions:
                     wrong.append((block.row, block.column))
             elif isinstance(cell.problem, NoValue):
                 wrong.append((block.row, block.column))
-            elif key is None or not isinstance(cell.problem, UnboundName):
+            elif key is None or not isinstance(cell.problem, UnboundName) or self._is_nothing(block, blocks, value):
                 unknown = cell.problem
             elif key in first:
                 if not self.readings.equality.equals_block(first[key], block.of(value)):
@@ -140,6 +142,16 @@ class Definitions:
             return Outcome(Verdict.UNCHECKED, (finding_of(unknown),), equation, true, member)
         said = say(Kind.DEFINES_ENTRIES, names=list(first))
         return Outcome(Verdict.DEFINED, (said,), equation, true, member, defines=tuple(first))
+
+    def _is_nothing(self, block: Block, blocks: Iterable[Block], value: Matrix) -> bool:
+        """Whether a letter without a usual meaning stands beside formulas where a value has a zero: nobody writes a length that is none."""
+        name, zero = bare(block.cell), as_scalar(block.of(value))
+        if not (isinstance(zero, Scalar) and zero.is_zero() and isinstance(name, n.Name)):
+            return False
+        if is_usual(name) or name.sub in {*AXES}:
+            return False
+        cells = (as_scalar(self.members.evaluate(each.cell).value) for each in blocks)
+        return any(isinstance(cell, Scalar) and symbols_in([cell]) for cell in cells)
 
     def _define_components(self, block: Block) -> None:
         """s, n, a of [s n a P]: the components of a column that a letter stands for have its letter, s_x, s_y, s_z."""

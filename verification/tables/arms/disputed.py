@@ -1,4 +1,4 @@
-"""A link matrix against the rest of its document: where several displays hold with one other length in it, either may be wrong."""
+"""A link matrix or a row of a table against the rest of its document: where several displays hold with one other entry, either may be wrong."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.witnesses import weigh
-from armproof.verification.verdict import HOLDS, DocumentResult, EquationResult, Record, TakenArm, Verdict
+from armproof.verification.verdict import HOLDS, DocumentResult, EquationResult, Record, Verdict
 
 FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself
 _NAME = re.compile(r"[A-Za-z]\w*")
@@ -22,7 +22,7 @@ Check = Callable[[Inference], DocumentResult]
 
 @dataclass(frozen=True)
 class _Other:
-    """An arm with another a or d in the row of one link, counted from 1."""
+    """An arm with another entry in the row of one link, counted from 1."""
 
     link: int
     column: str
@@ -32,18 +32,20 @@ class _Other:
 
 
 def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> DocumentResult:
-    """Leave open what holds with one other length in a link matrix, and that matrix: nobody knows which of the two is wrong.
+    """Leave open what holds with one other entry in what the arm was taken from, and that: nobody knows which of the two is wrong.
 
-    What holds of the arm as its matrices are printed, and not with the other length, speaks for the matrix.
+    What holds of the arm as it is printed, and not with the other entry, speaks for that.
     """
     if part.unfit is not None:
         printed = check(part.unfit)
         found = unless_disputed(part.unfit, printed, check)
-        return result if found is printed or any(each.verdict is Verdict.REFUTED for each in found.equations) else found
-    if part.arm is None or part.arm.source != "matrices" or part.arm.mended:
+        return result if found is printed else _without_refuted(found, part.problem)
+    if part.arm is None or part.arm.source not in ("matrices", "table") or part.arm.mended:
         return result
     lost = [each for each in result.equations if _is_lost(each, part)]
-    if _letters(part) == _own_letters(part) and all(each.verdict is not Verdict.REFUTED for each in lost):
+    if len(_letters(part, lost)) == len(_own_letters(part)) and all(
+        each.verdict is not Verdict.REFUTED for each in lost
+    ):
         return result
     if len(lost) < FEWEST or (other := _best(part, lost)) is None:
         return result
@@ -57,7 +59,19 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
     ]
     if len(gained) < FEWEST or against:
         return result
-    return replace(result, equations=tuple(_doubted(each, other, gained, part.arm) for each in result.equations))
+    return replace(
+        result,
+        equations=tuple(_doubted(each, other, gained, part) for each in result.equations),
+        tables=tuple(_doubted(each, other, gained, part) for each in result.tables),
+    )
+
+
+def _without_refuted(result: DocumentResult, problem: Finding | None) -> DocumentResult:
+    """Leave open what is refuted for an arm that does not fit its document."""
+    if problem is None:
+        return result
+    opened = (_left_open(each, problem, lambda one: one.verdict is Verdict.REFUTED) for each in result.equations)
+    return replace(result, equations=tuple(opened))
 
 
 def _is_data(record: Record, part: Inference) -> bool:
@@ -75,7 +89,7 @@ def _best(part: Inference, lost: Sequence[Record]) -> _Other | None:
     assert part.arm is not None
     places = {(each.cell, each.line) for each in lost}
     displays = tuple(each for each in part.document.displays if each.place in places)
-    others = {str(other.front["arm"]["rows"]): other for other in _others(part)}
+    others = {str(other.front["arm"]["rows"]): other for other in _others(part, lost)}
     fronts = [other.front for other in others.values()][:MOST]
     try:
         readings = weigh(replace(part.document, displays=displays), fronts)
@@ -86,24 +100,28 @@ def _best(part: Inference, lost: Sequence[Record]) -> _Other | None:
     return next(iter(numbers if len(best) > 1 else best), None)
 
 
-def _others(part: Inference) -> Iterator[_Other]:
-    """Yield the arms with another letter, another sign, or none, in one length or slide."""
+def _others(part: Inference, lost: Sequence[Record]) -> Iterator[_Other]:
+    """Yield the arms with one other entry: in a table any, in a matrix, which is a rigid motion, a length or a slide."""
     front = part.document.front
-    arm, letters = front["arm"], sorted(_letters(part))
+    arm, letters = front["arm"], sorted(_letters(part, lost))
+    is_table = part.arm is not None and part.arm.source == "table"
     for k, row in enumerate(arm["rows"]):
-        for column in ("a", "d"):
+        for column in ("a", "d", "alpha", "theta") if is_table else ("a", "d"):
             printed = str(row[column])
-            for correct in _entries(printed, letters, printed.lstrip("-") in arm["joints"]):
+            is_joint = printed.lstrip("-") in arm["joints"]
+            for correct in _lengths(printed, letters, is_joint) if column in ("a", "d") else _angles(printed, is_joint):
                 rows = [{**each, column: correct} if each is row else each for each in arm["rows"]]
                 yield _Other(k + 1, column, printed, correct, {**front, "arm": {**arm, "rows": rows}})
 
 
-def _letters(part: Inference) -> set[str]:
-    """Return the lengths of an arm, and what its document writes with one of their letters and another digit."""
+def _letters(part: Inference, lost: Sequence[Record]) -> set[str]:
+    """Return the lengths of an arm, what its document writes with one of their letters and another digit, and what is not bound."""
     arm, own = part.document.front["arm"], _own_letters(part)
     bases = {name.partition("_")[0] for name in own if "_" in name}
     alike = (f"{base}_{k + 1}" for base in sorted(bases) for k in range(len(arm["rows"])))
-    return own | {name for name in alike if name not in arm["joints"] and part.document.writes(name)}
+    unbound = {str(each.terms["name"]) for record in lost for each in record.findings if each.kind is Kind.NOT_BOUND}
+    unbound = {name for name in unbound if _NAME.fullmatch(name)}
+    return own | unbound | {name for name in alike if name not in arm["joints"] and part.document.writes(name)}
 
 
 def _own_letters(part: Inference) -> set[str]:
@@ -112,29 +130,42 @@ def _own_letters(part: Inference) -> set[str]:
     return {name for text in texts for name in _NAME.findall(text)} - set(arm["joints"])
 
 
-def _entries(printed: str, letters: Sequence[str], is_joint: bool) -> Iterator[str]:
-    """Yield what a slip may have made of an entry."""
-    if printed not in ("0", "pi") and re.fullmatch(r"-?[\w.]+", printed):
+def _turned(printed: str) -> Iterator[str]:
+    if printed != "0" and re.fullmatch(r"-?[\w./]+", printed):
         yield printed[1:] if printed.startswith("-") else f"-{printed}"
+
+
+def _angles(printed: str, is_joint: bool) -> Iterator[str]:
+    """Yield the angles of which a slip may have made another one."""
+    yield from _turned(printed)
+    if not is_joint and re.fullmatch(r"-?[\dpi/]+", printed):
+        yield from (other for other in ("0", "pi/2", "-pi/2") if other not in (printed, *_turned(printed)))
+
+
+def _lengths(printed: str, letters: Sequence[str], is_joint: bool) -> Iterator[str]:
+    """Yield the lengths of which a slip may have made another one."""
+    yield from _turned(printed)
     if not is_joint:
         yield from (letter for letter in letters if letter != printed)
         yield from () if printed == "0" else ("0",)
 
 
-def _doubted(record: Record, other: _Other, gained: Sequence[Record], taken: TakenArm) -> Record:
-    """Return a record left open where it is of the link, or holds if that has another length."""
-    change = {"column": other.column, "printed": other.printed, "correct": other.correct}
+def _doubted(record: Record, other: _Other, gained: Sequence[Record], part: Inference) -> Record:
+    """Return a record left open where it shows the link, or holds if that has another entry."""
+    assert part.arm is not None
+    change = {"column": other.column, "printed": other.printed, "correct": other.correct, "link": other.link}
     if record in gained:
-        return _left_open(
-            record, say(Kind.SLIP_IN_LINK, link=other.link, **change), lambda each: each.verdict not in HOLDS
-        )
-    if (record.cell, record.line) not in taken.lines:
+        return _left_open(record, say(Kind.SLIP_IN_LINK, **change), lambda each: each.verdict not in HOLDS)
+    if not _is_data(record, part):
         return record
     doubt = say(Kind.LINK_DISPUTED, lines=[each.line for each in gained], **change)
-    return _left_open(record, doubt, lambda each: each.links == {other.link})
+    own = frozenset[int]() if part.arm.source == "table" else {other.link}
+    return _left_open(record, doubt, lambda each: each.links == own)
 
 
 def _left_open(record: Record, doubt: Finding, is_meant: Callable[[EquationResult], bool]) -> Record:
+    if not any(map(is_meant, record.outcomes)):
+        return record
     opened = record.with_outcomes(
         tuple(
             replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),)) if is_meant(each) else each

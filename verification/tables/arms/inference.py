@@ -134,7 +134,8 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return Inference(document, None, missing, line)
     if _stated(document):
         return _taken(document, found, best, bool(more))
-    unfit = _taken(document, found, best, bool(more)) if found[0].source == "matrices" and len(found) == 1 else None
+    is_plain = found[0].source in ("table", "matrices") and len(found) == 1 and not rivals
+    unfit = _taken(document, found, best, bool(more)) if is_plain else None
     if rivals or not (best.held or is_shown):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
     if best.failed > best.held:

@@ -352,3 +352,34 @@ def test_what_holds_speaks_for_a_link_matrix() -> None:
     """Two displays that have the same slip are wrong where a third one holds as the matrix is printed."""
     wrong = CYLINDRICAL.replace("l_1 + d_2", "l_1 - d_2")
     assert verdicts(verify_text(wrong + "\n$$\\dot p_z = \\dot d_2$$\n"))[:3] == ["proved", "refuted", "refuted"]
+
+
+TABLE = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | 0 | 0 | $l_1$ | $\\theta_1$ |\n| 2 | 0 | $-\\pi/2$ | $d_2$ | 0 |\n| 3 | 0 | 0 | $d_3$ | 0 |\n"
+
+
+@pytest.mark.parametrize(
+    ("printed", "other", "column", "correct"),
+    [
+        ("$-\\pi/2$", "$\\pi/2$", "alpha", "-pi/2"),
+        ("$l_1$", "$-l_1$", "d", "l_1"),
+        ("$l_1$", "0", "d", "l_1"),
+        ("3 | 0 | 0", "3 | $l_1$ | 0", "a", "0"),
+        ("$\\theta_1$", "$-\\theta_1$", "theta", "theta_1"),
+    ],
+)
+def test_a_cell_of_a_table_against_the_rest_leaves_both_open(
+    printed: str, other: str, column: str, correct: str
+) -> None:
+    """The matrix of the second link holds or not by itself; the first and the third have no matrix here."""
+    text = TABLE + CYLINDRICAL[CYLINDRICAL.index("$${}^0T_3") :].replace("{}^0T_1 {}^1T_2 {}^2T_3 = ", "")
+    assert set(verdicts(verify_text(text))) == {"proved"}
+    result = verify_text(text.replace(printed, other, 1))
+    (table,) = result.tables
+    assert table.verdict.value == "unchecked" and "refuted" not in verdicts(result)
+    assert (table.findings[0].terms["column"], table.findings[0].terms["correct"]) == (column, correct)
+
+
+def test_a_letter_where_the_table_has_nothing_is_not_defined_by_it() -> None:
+    """A_1 with h beside a table without it: h is no name for zero."""
+    lacking = TABLE.replace("$l_1$", "0") + CYLINDRICAL[: CYLINDRICAL.index(", \\quad")] + "$$\n"
+    assert verdicts(verify_text(lacking)) == ["unchecked"]
