@@ -38,6 +38,7 @@ _UNBOUND = {
     Kind.DEFINES_ENTRIES,
     Kind.DEFINES_WITHOUT_VALUE,
 }
+_CONTRADICT = {Kind.LINK_DISPUTED, Kind.SLIP_IN_LINK, Kind.CONTRADICTED, Kind.RESTS_ON_DOUBT}  # one of two is wrong
 _NOUNS = {
     "document": noted_plural("{number} document", "{number} documents"),
     "display": noted_plural("{number} display", "{number} displays"),
@@ -59,6 +60,7 @@ class Undecided:
         self.total: Counter[str] = Counter()  # by noun; remarks are not among them
         self.open: Counter[str] = Counter()
         self._causes: Counter[str] = Counter()
+        self.contradictory = False  # whether something is wrong, and what of two things is not known
 
     def add(self, record: Record, noun: str = "equation", *, arm: bool = True) -> None:
         """Count the equations of a record, or the record where it has none; `arm`: whether its document needs none."""
@@ -69,6 +71,7 @@ class Undecided:
             if each.verdict in (Verdict.UNCHECKED, Verdict.UNREADABLE):
                 self.open[noun] += 1
                 self._causes[_cause(each.findings or record.findings, arm)] += 1
+                self.contradictory |= any(finding.kind in _CONTRADICT for finding in each.findings)
 
     def __bool__(self) -> bool:
         return self.open.total() > 0
@@ -247,6 +250,8 @@ class Totals:
             told = counted("nothing else wrong found; {number} finding is accepted, not right",
                            "nothing else wrong found; {number} findings are accepted, not right", self.accepted)  # fmt: skip
             return f"{told}{look_up('; ')}{self.undecided}" if self.undecided else told
+        if self.undecided.contradictory:
+            return written("some lines contradict each other; {undecided}", undecided=self.undecided)
         if self.undecided:
             return written("nothing wrong found; {undecided}", undecided=self.undecided)
         return look_up("everything passes") if self.decides_all else look_up("no claim was found")

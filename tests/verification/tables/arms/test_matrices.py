@@ -8,6 +8,7 @@ import pytest
 
 from armproof import verify_text
 from armproof.verification.document import parse_document
+from armproof.verification.report.totals import Totals
 from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Role
 from tests.verification.tables.arms.test_inference import (
@@ -377,6 +378,7 @@ def test_a_cell_of_a_table_against_the_rest_leaves_both_open(
     (table,) = result.tables
     assert table.verdict.value == "unchecked" and "refuted" not in verdicts(result)
     assert (table.findings[0].terms["column"], table.findings[0].terms["correct"]) == (column, correct)
+    assert Totals.of([result]).verdict.startswith("some lines contradict each other; ")
 
 
 def test_a_letter_where_the_table_has_nothing_is_not_defined_by_it() -> None:
