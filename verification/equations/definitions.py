@@ -150,7 +150,8 @@ class Definitions:
             return False
         if is_usual(name) or name.sub in {*AXES}:
             return False
-        cells = (as_scalar(self.members.evaluate(each.cell).value) for each in blocks)
+        formulas = (each.cell for each in blocks if bare_key(each.cell) is None)
+        cells = (as_scalar(self.members.evaluate(cell).value) for cell in formulas)
         return any(isinstance(cell, Scalar) and symbols_in([cell]) for cell in cells)
 
     def _define_components(self, block: Block) -> None:
