@@ -187,14 +187,14 @@ class _Scanner:
         self.fences: list[str] = []
         self.transparent_braces: set[int] = set()
         self.depth = 0
-        self.previous = ""
+        self.before = self.previous = ""
         self.bar_open = self.double_bar = False  # |x|, ||x||
         self.member: tuple[int, list[int]] = -1, []  # where the member of the last bar ends, and its single bars
         self.plain_ends: dict[int, str] = {}  # where \matrix{…} and {… \over …} end, and what they are
         self.sentences: list[int] = []  # the ends of the \\text{…} in whose formulas we are
 
     def token(self, kind: str, value: str, start: int, end: int) -> Token:
-        self.previous = kind
+        self.before, self.previous = self.previous, kind
         self.lists += (kind in ("LPAR", "OPEN_SET", "OPEN_EMPTY")) - (kind in ("RPAR", "CLOSE_SET", "CLOSE_EMPTY"))
         if kind == "LETTER" and self.accent:
             value, self.accent = f"{self.accent} {value}", ""
@@ -659,7 +659,8 @@ class _Scanner:
             if self._over(start):
                 self._deeper(start)
                 return [self.token(kind, value, start, end) for kind, value in _FRACTION], end
-            if self.previous not in _TAKES_ARGUMENT and self._holds_equations(start):
+            is_argument = self.previous in _TAKES_ARGUMENT or self.before == "FRAC"  # \frac{…} and \frac1{…}
+            if not is_argument and self._holds_equations(start):
                 self.transparent_braces.add(self._matching_brace(start))
                 return [], end
             self._deeper(start)
