@@ -14,7 +14,9 @@ from armproof.models.language import ENGLISH, spoken
 _DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?:,\d+)?)*\s*[\])]?\s*")
 _ONE_DECIMAL_COMMA = re.compile(r"\s*[-+]?(?:0,\d+|\d+,(?!\d{3}\s*$)\d+)\s*")  # 1,500 may be a thousand and a half
 _BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
-_NAMED = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))[^\W\d]\w*\s*=\s*")
+_NAMED = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))(?:\\?(?:sin|cos|tan)\s*)?\\?[^\W\d]\w*\s*=\s*")
+_SAID = re.compile(r"\s*(?P<word>[^\W\d]{3,})(?:\s*:\s*|\s+)(?P<value>[-−+]?[\dπp\\].*)")  # roll -pi/2
+_SUM = re.compile(r"(?P<whole>\d+)\s*\((?P<parts>\d+(?:\s*\+\s*\d+)+)\)")  # 6 (3+3)
 _SCALES = {
     "m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0},
     "m/s": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001},
@@ -81,7 +83,9 @@ def _with_points(items: Any) -> Any:
 
 def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     """Return the numbers of a text: "[0, 2]", "0 2", "pi/2", "x = 250 mm"; of "0,05 ; 0,55", which is French, two."""
-    text = _MARKS.sub("", text)
+    text = _without_words(_MARKS.sub("", text), count)
+    if count == 1 and (worked := _worked_out(text, unit)) is not None:
+        return worked
     text = _ASIDE.sub("", text) if count == 1 else _TIMES.sub("", text)
     if count > 1 and re.fullmatch(rf"\s*\d{{{count}}}\s*", text):  # 0001 for four of them
         text = " ".join(text.strip())
@@ -98,6 +102,32 @@ def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     if scales and len(scales) not in (1, len(values)):
         raise ValueError("some numbers have a unit and some have none")
     return values * np.array(scales or [1.0])
+
+
+def _without_words(text: str, count: int) -> str:
+    """Return a list without the word before each of its numbers, roll -pi/2, pitch 0; and with commas between them."""
+    items = re.split(r"[,;]" if ";" not in text else ";", text)
+    if count < 2 or len(items) != count:
+        return text
+    said = [_SAID.fullmatch(item) for item in items]
+    words = [found["word"].lower() for found in said if found is not None]
+    if len({*words}) == count and not any(map(_RECKONING.fullmatch, words)):
+        items = [found["value"] for found in said if found is not None]
+    elif ";" not in text:
+        return text
+    return ", ".join(re.sub(r"(?<=\d),(?=\d)", ".", item) for item in items)
+
+
+def _worked_out(text: str, unit: str) -> np.ndarray | None:
+    """Return the number at the end of a chain of equal ones, 3 + 3 = 6, or before the sum that it is, 6 (3+3); None of anything else."""
+    if (found := _SUM.fullmatch(text.strip())) is not None:
+        members = [found["parts"], found["whole"]]
+    else:
+        members = _NAMED.sub("", text).split("=")
+    if len(members) < 2:
+        return None
+    values = [_of_text(member, unit, 1) for member in members]
+    return values[-1] if np.allclose(values, values[-1], rtol=1e-3) else None
 
 
 def _scale(found: str, unit: str) -> float:
