@@ -120,6 +120,8 @@ class Number:
         labels: what each of them is.
         stated: numbers that the text gives.
         known: lengths that are given, by their letters (m): one may be missing in an answer, or stand for it.
+        ways: how each number follows from what is given, LaTeX in those letters, numbers of the text, and other numbers that are
+            asked; "" where there is nothing to reckon.
     """
 
     value: float | tuple[float, ...]
@@ -127,6 +129,7 @@ class Number:
     labels: tuple[str, ...] = ()
     known: Mapping[str, float] = field(default_factory=dict)
     stated: tuple[float, ...] = ()
+    ways: tuple[str, ...] = ()
 
     def told_in(self, text: str) -> Number:
         """Return the question with the lengths that its text gives to letters."""
@@ -169,7 +172,7 @@ class Number:
             for k in np.flatnonzero(_listed(given, right, wrong)).tolist()
         ]
         labels = [self._label(k) for k in range(right.size)]
-        slip = number_slip(given, right, labels, self.known, self.unit, self.stated)
+        slip = number_slip(given, right, labels, self.known, self.unit, self.stated, self.ways)
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
 
     def signature(self, answer: Any) -> np.ndarray:

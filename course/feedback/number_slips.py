@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import operator
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import combinations, permutations
 
 import numpy as np
 
+from armproof.course.feedback.guesses import explained
+from armproof.course.feedback.number_guesses import OF_ANGLES, Asked
+from armproof.course.feedback.worked import Worked
 from armproof.models.errors import counted, written
 from armproof.models.language import look_up, noted, separator
+from armproof.verification.latex.greek import NAMES
 
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
@@ -20,9 +22,6 @@ _LARGEST_PART = 5  # above and below the line of a share
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
-_SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
-_DIGITS = 1e-4  # of a sum or a quotient of given values, which many could meet by chance
-_FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
 _NOT_ZERO = {
     "m": noted("it is not zero: something reaches that way"),
     "m/s": noted("it is not zero: something moves that way"),
@@ -32,12 +31,9 @@ _NOT_ZERO = {
 }
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
-
 _NUMBER = re.compile(r"(?<![\w.\\^{}_])\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
-_MOST_STATED = 6
+_LETTER = r"(?:[A-Za-z]|[a-z]{2,7})(?:_\w+)?"
 _CLOSE = ((0.01, noted("a hundredth")), (0.1, noted("a tenth: a slip in the reckoning?")))
-_OF_ANGLES = ("rad", "rad/s")
-_TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
 near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
 
@@ -48,9 +44,9 @@ def values_in(text: str) -> dict[str, float]:
 
 
 def numbers_in_text(text: str) -> tuple[float, ...]:
-    """Return the numbers that a task's text gives, each once: not zero, no indices, exponents or degrees; none where there are many."""
+    """Return the numbers that a task's text gives, each once: not zero, no indices, exponents or degrees."""
     found = dict.fromkeys(float(number) for number in _NUMBER.findall(text))
-    return tuple(number for number in found if number) if len(found) <= _MOST_STATED else ()
+    return tuple(number for number in found if number)
 
 
 def number_slip(
@@ -60,6 +56,7 @@ def number_slip(
     known: Mapping[str, float],
     unit: str = "–",
     stated: Sequence[float] = (),
+    ways: Sequence[str] = (),
 ) -> str:
     """Return the usual mistake behind wrong numbers, of all of them or of each; empty where none is recognised.
 
@@ -68,37 +65,31 @@ def number_slip(
         known: given values, which may be missing in a number, or stand for it.
         stated: numbers that the task's text gives.
         unit: of the numbers; without one, whole numbers are numbers of things, of which none is "not zero".
+        ways: how each number follows from what is given, LaTeX; "" of one of which that is not said.
     """
-    is_count = unit == "–"
     if whole := next(_whole(given, right, unit), ""):
         return whole
+    values = dict(zip(labels, right.tolist(), strict=True))
     wrong = np.flatnonzero(wrong_numbers(given, right)).tolist()
-    told = [
-        (
-            labels[k],
-            _of_function(labels[k], number, float(right[k]))
-            or _of_one(number, float(right[k]), known, len(right), unit)
-            or _of_another(number, float(right[k]), right, labels)
-            or _of_stated(number, stated, unit)
-            or _of_two_others(number, right, labels)
-            or _of_a_function(number, float(right[k]), unit)
-            or _of_a_count(number, right, k, is_count)
-            or _of_reach(number, known, unit)
-            or _of_factor(number, float(right[k]))
-            or _of_share(number, float(right[k]))
-            or _by_size(number, float(right[k]), len(wrong) == 1 < right.size),
-        )
-        for k in wrong
-        for number in [float(given[k])]
-    ]
-    if right.size == 1:
-        return "".join(words for _, words in told)
     of: dict[str, list[str]] = {}
-    for label, words in told:
-        of.setdefault(words, []).append(label)
+    for k in wrong:
+        others = {label: value for label, value in values.items() if label != labels[k]}
+        way = ways[k] if k < len(ways) else ""
+        worked = Worked(way, {**known, **letters_of(values)}, tuple(stated)) if way else None
+        asked = Asked(float(right[k]), labels[k], unit, others, known, tuple(stated), worked)
+        words = _of_one(asked, float(given[k]), dict(zip(labels, given.tolist(), strict=True)), len(wrong) == 1)
+        of.setdefault(words, []).append(labels[k])
+    if right.size == 1:
+        return "".join(of)
     return look_up("; ").join(
         written("{label}: {words}", label=separator(labels).join(labels), words=words) for words, labels in of.items() if words
     )  # fmt: skip
+
+
+def letters_of(values: Mapping[str, float]) -> dict[str, float]:
+    """Return the values of which the label is a letter, by that letter: {"theta_1": 0.4} of "θ_1"."""
+    spelt = {"".join(NAMES.get(character, character) for character in label): value for label, value in values.items()}
+    return {name: value for name, value in spelt.items() if re.fullmatch(_LETTER, name)}
 
 
 def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
@@ -123,24 +114,21 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         and near(given, np.round(given))
     ):
         yield written("each of them is {one:g} or {other:g}", one=kinds[1], other=kinds[0])
-    if unit not in _OF_ANGLES and near(given, 1000 * right):
+    if unit not in OF_ANGLES and near(given, 1000 * right):
         yield look_up("in millimetres? Metres are asked for")
-    if unit not in _OF_ANGLES and near(given, 100 * right) and not near(right, np.round(right)):
+    if unit not in OF_ANGLES and near(given, 100 * right) and not near(right, np.round(right)):
         yield look_up("in centimetres? Metres are asked for")
-    if unit in ("–", *_OF_ANGLES) and near(given, np.degrees(right)) and not near(right, np.round(right)):
+    if unit in ("–", *OF_ANGLES) and near(given, np.degrees(right)) and not near(right, np.round(right)):
         yield look_up("in degrees? Radians are asked for")
-    if unit in _OF_ANGLES and near(given, np.radians(right)):
+    if unit in OF_ANGLES and near(given, np.radians(right)):
         yield look_up("π / 180 is too much: the value itself is in radians")
     if (
-        unit in ("–", *_OF_ANGLES)
+        unit in ("–", *OF_ANGLES)
         and near(np.abs(given), np.degrees(np.abs(right)))
         and not near(right, np.round(right))
     ):
         yield look_up("in degrees, where radians are asked for, and a sign is wrong")
-    if factor := _common_factor(given[wrong], right[wrong]):
-        yield written("wrong by a factor of {factor}", factor=factor)
-    if factor := _common_factor(-given[wrong], right[wrong]):
-        yield written("wrong by a factor of {factor}, and in sign", factor=factor)
+    yield from _by_factor(given[wrong], right[wrong], np.count_nonzero(wrong) == 1)
     if right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)):
         if near(given @ right, 0) and near(np.linalg.norm(given), 1):
             yield look_up("the length is right, the direction is not: yours is at right angles to it")
@@ -152,6 +140,14 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
             yield counted("one too few", "{number} too few", 1)
         if (given > right)[wrong].all():
             yield counted("one too many", "{number} too many", 1)
+
+
+def _by_factor(given: np.ndarray, right: np.ndarray, is_lone: bool = False) -> Iterator[str]:
+    """Yield by which whole factor wrong numbers are too large or too small; of one alone another reason may be behind all but a power of ten."""
+    for sign, words in ((1, noted("wrong by a factor of {factor}")), (-1, noted("wrong by a factor of {factor}, and in sign"))):  # fmt: skip
+        factor = _common_factor(sign * given, right)
+        if factor and not (is_lone and factor not in (_LARGEST_FACTOR, *_POWERS_OF_TEN)):
+            yield written(words, factor=factor)
 
 
 def wrong_numbers(given: np.ndarray, right: np.ndarray) -> np.ndarray:
@@ -186,144 +182,85 @@ def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     )
 
 
-def _of_share(given: float, right: float) -> str:
-    """Return which fraction of small numbers a number is of the right one, where that is no whole number."""
-    if near(right, round(right)) or not right:
+def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool) -> str:
+    """Return what is behind one wrong number; where nothing is recognised how large it is, and what would have to be given."""
+    right, is_count = asked.right, asked.unit == "–"
+    if is_count and (float(right).is_integer() or not right) and float(given).is_integer():
+        return _of_a_count(given, asked) or _by_size(asked, given, is_only)
+    if not right:
+        return look_up("zero belongs there")
+    if not given:
+        return look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
+    return (
+        _of_a_count(given, asked)
+        or _carried(asked, given, own)
+        or explained(given, right, asked.guesses(given))
+        or _of_reach(given, asked)
+        or _by_size(asked, given, is_only)
+    )
+
+
+def _carried(asked: Asked, given: float, own: Mapping[str, float]) -> str:
+    """Return that a number follows from others of the answer, which are wrong."""
+    worked, letters = asked.worked, letters_of(own)
+    if worked is None:
         return ""
+    astray = {name for name in worked.letters & {*letters} if not near(letters[name], worked.known[name])}
+    if not astray or not near(given, worked.with_values({name: letters[name] for name in astray})):
+        return ""
+    names = [label for label in own if letters_of({label: 0.0}).keys() & astray]
+    return written("this follows from your {names}: nothing else is wrong with it", names=separator(names).join(names))
+
+
+def _share(given: float, right: float) -> str:
+    """Return which fraction of small numbers a number is of the right one, where that is no whole number."""
     share = Fraction(given / right).limit_denominator(_LARGEST_PART)
     if not (1 < share.numerator <= _LARGEST_PART and share.denominator > 1 and near(given, float(share) * right)):
         return ""
     return written("this is {share} of what is asked", share=share)
 
 
-def _of_function(label: str, given: float, right: float) -> str:
-    """Return that a number is the angle, where its sine, cosine or tangent is asked."""
-    for name, words in _FUNCTIONS.items():
-        function = getattr(np, name)
-        if label.startswith(name) and (near(function(given), right) or near(function(np.radians(given)), right)):
-            return written("this is the angle: its {function} is asked", function=look_up(words))
-    return ""
-
-
-def _of_one(given: float, right: float, known: Mapping[str, float], count: int, unit: str) -> str:
-    """Return the mistake in one number; a count has none beside its value."""
-    is_count = unit == "–"
-    if is_count and float(right).is_integer() and right and float(given).is_integer():
-        return ""
-    if right == 0:
-        return look_up("zero belongs there") if count > 1 and not (is_count and float(given).is_integer()) else ""
-    if given == 0:
-        return look_up(_NOT_ZERO.get(unit, _NOT_ZERO["–"]))
-    if near(given, -right):
-        return look_up("the sign is wrong")
-    if unit in _OF_ANGLES and np.isclose(given, np.degrees(right), rtol=_NEAR):
-        return look_up("in degrees? Radians are asked for")
-    if words := _of_parts(given, right, known) or _of_parts(given, right, _pairs(known)) or _of_sum(given, known):
-        return words
-    if near(given * right, 1) and not near(abs(right), 1):
-        return look_up("numerator and denominator are exchanged")
-    return ""
-
-
-def _of_a_function(given: float, right: float, unit: str) -> str:
-    """Return that a number is the square, the root, the sine, the cosine or the tangent of the right one."""
-    if unit == "rad":
-        for name, words in _FUNCTIONS.items():
-            if near(given, getattr(np, name)(right)) and abs(right) > _SMALL:
-                return written(
-                    "this is the {function} of the angle: the angle itself is asked", function=look_up(words)
-                )
-    if near(abs(right), 1) or near(abs(given), 1):
-        return ""
-    if near(given, right**2):
-        return look_up("this is the square of what is asked")
-    return look_up("this is the root: its square is asked") if right > 0 and near(given, np.sqrt(right)) else ""
-
-
-def _of_a_count(given: float, right: np.ndarray, k: int, is_count: bool) -> str:
+def _of_a_count(given: float, asked: Asked) -> str:
     """Return how many too many or too few a count says, or that it is none."""
-    if not is_count or not all(map(float.is_integer, right.tolist())) or not right.max() > 1 or right[k] < 0:
+    values = (asked.right, *asked.others.values())
+    if asked.unit != "–" or not all(map(float.is_integer, values)) or not max(values) > 1 or asked.right < 0:
         return ""
     if not float(given).is_integer():
         return look_up("a whole number is asked")
     if given < 0:
         return look_up("a number of things is not negative")
-    more = int(given - right[k])
+    more = int(given - asked.right)
     if abs(more) > _MOST_ASTRAY:
         return ""
     return counted("one too many", "{number} too many", more) if more > 0 else counted("one too few", "{number} too few", -more)  # fmt: skip
 
 
-def _of_reach(given: float, known: Mapping[str, float], unit: str) -> str:
+def _of_reach(given: float, asked: Asked) -> str:
     """Return that no sum of all given lengths is so long."""
-    longest = sum(map(abs, known.values()))
-    if unit != "m" or not 0 < longest < abs(given):
+    longest = sum(map(abs, asked.known.values()))
+    if asked.unit != "m" or not 0 < longest < abs(given):
         return ""
     return written(
-        "even {names} is only {longest:g}: the arm does not reach that far", names=" + ".join(known), longest=longest
+        "even {names} is only {longest:g}: the arm does not reach that far",
+        names=" + ".join(asked.known),
+        longest=longest,
     )
 
 
-def _of_another(given: float, own: float, right: np.ndarray, labels: Sequence[str]) -> str:
-    """Return of which other label a number would be right, where it is no count."""
-    for power, words in ((1, noted("this is {other}")), (2, noted("this is the square of {other}"))):
-        others = [
-            label
-            for label, value in zip(labels, right.tolist(), strict=True)
-            if near(given, value**power) and not near(value, own)
-        ]
-        if len(others) == 1 and not float(given).is_integer():
-            return written(look_up(words), other=others[0])
-    return ""
-
-
-def _of_two_others(given: float, right: np.ndarray, labels: Sequence[str]) -> str:
-    """Return of which two labels a number would be the sum or the difference."""
-    known = {label: value for label, value in zip(labels, right.tolist(), strict=True) if value}
-    if len(known) > 2:
-        for (one, a), (other, b) in combinations(known.items(), 2):
-            for sign, joint, value in (("", "+", a + b), ("", "−", a - b), ("−", "+", b - a), ("−", "−", -a - b)):
-                if given and near(given, value):
-                    return written("this is {other}", other=f"{sign}{one} {joint} {other}")
-    return ""
-
-
-def _of_stated(given: float, stated: Sequence[float], unit: str) -> str:
-    """Return which number of the text was copied, or which two were put together."""
-    close = partial(np.isclose, given, rtol=_DIGITS, atol=_TOLERANCE)
-    if float(given).is_integer() or unit == "rad":  # what is given is in metres, and makes no angle
-        return ""
-    for value in stated:
-        if close(value):
-            return written("{value:g} is given for something else", value=value)
-    signs = "+-" if unit == "m" and len(stated) > 2 else _TWO
-    pairs = [(sign, *pair) for sign in signs for pair in permutations(stated, 2)]
-    for sign, one, other in [*pairs, *(("·", each, each) for each in stated if "·" in signs)]:
-        if close(_TWO[sign](one, other)):
-            return written("this is {one:g} {sign} {other:g}", one=one, sign=sign, other=other)
-    for one, other in combinations(stated, 2):
-        if close(np.hypot(one, other)):
-            return written("this is the root of {one:g}² + {other:g}²", one=one, other=other)
-    for one, other, third in combinations(stated, 3):
-        if close(np.sqrt(one**2 + other**2 + third**2)):
-            return written("this is the root of {one:g}² + {other:g}² + {third:g}²", one=one, other=other, third=third)
-    return ""
-
-
-def _of_factor(given: float, right: float) -> str:
-    """Return by which whole factor a number is too large or too small."""
-    factor = _common_factor(np.array([given]), np.array([right])) if given and right else 0
-    return written("wrong by a factor of {factor}", factor=factor) if factor else ""
-
-
-def _by_size(given: float, right: float, is_only: bool) -> str:
-    """Return how large a number is beside the right one, and that the others are right, where nothing else is known of it."""
+def _by_size(asked: Asked, given: float, is_only: bool) -> str:
+    """Return how large a number is beside the right one, what would have to be given, and that the others are right."""
+    right = asked.right
     if not right:
         return look_up("zero belongs there")
+    if given and (factor := next(_by_factor(np.array([given]), np.array([right])), "")):
+        return factor
     if given * right < 0:
-        return look_up("the sign and the size are wrong")
-    size = look_up("zero would mean that there is none") if not given else _size(given / right)
-    return written("{size}; all else is right", size=size) if is_only else size
+        size = look_up("the sign and the size are wrong")
+    else:
+        is_count = float(right).is_integer() and float(given).is_integer()
+        size = (not is_count and _share(given, right)) or (_size(given / right) if given else look_up("zero would mean that there is none"))  # fmt: skip
+    size = look_up("; ").join(filter(None, [size, asked.worked.instead(given) if asked.worked is not None else ""]))
+    return written("{size}; all else is right", size=size) if is_only and asked.others else size
 
 
 def _size(ratio: float) -> str:
@@ -334,36 +271,3 @@ def _size(ratio: float) -> str:
     if ratio > 1:
         return look_up("much too large: more than double") if ratio > 2 else look_up("too large, but less than double")
     return look_up("much too small: less than half") if ratio < 1 / 2 else look_up("too small, but more than half")
-
-
-def _of_parts(given: float, right: float, parts: Mapping[str, float]) -> str:
-    """Return which part a number is, or has too much or too little."""
-    close = partial(np.isclose, rtol=_DIGITS, atol=_TOLERANCE)
-    for name, value in parts.items():
-        if close(given, value):
-            return written("this is {name} alone", name=name)
-    for name, value in parts.items():
-        if close(given + value, right):
-            return written("{name} is missing", name=name)
-        if close(given - value, right):
-            return written("{name} does not belong in it", name=name)
-    return ""
-
-
-def _of_sum(given: float, known: Mapping[str, float]) -> str:
-    """Return of which three or four given values a number is the sum."""
-    for count in (3, 4):
-        for names in combinations(known, count):
-            if count < len(known) and np.isclose(
-                given, sum(known[name] for name in names), rtol=_DIGITS, atol=_TOLERANCE
-            ):
-                return written("this is {other}", other=" + ".join(names))
-    return ""
-
-
-def _pairs(known: Mapping[str, float]) -> dict[str, float]:
-    """Return the sums and differences of two given values, and their doubles."""
-    pairs = list(combinations(known, 2))
-    sums = {f"{one} + {other}": known[one] + known[other] for one, other in pairs}
-    differences = {f"{one} - {other}": known[one] - known[other] for one, other in pairs}
-    return {**sums, **differences, **{f"2 {name}": 2 * value for name, value in known.items()}}

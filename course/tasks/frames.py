@@ -173,7 +173,7 @@ LESSON = Lesson(
             title="Prediction: turn, then move",
             text="Frame $B$ starts on frame $A$. It turns by $90°$ about $z$, then moves 2 m along its **new** $x$ axis. Where is the"
             " origin of $B$? Give its three coordinates in frame $A$, in metres, as a list `[x, y, z]`.",
-            asks=Number((0, 2, 0), unit="m", labels=("x", "y", "z")),
+            asks=Number((0, 2, 0), unit="m", labels=("x", "y", "z"), ways=(r"2 \cos 90^\circ", r"2 \sin 90^\circ")),
             hints=(
                 "Take a pen as the x axis and turn it on the table.",
                 "After the turn, in which direction of $A$ does the new $x$ axis point?",

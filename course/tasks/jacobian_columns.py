@@ -290,7 +290,12 @@ LESSON = Lesson(
             title="The joints add up",
             text="$J_{L1} = [-0.4, 0.3, 0]^T$ and $J_{L2} = [-0.2, 0.5, 0]^T$ (m). The rates are $\\dot q_1 = -1$ and $\\dot q_2 = 2$ rad/s. Give the"
             " velocity of the tool in m/s: `[v_x, v_y, v_z]`.",
-            asks=Number((0, 0.7, 0), unit="m/s", labels=("v_x", "v_y", "v_z")),
+            asks=Number(
+                (0, 0.7, 0),
+                unit="m/s",
+                labels=("v_x", "v_y", "v_z"),
+                ways=(r"-1 \cdot (-0.4) + 2 \cdot (-0.2)", r"-1 \cdot 0.3 + 2 \cdot 0.5"),
+            ),
             hints=(
                 "Each joint adds its column times its rate.",
                 "Joint 1 alone: $[0.4, -0.3, 0]^T$.",
@@ -371,7 +376,12 @@ LESSON = Lesson(
             name="turning",
             title="A revolute joint: from a turn to a velocity",
             text="A body turns about the $z$ axis at 2 rad/s. Give the velocity of its point $[0.3, 0.4, 0.5]^T$ (m), in m/s: `[v_x, v_y, v_z]`.",
-            asks=Number((-0.8, 0.6, 0), unit="m/s", labels=("v_x", "v_y", "v_z")),
+            asks=Number(
+                (-0.8, 0.6, 0),
+                unit="m/s",
+                labels=("v_x", "v_y", "v_z"),
+                ways=(r"-2 \cdot 0.4", r"2 \cdot 0.3"),
+            ),
             hints=(
                 "$v = \\omega \\times r$: a cross product, although the slide writes a dot.",
                 "$[0, 0, 1]^T \\times [x, y, z]^T = [-y, x, 0]^T$.",

@@ -409,7 +409,12 @@ LESSON = Lesson(
             title="A check in numbers",
             text="In the zero pose the centre is at $[1.85, 0, 1.946]$ m. With $a_1 = 0.35$, $d_1 + d_2 = 0.75$, $a_2 = 1.25$, $a_3 = 0.054$, $L = 1.5$ m:"
             " give $x$, $y$ and $K$, in metres.",
-            asks=Number((1.5, 1.196, 0.054), unit="m", labels=("x", "y", "K")),
+            asks=Number(
+                (1.5, 1.196, 0.054),
+                unit="m",
+                labels=("x", "y", "K"),
+                ways=("1.85 - a_1", "1.946 - 0.75", "(a_2^2 + a_3^2 + L^2 - x^2 - y^2)/(2 a_2)"),
+            ),
             hints=(
                 "$x = 1.85 - 0.35$, $y = 1.946 - 0.75$.",
                 "$K$ two ways: by your formula, and by $L\\sin\\theta_3 + a_3\\cos\\theta_3$ at $\\theta_3 = 0$.",

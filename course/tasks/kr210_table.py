@@ -201,7 +201,13 @@ LESSON = Lesson(
             title="Predict the zero pose",
             text="All joint angles are zero, so all frames of the URDF are parallel. Where is the gripper? Give $[P_x, P_y, P_z]$ in frame 0, in metres, from "
             "the table of offsets.",
-            asks=Number((2.153, 0, 1.946), "m", ("P_x", "P_y", "P_z"), LENGTHS),
+            asks=Number(
+                (2.153, 0, 1.946),
+                "m",
+                ("P_x", "P_y", "P_z"),
+                LENGTHS,
+                ways=("a_1 + d_4 + d_5 + d_6 + d_G", "", "d_1 + d_2 + a_2 - a_3"),
+            ),
             hints=(
                 "Parallel frames: the offsets simply add up.",
                 "Add the column x over all seven rows, then the column z. Mind one sign.",
@@ -294,7 +300,11 @@ LESSON = Lesson(
             text="The origin of a DH frame need not sit at its joint: $O_1$ stands on axis 1 at the shoulder's height, $O_4$, $O_5$ and $O_6$ where the axes of the "
             "wrist meet. Give three distances in metres: from $O_0$ up to $O_1$; along axis 4 from the foot of the perpendicular from axis 3 to $O_4$; from $O_6$ to the gripper.",
             asks=Number(
-                (0.75, 1.5, 0.303), "m", ("the first distance", "the second distance", "the third distance"), LENGTHS
+                (0.75, 1.5, 0.303),
+                "m",
+                ("the first distance", "the second distance", "the third distance"),
+                LENGTHS,
+                ways=("d_1 + d_2", "d_4 + d_5", "d_6 + d_G"),
             ),
             hints=(
                 "Each of them is the sum of two offsets along one line.",

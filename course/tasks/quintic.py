@@ -690,7 +690,7 @@ LESSON = Lesson(
             name="transfer",
             title="Transfer: an arm that you have not seen",
             text="A ram goes out by 0.4 m in 2 s on a quintic that starts and ends at rest. Give its peak speed (m/s).",
-            asks=Number(0.375, "m/s", labels=("the peak speed",)),
+            asks=Number(0.375, "m/s", labels=("the peak speed",), ways=(r"15/8 \cdot 0.4/2",)),
             hints=(
                 "A slide moves as a turn does: put the distance where the angle stood.",
                 "The peak is $\\frac{15}{8}$ of the mean speed, in the middle.",

@@ -174,7 +174,12 @@ def _predict(a_3=0.45, d_3=0.42):
         title="Prediction: the arm upright",
         text=f"Upper arm $a_3 = {a_3:g}$ m, forearm $d_3 = {d_3:g}$ m. In the figure, at zero, the upper arm is horizontal and the forearm upright."
         " Where is the origin of frame 6 at $\\theta_2 = 90°$, $\\theta_3 = -90°$, all others 0? Give `[x, y, z]` in metres, in frame 0.",
-        asks=Number((0, 0, a_3 + d_3), unit="m", labels=("x", "y", "z")),
+        asks=Number(
+            (0, 0, a_3 + d_3),
+            unit="m",
+            labels=("x", "y", "z"),
+            ways=("", "", r"a_3 \sin 90^\circ + d_3 \cos(90^\circ - 90^\circ)"),
+        ),
         hints=(
             "Start from the figure and turn the shoulder by 90°: where is the elbow now?",
             "The forearm was upright; the shoulder turned it by 90°, the elbow turns it back.",

@@ -471,6 +471,7 @@ LESSON = Lesson(
                 (0, 0.4, 0, 0.15),
                 unit="m",
                 labels=("x of the elbow", "y of the elbow", "x of the tool", "y of the tool"),
+                ways=("", r"a_1 \sin 90^\circ", "", r"a_1 \sin 90^\circ + a_2 \sin(90^\circ + 180^\circ)"),
             ),
             hints=(
                 "The first arm points along $y_0$.",
@@ -790,7 +791,12 @@ LESSON = Lesson(
             title="Document 004: the second posture",
             text="Links $a_1 = 0.4$ m and $a_2 = 0.3$ m, target $X = 0.5$ m, $Y = 0$, $\\psi = 0$. One posture has $\\theta_2 = +\\pi/2$ and $\\theta_1 ="
             " -\\text{atan2}(0.3, 0.4)$. Give $[\\theta_1, \\theta_2, \\theta_4]$ of the other, in radians.",
-            asks=Number((BEND, -np.pi / 2, BEND - np.pi / 2), unit="rad", labels=("θ_1", "θ_2", "θ_4")),
+            asks=Number(
+                (BEND, -np.pi / 2, BEND - np.pi / 2),
+                unit="rad",
+                labels=("θ_1", "θ_2", "θ_4"),
+                ways=(r"\text{atan2}(0.3, 0.4)", r"-\pi/2", r"\theta_1 + \theta_2"),
+            ),
             hints=(
                 "The other sign of the arccos.",
                 "Then $k_2$ changes its sign, and so does $\\text{atan2}(k_2, k_1)$.",

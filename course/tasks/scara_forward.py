@@ -115,7 +115,12 @@ def _reach(a_2=0.3, a_3=0.25):
         title="Limits: the ring",
         text="Without joint limits, how near to axis 1 and how far from it can the tool be? Give `[nearest, farthest]` in metres, for"
         f" $a_2 = {a_2:g}$ and $a_3 = {a_3:g}$.",
-        asks=Number((a_2 - a_3, a_2 + a_3), unit="m", labels=("the nearest distance", "the farthest distance")),
+        asks=Number(
+            (a_2 - a_3, a_2 + a_3),
+            unit="m",
+            labels=("the nearest distance", "the farthest distance"),
+            ways=("a_2 - a_3", "a_2 + a_3"),
+        ),
         hints=(
             "Which values does $\\cos\\theta_2$ take?",
             "Put $\\theta_2 = 0$ and $\\theta_2 = \\pi$ into the squared distance: both become squares.",
@@ -139,7 +144,16 @@ def _predict(a_2=0.3, a_3=0.25):
         title="Prediction: seen from above",
         text=f"The arms are $a_2 = {a_2:g}$ m and $a_3 = {a_3:g}$ m long. At $\\theta_1 = 90°$, $\\theta_2 = -90°$ and with the quill lowered by"
         " $d_2 = 0.1$ m: where is the tool, in frame 0? Give `[x, y, z]` in metres; $z_0$ points up.",
-        asks=Number((a_3, a_2, -0.1), unit="m", labels=("x", "y", "z")),
+        asks=Number(
+            (a_3, a_2, -0.1),
+            unit="m",
+            labels=("x", "y", "z"),
+            ways=(
+                r"a_2 \cos 90^\circ + a_3 \cos(90^\circ - 90^\circ)",
+                r"a_2 \sin 90^\circ + a_3 \sin(90^\circ - 90^\circ)",
+                "-d_2",
+            ),
+        ),
         hints=(
             "Draw the arm from above: the first arm along which axis?",
             "$\\theta_2$ counts from the first arm. The second arm's direction is $\\theta_1 + \\theta_2$.",

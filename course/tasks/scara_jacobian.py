@@ -124,7 +124,7 @@ def _prediction(a_1=0.325, a_2=0.275):
         title="Predict a velocity",
         text="The arm is stretched along $x_0$: $\\theta_1 = \\theta_2 = 0$. Joint 1 turns at 1 rad/s, the other joints rest. With "
         f"$a_1 = {a_1:g}$ m and $a_2 = {a_2:g}$ m, what is the velocity of the tool point? Give $[v_x, v_y, v_z]$ in m/s, in frame 0.",
-        asks=Number((0, a_1 + a_2, 0), "m/s", ("v_x", "v_y", "v_z")),
+        asks=Number((0, a_1 + a_2, 0), "m/s", ("v_x", "v_y", "v_z"), ways=("", "a_1 + a_2")),
         hints=(
             "The tool point runs on a circle about $z_0$. Which way does a circle run where it crosses the $x_0$ axis?",
             "Speed is rate times radius; the radius is the distance of the tool from $z_0$.",

@@ -325,7 +325,11 @@ LESSON = Lesson(
             title="From a rotation to its pitch",
             text="The first column of a rotation is $s = [0.48, 0.36, -0.8]^T$. With $\\cos\\theta > 0$, give $\\sin\\theta$, $\\cos\\theta$ and"
             " $\\tan\\phi$.",
-            asks=Number((0.8, 0.6, 0.75), labels=("sin θ", "cos θ", "tan φ")),
+            asks=Number(
+                (0.8, 0.6, 0.75),
+                labels=("sin θ", "cos θ", "tan φ"),
+                ways=("-(-0.8)", r"\sqrt{(0.48^2 + 0.36^2)}", "0.36/0.48"),
+            ),
             hints=(
                 "Compare with the first column of your matrix: $[C\\phi C\\theta,\\ S\\phi C\\theta,\\ -S\\theta]^T$.",
                 "$\\cos\\theta = \\sqrt{s_x^2 + s_y^2}$, where it is positive.",

@@ -88,7 +88,7 @@ def test_two_rows_of_a_table_that_are_exchanged_are_named() -> None:
     [
         ([0.9], [0.25], {"l_1": 0.4, "l_2": 0.3}, "m", "even l_1 + l_2 is only 0.7: the arm does not reach that far"),
         ([0.9], [0.25], {"l_1": 0.4, "l_2": 0.3}, "m/s", ""),
-        ([1.1], [0.31], {"a": 0.5, "b": 0.35, "c": 0.25, "d": 0.07}, "m", "this is a + b + c"),
+        ([1.109], [0.312], {"a": 0.506, "b": 0.35, "c": 0.253, "d": 0.07}, "m", "this is a + b + c"),
         ([0.15], [0.25], {}, "m", "this is 3/5 of what is asked"),
         ([0.17], [0.25], {}, "m", ""),
         ([0.0484], [0.22], {}, "m", "this is the square of what is asked"),

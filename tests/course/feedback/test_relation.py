@@ -160,7 +160,7 @@ def squared(answer: str) -> str:
         (Number(500.0, "m"), 5, "wrong by a factor of 100"),
         (Number(0.375, "m/s"), 0.38, "right, but rounded"),
         (Number(0.7, "m").told_in("at 0.3 m and 0.4 m"), 0.5, "this is the root of 0.3² + 0.4²"),
-        (Number(0.7, "m").told_in("at 0.3 m and 0.4 m"), 0.09, "this is 0.3 · 0.3"),
+        (Number(0.72, "m").told_in("at 0.32 m and 0.4 m"), 0.1024, "this is 0.32 · 0.32"),
         (Number((0.6435, -1.5708, -0.9273), "rad", ("α", "β", "γ")), [0.6435, -1.5708, -2.2143], "γ: this is −α + β"),
         (ANGLES, [36.87, 0.8], "sin θ: this is the angle: its sine is asked"),
         (Number((0.3, 0.0), "m"), [0.3, 1], "number 2: zero belongs there"),

@@ -1,0 +1,111 @@
+"""What goes wrong when a formula is worked out: another sign or function, a part left out, a quotient or a root taken wrongly."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import combinations
+
+from armproof.course.feedback.guesses import neighbours_exchanged
+from armproof.verification.diagnosis.slips import (
+    Letters,
+    dropping_edits,
+    is_scalar_product,
+    is_trigonometric,
+    plain_edits,
+    sign_pairs,
+)
+from armproof.verification.findings import Kind
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+
+_QUARTER, _HALF = (n.Number(Fraction(degrees), str(degrees)) for degrees in (90, 180))
+_DECIMALS = 6
+_MOST_TERMS = 6  # of a sum of which two are left out
+_NONE = Letters()
+
+
+def done_otherwise(tree: n.Node) -> Iterator[n.Node]:
+    """Yield the formulas in which one thing is done otherwise, the most likely first."""
+    yield from (edit.node for edit in plain_edits(tree, _NONE))
+    for node in n.walk(tree):
+        for other in _otherwise(node):
+            yield n.substitute(tree, node, other)
+    yield from (edit.node for edit in dropping_edits(tree, _NONE) if edit.finding.kind is not Kind.WRONG_NUMBER)
+    yield from (edit.node for edit in sign_pairs(tree))
+    if isinstance(tree, n.Sum) and 3 < len(tree.terms) <= _MOST_TERMS:
+        for some in combinations(tree.terms, len(tree.terms) - 2):
+            yield replace(tree, terms=some)
+
+
+def _otherwise(node: n.Node) -> Iterator[n.Node]:
+    """Yield what becomes of one node: a root left out, a quotient turned or multiplied, …"""
+    if isinstance(node, n.Call) and node.function == "sqrt":
+        yield from _without_root(node.arguments[0])
+    elif isinstance(node, n.Call) and node.function == "atan2":
+        above, below = node.arguments
+        yield replace(node, arguments=(below, above))
+        yield n.Quotient(above, below, "slash")
+    elif isinstance(node, n.Quotient):
+        yield replace(node, numerator=node.denominator, denominator=node.numerator)
+        yield n.Product((node.numerator, node.denominator), ("⋅",))
+        yield from _as_far_as_the_first_term(node)
+    elif is_scalar_product(node) and len(node.factors) == 2:
+        yield n.Group(n.Sum(tuple(("+", factor) for factor in node.factors)))
+    elif is_trigonometric(node):
+        yield from _other_angles(node)
+
+
+def _without_root(under: n.Node) -> Iterator[n.Node]:
+    """Yield what stands under a root, and a sum of squares whose root is taken term by term."""
+    yield under
+    total = bare(under)
+    if isinstance(total, n.Sum) and all(isinstance(term, n.Power) for _, term in total.terms):
+        yield n.Group(n.Sum(tuple((sign, term.base) for sign, term in total.terms if isinstance(term, n.Power))))
+
+
+def _as_far_as_the_first_term(node: n.Quotient) -> Iterator[n.Node]:
+    """Yield a quotient without its brackets: the last term above the line alone is divided."""
+    total = bare(node.numerator)
+    if isinstance(total, n.Sum) and len(total.terms) > 1:
+        *others, (sign, last) = total.terms
+        yield n.Group(n.Sum((*others, (sign, replace(node, numerator=last)))))
+
+
+def _other_angles(node: n.Call) -> Iterator[n.Node]:
+    """Yield a sine or cosine of the other angle on the line, and of that to the right angle."""
+    if isinstance(node.arguments[0], n.Postfix) or not any(isinstance(part, n.Postfix) for part in n.walk(node)):
+        return
+    for degrees in (_HALF, _QUARTER):
+        other = n.Sum((("+", n.Postfix(degrees, "deg")), ("-", n.Group(bare(node.arguments[0])))))
+        yield replace(node, arguments=(other,), style="macro()")
+
+
+def without_degrees(tree: n.Node) -> n.Node:
+    """Return a formula with the numbers of its degrees taken as radians."""
+    return n.substitute_each(
+        tree, {id(node): node.base for node in n.walk(tree) if isinstance(node, n.Postfix) and node.operator == "deg"}
+    )
+
+
+def leaves_of(tree: n.Node) -> list[n.Node]:
+    """Return the given values in a formula: its letters, and its numbers that are no exponents and no degrees."""
+    apart = {id(node.exponent) for node in n.walk(tree) if isinstance(node, n.Power)}
+    apart |= {id(node.base) for node in n.walk(tree) if isinstance(node, n.Postfix)}
+    return [node for node in n.walk(tree) if isinstance(node, n.Name | n.Number) and id(node) not in apart]
+
+
+def misread(value: float) -> Iterator[float]:
+    """Yield a given value with its point one place further, and with two of its digits exchanged."""
+    yield from (value / 10, value * 10)
+    text = f"{value:.{_DECIMALS}g}"
+    if "e" not in text:
+        yield from map(float, neighbours_exchanged(text))
+
+
+def number_node(value: float) -> n.Node:
+    """Return a number as a tree, in brackets where it is negative."""
+    text = f"{abs(value):.{_DECIMALS}g}"
+    number = n.Number(Fraction(text), text)
+    return number if value >= 0 else n.Group(n.Sum((("-", number),)))

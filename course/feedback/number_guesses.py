@@ -1,0 +1,151 @@
+"""What a wrong number may be instead of the one that is asked: of the other way round, of another unit, a sum with a part too few, …"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from itertools import combinations, permutations
+
+import numpy as np
+
+from armproof.course.feedback.guesses import Guess, digits_astray, digits_exchanged
+from armproof.course.feedback.worked import Worked
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
+
+OF_ANGLES = ("rad", "rad/s")
+_FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
+_INVERSES: Mapping[str, Callable[[float], float]] = {"sin": np.arcsin, "cos": np.arccos, "tan": np.arctan}
+_SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
+_MOST_STATED = 6
+_TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
+
+
+@dataclass(frozen=True)
+class Asked:
+    """One of the numbers that are asked.
+
+    Attributes:
+        right, label, unit: it, what it is, and its unit.
+        others: the other numbers, by what they are.
+        known: given values by their letters.
+        stated: numbers that the task's text gives.
+        worked: how it follows from them; None where that is not known.
+    """
+
+    right: float
+    label: str = ""
+    unit: str = "–"
+    others: Mapping[str, float] = field(default_factory=dict)
+    known: Mapping[str, float] = field(default_factory=dict)
+    stated: tuple[float, ...] = ()
+    worked: Worked | None = None
+
+    def guesses(self, given: float) -> Iterator[Guess]:
+        """Yield what mistakes would give, the usual ones first."""
+        yield from self._as_it_stands()
+        for name, value in self.known.items():
+            yield Guess(value, partial(written, noted("this is {name} alone"), name=name))
+        yield from digits_exchanged(given, self.right)
+        yield from self._copied()
+        if self.worked is not None:
+            yield from self.worked.parts()
+            yield from self.worked.slips()
+        yield from self._of_parts(self.known)
+        yield from self._of_the_others()
+        yield from self._of_the_text()
+        yield from digits_astray(given, self.right)
+        if self.worked is not None:
+            yield from self.worked.misreadings()
+        yield from self._of_powers()
+        yield from self._of_parts(_pairs(self.known))
+        yield from self._of_sums()
+        if self.worked is not None:
+            yield from self.worked.long_shots()
+
+    def _as_it_stands(self) -> Iterator[Guess]:
+        """Yield the number with the other sign, in degrees, upside down; and the angle whose function it is, or its function."""
+        right = self.right
+        yield Guess(-right, lambda: look_up("the sign is wrong"))
+        if self.unit in OF_ANGLES:
+            yield Guess(float(np.degrees(right)), lambda: look_up("in degrees? Radians are asked for"))
+        for name, words in _FUNCTIONS.items():
+            if self.label.startswith(name):
+                told = partial(_with_function, noted("this is the angle: its {function} is asked"), words)
+                with np.errstate(invalid="ignore"):
+                    angle = float(_INVERSES[name](right))
+                yield from (Guess(angle, told), Guess(float(np.degrees(angle)), told))
+            if self.unit == "rad" and abs(right) > _SMALL:
+                told = partial(_with_function, noted("this is the {function} of the angle: the angle itself is asked"), words)  # fmt: skip
+                yield Guess(float(getattr(np, name)(right)), told)
+        if self.unit not in OF_ANGLES:
+            yield Guess(1 / right, lambda: look_up("numerator and denominator are exchanged"))
+
+    def _of_parts(self, parts: Mapping[str, float]) -> Iterator[Guess]:
+        """Yield each part, and the number with that part too few or too many."""
+        for words, sign in ((noted("this is {name} alone"), None), (noted("{name} is missing"), -1), (noted("{name} does not belong in it"), 1)):  # fmt: skip
+            for name, value in parts.items():
+                yield Guess(
+                    value if sign is None else self.right + sign * value,
+                    partial(written, words, name=name),
+                    is_exact=True,
+                )
+
+    def _of_sums(self) -> Iterator[Guess]:
+        """Yield the sums of three and of four given values."""
+        for count in (3, 4):
+            for names in combinations(self.known, count) if count < len(self.known) else ():
+                yield Guess(sum(self.known[name] for name in names), partial(_this, " + ".join(names)), is_exact=True)
+
+    def _of_the_others(self) -> Iterator[Guess]:
+        """Yield the other numbers, their squares, and the sums and differences of two."""
+        others = {label: value for label, value in self.others.items() if value}
+        for label, value in others.items():
+            yield Guess(value, partial(_this, label))
+        for label, value in others.items():
+            yield Guess(value**2, partial(written, noted("this is the square of {other}"), other=label))
+        if len(others) > 1:
+            for (one, a), (other, b) in combinations(others.items(), 2):
+                for sign, joint, value in (("", "+", a + b), ("", "−", a - b), ("−", "+", b - a), ("−", "−", -a - b)):
+                    yield Guess(value, partial(_this, f"{sign}{one} {joint} {other}"))
+
+    def _copied(self) -> Iterator[Guess]:
+        """Yield the numbers of the text, where they are few; a whole one may count, and what is in metres makes no angle."""
+        for value in self.stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
+            if not value.is_integer():
+                yield Guess(value, partial(written, noted("{value:g} is given for something else"), value=value))
+
+    def _of_the_text(self) -> Iterator[Guess]:
+        """Yield two or three numbers of the text put together."""
+        if self.unit == "rad" or len(self.stated) > _MOST_STATED:
+            return
+        for count in (2, 3):
+            for some in combinations(self.stated, count):
+                shown = " + ".join(f"{each:g}²" for each in some)
+                root = float(np.linalg.norm(some))
+                yield Guess(root, partial(written, noted("this is the root of {squares}"), squares=shown))
+        pairs = [(sign, *pair) for sign in _TWO for pair in permutations(self.stated, 2)]
+        for sign, one, other in [*pairs, *(("·", each, each) for each in self.stated)]:
+            yield Guess(_TWO[sign](one, other), partial(_this, f"{one:g} {sign} {other:g}"))
+
+    def _of_powers(self) -> Iterator[Guess]:
+        """Yield the square and the root of the number."""
+        yield Guess(self.right**2, lambda: look_up("this is the square of what is asked"))
+        if self.right > 0:
+            yield Guess(float(np.sqrt(self.right)), lambda: look_up("this is the root: its square is asked"))
+
+
+def _this(other: str) -> str:
+    return written("this is {other}", other=other)
+
+
+def _with_function(words: str, function: str) -> str:
+    return written(words, function=look_up(function))
+
+
+def _pairs(known: Mapping[str, float]) -> dict[str, float]:
+    """Return the sums of two given values, and their doubles."""
+    sums = {f"{one} + {other}": known[one] + known[other] for one, other in combinations(known, 2)}
+    return {**sums, **{f"2 {name}": 2 * value for name, value in known.items()}}

@@ -1,0 +1,174 @@
+"""How a number follows from what is given: a formula, what slips on the way make of it, and what would have to be given instead."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import chain
+
+import numpy as np
+
+from armproof.course.feedback.claim import Claim
+from armproof.course.feedback.guesses import Guess
+from armproof.course.feedback.miscalculated import done_otherwise, leaves_of, misread, number_node, without_degrees
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
+from armproof.verification.diagnosis.slips import is_trigonometric
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.plain import plain_text
+from armproof.verification.latex.writer import Notation, Writer
+from armproof.verification.naming.reading import FREE
+
+_LETTER = re.compile(r"(?:[A-Za-z]|[a-z]{2,7})(?:_\w+)?")
+_SPELLINGS = (
+    (re.compile(r"\s*·\s*|(?<=\d) (?=\d)"), " · "),
+    (re.compile(r"\^°\s*"), "°"),
+    (re.compile(r"°(?=[-+])"), "° "),
+    (re.compile(r"(?<=cos|sin) (?=\()"), ""),
+)
+_ALONE, _THIS = noted("this is {name} alone"), noted("this is {other}")
+_PLACES = (2, 1)  # decimals that are left of a number on the way
+_STEPS = 12  # of the secant
+_SMALL = 1e-9
+
+
+@dataclass(frozen=True)
+class Worked:
+    """A number as a formula of what is given.
+
+    Attributes:
+        latex: the formula.
+        known: the values of its letters.
+        stated: the numbers in it that are given, and are none of the rule's.
+    """
+
+    latex: str
+    known: Mapping[str, float]
+    stated: tuple[float, ...] = ()
+
+    def with_values(self, known: Mapping[str, float]) -> float:
+        """Return what the formula gives with other values of some letters."""
+        return replace(self, known={**self.known, **known}).value
+
+    @cached_property
+    def letters(self) -> frozenset[str]:
+        """The letters of the formula."""
+        return frozenset(node.key for node in n.walk(self._tree) if isinstance(node, n.Name))
+
+    @property
+    def value(self) -> float:
+        """The number."""
+        return self._value(self._tree)
+
+    def parts(self) -> Iterator[Guess]:
+        """Yield what a part of the formula gives alone, of more than one value; no angle, and no sine alone."""
+        within = {id(below) for node in n.walk(self._tree) if is_trigonometric(node) for below in n.walk(node)}
+        for node in n.walk(self._tree):
+            if isinstance(node, n.Sum | n.Product | n.Quotient | n.Power | n.Call) and id(node) not in within:
+                yield self._alone(node)
+
+    def _alone(self, node: n.Node) -> Guess:
+        return Guess(self._value(node), lambda: written(_ALONE, name=self._shown(node)))
+
+    def slips(self) -> Iterator[Guess]:
+        """Yield what the formula gives with one thing done otherwise."""
+        if (in_radians := without_degrees(self._tree)) is not self._tree:
+            yield Guess(self._value(in_radians), lambda: look_up("an angle in degrees is taken as radians"))
+        yield from self._told(done_otherwise(self._tree))
+
+    def misreadings(self) -> Iterator[Guess]:
+        """Yield what it gives with one given value in place of another, and with one that is misread."""
+        return self._told(self._taken())
+
+    def long_shots(self) -> Iterator[Guess]:
+        """Yield what it gives with a part rounded before it is used, and with two things done otherwise."""
+        return self._told(chain(self._rounded(), self._twice()))
+
+    def _told(self, trees: Iterable[n.Node]) -> Iterator[Guess]:
+        for tree in trees:
+            if isinstance(bare(tree), n.Name | n.Number):
+                yield self._alone(tree)
+            else:
+                yield Guess(self._value(tree), lambda tree=tree: written(_THIS, other=self._shown(tree)))  # type: ignore[misc]
+
+    def _taken(self) -> Iterator[n.Node]:
+        """Yield the formula with one given value in place of another, and with one that is misread."""
+        leaves = leaves_of(self._tree)
+        names = {self._shown(leaf): leaf for leaf in leaves}
+        for leaf in leaves:
+            for name, other in names.items():
+                if name != self._shown(leaf):
+                    yield n.substitute(self._tree, leaf, other)
+        for leaf in leaves:
+            for number in misread(self._value(leaf)):
+                yield n.substitute(self._tree, leaf, number_node(number))
+
+    def _rounded(self) -> Iterator[n.Node]:
+        """Yield the formula with one of its parts rounded, or cut off, before it is used."""
+        for node in n.walk(self._tree):
+            value = self._value(node)
+            for places in _PLACES if node is not self._tree and np.isfinite(value) else ():
+                for short in (round(value, places), float(np.trunc(value * 10**places) / 10**places)):
+                    if short and abs(short - value) > _SMALL:
+                        yield n.substitute(self._tree, node, number_node(short))
+
+    def _twice(self) -> Iterator[n.Node]:
+        """Yield the formula with two things done otherwise."""
+        for first in done_otherwise(self._tree):
+            yield from done_otherwise(first)
+
+    def instead(self, given: float) -> str:
+        """Return with which value in place of a given one a number would be right: of several that of the fewest digits."""
+        found: list[tuple[int, float, float, str]] = []
+        for leaf in leaves_of(self._tree):
+            is_given = isinstance(leaf, n.Name) or self._value(leaf) in self.stated
+            value = self._solved(leaf, given) if is_given else 0
+            if value * self._value(leaf) > 0:
+                found.append((len(f"{value:.3g}"), abs(value / self._value(leaf) - 1), value, self._shown(leaf)))
+        if not found:
+            return ""
+        *_, value, name = min(found)
+        return written("it would be right with {value:.3g} in place of {name}", value=value, name=name)
+
+    def _solved(self, leaf: n.Node, given: float) -> float:
+        """Return the value of a leaf for which the formula gives a number, by the secant; 0 where there is none."""
+
+        def off(x: float) -> float:
+            return self._value(n.substitute(self._tree, leaf, number_node(x))) - given
+
+        one = self._value(leaf)
+        other, below = 1.1 * one or 0.1, self.value - given
+        for _ in range(_STEPS):
+            here = off(other)
+            if abs(here) < _SMALL * abs(given) + _SMALL:
+                return other
+            if here == below or not np.isfinite(here):
+                return 0.0
+            one, other, below = other, other - here * (other - one) / (here - below), here
+        return 0.0
+
+    def _shown(self, tree: n.Node) -> str:
+        text = plain_text(Writer(self.latex, self._tree, Notation()).write(tree))
+        for spelling, shown in _SPELLINGS:
+            text = spelling.sub(shown, text)
+        return text
+
+    def _value(self, tree: n.Node) -> float:
+        """Return the value of a tree; not a number where it has none."""
+        value = self._evaluate(tree)
+        return float(value[0]) if value is not None else float("nan")
+
+    @cached_property
+    def _tree(self) -> n.Node:
+        return self._claim.read(self.latex)
+
+    @cached_property
+    def _claim(self) -> Claim:
+        return Claim({"symbols": {name: FREE for name in self.known if _LETTER.fullmatch(name)}})
+
+    @cached_property
+    def _evaluate(self) -> Callable[[n.Node], np.ndarray | None]:
+        return self._claim.evaluated_over({name: np.array([value]) for name, value in self.known.items()})

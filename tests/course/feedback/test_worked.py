@@ -1,0 +1,75 @@
+"""A wrong number is told from what it comes: the formula with one slip, its digits, another value; and seldom by chance."""
+
+import random
+from typing import Any
+
+import numpy as np
+import pytest
+from armproof.course.feedback import Number, lessons
+from armproof.course.feedback.guesses import Guess, explained
+from armproof.course.feedback.number_slips import letters_of
+from armproof.course.feedback.worked import Worked
+
+SUM = Number((0.7, 0.0), "m/s", ("v", "w"), ways=(r"-1 \cdot 0.3 + 2 \cdot 0.5",))
+REACH = Number((0.05, 0.55), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, ways=("a - b", "a + b"))
+ROOT = Number(0.6, "m", ways=(r"\sqrt{(0.48^2 + 0.36^2)}",))
+TURN = Number(2.0, "m", ways=(r"2 \sin 90^\circ",))
+PEAK = Number(0.375, "m/s", ways=(r"15/8 \cdot 0.4/2",)).told_in("0.4 m in 2 s")
+HEIGHT = Number(1.946, "m", ("z",))
+ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("", "", r"\theta_1 + \theta_2"))
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer", "words"),
+    [
+        (SUM, [1.3, 0], "this is 1 · 0.3 + 2 · 0.5"),
+        (SUM, [1.0, 0], "this is 2 · 0.5 alone"),
+        (SUM, [0.2, 0], "this is -1 · 0.3 + 0.5"),
+        (REACH, [0.05, 0.3], "this is a alone"),
+        (REACH, [0.05, 0.45], "it would be right with 0.2 in place of a"),
+        (ROOT, 0.84, "this is (0.48 + 0.36)"),
+        (ROOT, 0.3175, "this is √(0.48^2 - 0.36^2)"),
+        (TURN, 1.788, "an angle in degrees is taken as radians"),
+        (PEAK, 1.5, "this is 15/8 · 0.4 · 2"),
+        (PEAK, 0.36, "it would be right with 0.384 in place of 0.4"),
+        (HEIGHT, 1.964, "two neighbouring digits are exchanged"),
+        (HEIGHT, 1.46, "one digit is missing"),
+        (HEIGHT, 1.9946, "one digit is written twice"),
+        (HEIGHT, 1.846, "all digits but one are right"),
+        (ANGLES, [0.5, -1.57, -1.07], "θ_4: this follows from your θ_1: nothing else is wrong with it"),
+    ],
+)  # fmt: skip
+def test_a_wrong_number_is_told_what_it_comes_from(asks: Any, answer: Any, words: str) -> None:
+    assert words in asks.judge(answer).message
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer", "words"),
+    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees")],
+)  # fmt: skip
+def test_of_any_other_number_nothing_of_the_kind_is_said(asks: Any, answer: Any, words: str) -> None:
+    assert words not in asks.judge(answer).message
+
+
+def test_what_a_task_says_of_its_numbers_gives_them() -> None:
+    ways = 0
+    for task in (task for lesson in lessons() for task in lesson.tasks):
+        asks = task.asks
+        if not isinstance(asks, Number):
+            continue
+        asks, right = asks.told_in(task.text), np.atleast_1d(np.array(asks.value, dtype=float))
+        labels = [asks.labels[k] if asks.labels else "" for k in range(right.size)]
+        known = {**asks.known, **letters_of(dict(zip(labels, right.tolist(), strict=True)))}
+        for way, number in zip(asks.ways, right, strict=False):
+            assert not way or np.isclose(Worked(way, known).value, number, atol=1e-12)
+            ways += bool(way)
+    assert ways > 20
+
+
+def test_a_number_of_few_digits_is_seldom_explained() -> None:
+    draw = random.Random(1)
+    guesses = [Guess(draw.uniform(-2, 2), lambda: "by chance") for _ in range(500)]
+    for decimals, most in ((1, 0.05), (2, 0.04), (3, 0.04)):
+        numbers = [round(draw.uniform(-2, 2), decimals) for _ in range(3000)]
+        told = [explained(number, 1.0, guesses) for number in numbers if number not in (0, 1)]
+        assert sum(map(bool, told)) < most * len(told)
