@@ -10,14 +10,16 @@ from math import floor, log10
 
 from armproof.models.language import look_up, noted
 
-_MOST_BY_CHANCE = 0.03  # of all numbers up to twice the right one, those that are explained
-_LEAST = 4  # guesses that are tried whatever the number: they come first, and are the usual mistakes
+_MOST_BY_CHANCE = 0.025  # of all numbers up to twice the right one, those that are explained
+_LEAST = 3  # guesses that are tried whatever the number: they come first, and are the usual mistakes
 _FINEST = -4  # the power of ten beside a number beyond which digits tell no more
 _MOST_DECIMALS = 6
+_SHORTENED = 0.02  # of a number, that is lost with its last digits
 _SHORT = 4
 _ROUNDED = 0.01  # by how much a number changes at most when it is rounded
 _SMALL = 1e-9
 _EXCHANGED, _LOST = noted("two neighbouring digits are exchanged"), noted("one digit is missing")
+_ROUNDED_OFF, _CUT_OFF = noted("rounded to too few digits"), noted("cut off where it is to be rounded")
 _TWICE, _ONE_WRONG = noted("one digit is written twice"), noted("all digits but one are right")
 
 
@@ -33,7 +35,7 @@ class Guess:
 def explained(given: float, right: float, guesses: Iterable[Guess]) -> str:
     """Return what is said of the first guess that a number is, to its digits; empty where none is.
 
-    A number of few digits meets one of many guesses by chance. So no more are tried than would explain three of a hundred
+    A number of few digits meets one of many guesses by chance. So no more are tried than would explain one of forty
     numbers with as many digits, two at least, up to twice the right one.
     """
     step, largest = min(_unit(given, right), _unit(given, given)), 2 * max(abs(right), abs(given))
@@ -77,11 +79,20 @@ def _decimals(number: float) -> int:
     return -exponent if isinstance(exponent, int) else 0
 
 
+def shortened(given: float, right: float) -> Iterator[Guess]:
+    """Yield the right number rounded to the digits that are given, too few of them, and cut off behind them."""
+    scale = 10.0 ** _decimals(given)
+    for number, words in ((round(right * scale) / scale, _ROUNDED_OFF), (int(right * scale) / scale, _CUT_OFF)):
+        if abs(number - right) < _SHORTENED * abs(right):
+            yield Guess(number, lambda words=words: look_up(words), is_exact=True)  # type: ignore[misc]
+
+
 def digits_exchanged(given: float, right: float) -> Iterator[Guess]:
     """Yield the right number with two neighbouring digits exchanged."""
     sign, text = _written(given, right)
     for changed in neighbours_exchanged(text):
-        yield Guess(float(sign + changed), lambda: look_up(_EXCHANGED), is_exact=True)
+        if changed.replace(".", "").strip("0") != text.replace(".", "").strip("0"):  # else its point has moved
+            yield Guess(float(sign + changed), lambda: look_up(_EXCHANGED), is_exact=True)
 
 
 def digits_astray(given: float, right: float) -> Iterator[Guess]:

@@ -11,7 +11,6 @@ from armproof.course.feedback.guesses import neighbours_exchanged
 from armproof.verification.diagnosis.slips import (
     Letters,
     dropping_edits,
-    is_scalar_product,
     is_trigonometric,
     plain_edits,
     sign_pairs,
@@ -51,8 +50,6 @@ def _otherwise(node: n.Node) -> Iterator[n.Node]:
         yield replace(node, numerator=node.denominator, denominator=node.numerator)
         yield n.Product((node.numerator, node.denominator), ("⋅",))
         yield from _as_far_as_the_first_term(node)
-    elif is_scalar_product(node) and len(node.factors) == 2:
-        yield n.Group(n.Sum(tuple(("+", factor) for factor in node.factors)))
     elif is_trigonometric(node):
         yield from _other_angles(node)
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import combinations, permutations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import Guess, digits_astray, digits_exchanged
+from armproof.course.feedback.guesses import Guess, digits_astray, digits_exchanged, shortened
 from armproof.course.feedback.worked import Worked
 from armproof.models.errors import written
-from armproof.models.language import look_up, noted
+from armproof.models.language import look_up, noted, number_text
 
 OF_ANGLES = ("rad", "rad/s")
 _FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
@@ -45,25 +45,35 @@ class Asked:
 
     def guesses(self, given: float) -> Iterator[Guess]:
         """Yield what mistakes would give, the usual ones first."""
+        own, far = self._letters()
         yield from self._as_it_stands()
-        for name, value in self.known.items():
-            yield Guess(value, partial(written, noted("this is {name} alone"), name=name))
+        yield from self._alone(own)
+        yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._copied()
+        yield from self._of_parts(own)
+        yield from self._another()
         if self.worked is not None:
             yield from self.worked.parts()
             yield from self.worked.slips()
-        yield from self._of_parts(self.known)
         yield from self._of_the_others()
         yield from self._of_the_text()
         yield from digits_astray(given, self.right)
+        yield from self._alone(far)
+        yield from self._of_parts(far)
         if self.worked is not None:
             yield from self.worked.misreadings()
         yield from self._of_powers()
-        yield from self._of_parts(_pairs(self.known))
-        yield from self._of_sums()
+        yield from self._of_parts(_pairs(own))
+        yield from self._of_sums(own)
         if self.worked is not None:
             yield from self.worked.long_shots()
+
+    def _letters(self) -> tuple[dict[str, float], dict[str, float]]:
+        """Return the given values by their letters, those in the formula and the others; where there is none, all and none."""
+        of = {*self.known} if self.worked is None else self.worked.letters
+        own = {name: value for name, value in self.known.items() if name in of}
+        return own, {name: value for name, value in self.known.items() if name not in of}
 
     def _as_it_stands(self) -> Iterator[Guess]:
         """Yield the number with the other sign, in degrees, upside down; and the angle whose function it is, or its function."""
@@ -93,17 +103,25 @@ class Asked:
                     is_exact=True,
                 )
 
-    def _of_sums(self) -> Iterator[Guess]:
+    def _of_sums(self, known: Mapping[str, float]) -> Iterator[Guess]:
         """Yield the sums of three and of four given values."""
         for count in (3, 4):
-            for names in combinations(self.known, count) if count < len(self.known) else ():
-                yield Guess(sum(self.known[name] for name in names), partial(_this, " + ".join(names)), is_exact=True)
+            for names in combinations(known, count) if count < len(known) else ():
+                yield Guess(sum(known[name] for name in names), partial(_this, " + ".join(names)), is_exact=True)
+
+    def _alone(self, letters: Mapping[str, float]) -> Iterator[Guess]:
+        """Yield given values."""
+        for name, value in letters.items():
+            yield Guess(value, partial(written, noted("this is {name} alone"), name=name))
+
+    def _another(self) -> Iterator[Guess]:
+        """Yield the other numbers that are asked."""
+        for label, value in self.others.items():
+            yield Guess(value, partial(_this, label))
 
     def _of_the_others(self) -> Iterator[Guess]:
-        """Yield the other numbers, their squares, and the sums and differences of two."""
+        """Yield the squares of the other numbers, and the sums and differences of two."""
         others = {label: value for label, value in self.others.items() if value}
-        for label, value in others.items():
-            yield Guess(value, partial(_this, label))
         for label, value in others.items():
             yield Guess(value**2, partial(written, noted("this is the square of {other}"), other=label))
         if len(others) > 1:
@@ -123,12 +141,10 @@ class Asked:
             return
         for count in (2, 3):
             for some in combinations(self.stated, count):
-                shown = " + ".join(f"{each:g}²" for each in some)
-                root = float(np.linalg.norm(some))
-                yield Guess(root, partial(written, noted("this is the root of {squares}"), squares=shown))
+                yield Guess(float(np.linalg.norm(some)), partial(_root, some))
         pairs = [(sign, *pair) for sign in _TWO for pair in permutations(self.stated, 2)]
         for sign, one, other in [*pairs, *(("·", each, each) for each in self.stated)]:
-            yield Guess(_TWO[sign](one, other), partial(_this, f"{one:g} {sign} {other:g}"))
+            yield Guess(_TWO[sign](one, other), partial(_reckoned, one, sign, other))
 
     def _of_powers(self) -> Iterator[Guess]:
         """Yield the square and the root of the number."""
@@ -139,6 +155,15 @@ class Asked:
 
 def _this(other: str) -> str:
     return written("this is {other}", other=other)
+
+
+def _reckoned(one: float, sign: str, other: float) -> str:
+    return _this(f"{number_text(one, 'g')} {sign} {number_text(other, 'g')}")
+
+
+def _root(squares: Sequence[float]) -> str:
+    shown = " + ".join(f"{number_text(each, 'g')}²" for each in squares)
+    return written("this is the root of {squares}", squares=shown)
 
 
 def _with_function(words: str, function: str) -> str:

@@ -135,7 +135,7 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         if not near(np.linalg.norm(given), 1):
             yield look_up("a direction has the length 1, yours has not")
         return
-    if unit == "–" and near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
+    if unit == "–" and right.min() >= 0 and near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
         if (given < right)[wrong].all():
             yield counted("one too few", "{number} too few", 1)
         if (given > right)[wrong].all():
@@ -195,6 +195,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         _of_a_count(given, asked)
         or _carried(asked, given, own)
         or explained(given, right, asked.guesses(given))
+        or next(_by_factor(np.array([given]), np.array([right])), "")
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
     )
@@ -259,7 +260,7 @@ def _by_size(asked: Asked, given: float, is_only: bool) -> str:
     else:
         is_count = float(right).is_integer() and float(given).is_integer()
         size = (not is_count and _share(given, right)) or (_size(given / right) if given else look_up("zero would mean that there is none"))  # fmt: skip
-    size = look_up("; ").join(filter(None, [size, asked.worked.instead(given) if asked.worked is not None else ""]))
+    size = (asked.worked.instead(given) if asked.worked is not None else "") or size
     return written("{size}; all else is right", size=size) if is_only and asked.others else size
 
 

@@ -33,7 +33,7 @@ from armproof.course.feedback.relation import (
 from armproof.course.feedback.rest import told_of_the_rest
 from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.course.feedback.terms import terms_astray
-from armproof.course.feedback.wholes import part_astray, planar_astray
+from armproof.course.feedback.wholes import no_rotation, part_astray, planar_astray
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
@@ -106,7 +106,9 @@ class Quantity:
         if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(as_latex(answer))):
             return replace(feedback, message=unknown, rows=(), findings=())
         answer, was_function = self._readable(answer), is_function(answer)
-        if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(answer):
+        if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(
+            answer, feedback.is_general
+        ):
             return replace(feedback, message=words, findings=())
         if feedback.is_general and was_function and (words := self._as_formula(answer)):
             return replace(feedback, message=words, findings=())
@@ -125,14 +127,14 @@ class Quantity:
             return answer
         return latex
 
-    def _as_a_whole(self, answer: Any) -> str:
-        """Return what the answer is instead: a part of what is asked, or that of a planar arm."""
+    def _as_a_whole(self, answer: Any, is_general: bool) -> str:
+        """Return what the answer is instead: a part of what is asked, that of a planar arm, no rotation where nothing else is said."""
         try:
             at = self._letters
             asked, given = partial(self.claim.values_over, ASKED), partial(self._values_over, answer)
             if (true := asked(at)).shape != (obtained := given(at)).shape:
                 return part_astray(true, obtained)
-            return planar_astray(self.loaded, asked, given, at)
+            return planar_astray(self.loaded, asked, given, at) or (no_rotation(true, obtained) if is_general else "")
         except ArmproofError:
             return ""
 

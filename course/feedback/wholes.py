@@ -17,6 +17,7 @@ from armproof.verification.latex.writer import symbol_as_latex
 _STEPS = 5  # of an angle round its circle: enough for its sine, its cosine, and their squares
 _SMALL = 1e-9
 _PARALLEL = 1e-6
+_MOST_ENTRIES = 6  # that are wrong in a rotation, where entry by entry something may be said
 
 
 def part_astray(true: np.ndarray, obtained: np.ndarray) -> str:
@@ -70,6 +71,30 @@ def _range(one: str, several: str, start: int, count: int, of: int) -> str:
     if count == of:
         return ""
     return (one if count == 1 else several).format(first=start + 1, last=start + count)
+
+
+def no_rotation(true: np.ndarray, obtained: np.ndarray) -> str:
+    """Say that the rotation of a pose is none, where most of its entries are wrong, so that no entry tells the mistake; "" otherwise."""
+    if true.shape[1:] not in ((3, 3), (4, 4)) or obtained.shape != true.shape:
+        return ""
+    asked, given = true[:, :3, :3], obtained[:, :3, :3]
+    if wrong_entries(asked, given).sum() < _MOST_ENTRIES or not same(_products(asked), np.zeros_like(asked)):
+        return ""
+    off = np.abs(_products(given)).max(axis=0)
+    if np.diag(off).max() > _PARALLEL:
+        return look_up(
+            "the rotation block is no rotation: its columns have not the length 1. Is each link matrix a rotation?"
+        )
+    if off.max() > _PARALLEL:
+        return look_up("the rotation block is no rotation: its columns are not at right angles to each other. Is each link matrix a rotation?")  # fmt: skip
+    if np.linalg.det(given).max() < 0:
+        return look_up("the rotation block is a mirror: its determinant is −1. Is each link matrix a rotation?")
+    return ""
+
+
+def _products(R: np.ndarray) -> np.ndarray:
+    """Return RᵀR less the identity, of each sample."""
+    return np.asarray(R.transpose(0, 2, 1) @ R - np.eye(3))
 
 
 def planar_astray(arm: Arm, asked: Values, given: Values, at: Letters) -> str:

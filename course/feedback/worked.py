@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
+from types import UnionType
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from armproof.course.feedback.claim import Claim
 from armproof.course.feedback.guesses import Guess
 from armproof.course.feedback.miscalculated import done_otherwise, leaves_of, misread, number_node, without_degrees
 from armproof.models.errors import written
-from armproof.models.language import look_up, noted
+from armproof.models.language import look_up, noted, number_text
 from armproof.verification.diagnosis.slips import is_trigonometric
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -33,6 +34,7 @@ _ALONE, _THIS = noted("this is {name} alone"), noted("this is {other}")
 _PLACES = (2, 1)  # decimals that are left of a number on the way
 _STEPS = 12  # of the secant
 _SMALL = 1e-9
+_MOST_APART = 3  # times, of a given value and of one that is told in its place
 
 
 @dataclass(frozen=True)
@@ -74,10 +76,11 @@ class Worked:
         return Guess(self._value(node), lambda: written(_ALONE, name=self._shown(node)))
 
     def slips(self) -> Iterator[Guess]:
-        """Yield what the formula gives with one thing done otherwise."""
+        """Yield what the formula gives with one thing done otherwise, or one letter in place of another."""
         if (in_radians := without_degrees(self._tree)) is not self._tree:
             yield Guess(self._value(in_radians), lambda: look_up("an angle in degrees is taken as radians"))
         yield from self._told(done_otherwise(self._tree))
+        yield from self._told(self._confused(n.Name))
 
     def misreadings(self) -> Iterator[Guess]:
         """Yield what it gives with one given value in place of another, and with one that is misread."""
@@ -96,15 +99,19 @@ class Worked:
 
     def _taken(self) -> Iterator[n.Node]:
         """Yield the formula with one given value in place of another, and with one that is misread."""
-        leaves = leaves_of(self._tree)
+        yield from self._confused(n.Name | n.Number)
+        for leaf in leaves_of(self._tree):
+            for number in misread(self._value(leaf)):
+                yield n.substitute(self._tree, leaf, number_node(number))
+
+    def _confused(self, kinds: type | UnionType) -> Iterator[n.Node]:
+        """Yield the formula with one of its values, of these kinds, in place of another."""
+        leaves = [leaf for leaf in leaves_of(self._tree) if isinstance(leaf, kinds)]
         names = {self._shown(leaf): leaf for leaf in leaves}
         for leaf in leaves:
             for name, other in names.items():
                 if name != self._shown(leaf):
                     yield n.substitute(self._tree, leaf, other)
-        for leaf in leaves:
-            for number in misread(self._value(leaf)):
-                yield n.substitute(self._tree, leaf, number_node(number))
 
     def _rounded(self) -> Iterator[n.Node]:
         """Yield the formula with one of its parts rounded, or cut off, before it is used."""
@@ -126,12 +133,13 @@ class Worked:
         for leaf in leaves_of(self._tree):
             is_given = isinstance(leaf, n.Name) or self._value(leaf) in self.stated
             value = self._solved(leaf, given) if is_given else 0
-            if value * self._value(leaf) > 0:
-                found.append((len(f"{value:.3g}"), abs(value / self._value(leaf) - 1), value, self._shown(leaf)))
+            ratio = value / self._value(leaf)
+            if 1 / _MOST_APART < ratio < _MOST_APART and f"{value:.4g}" != f"{self._value(leaf):.4g}":
+                found.append((len(f"{value:.4g}"), abs(ratio - 1), value, self._shown(leaf)))
         if not found:
             return ""
         *_, value, name = min(found)
-        return written("it would be right with {value:.3g} in place of {name}", value=value, name=name)
+        return written("it would be right with {value:.4g} in place of {name}", value=value, name=name)
 
     def _solved(self, leaf: n.Node, given: float) -> float:
         """Return the value of a leaf for which the formula gives a number, by the secant; 0 where there is none."""
@@ -154,7 +162,9 @@ class Worked:
         text = plain_text(Writer(self.latex, self._tree, Notation()).write(tree))
         for spelling, shown in _SPELLINGS:
             text = spelling.sub(shown, text)
-        return text
+        if number_text(0.5, "g") == "0.5":
+            return text
+        return re.sub(r"(?<=\d)\.(?=\d)", ",", text.replace(", ", " ; "))
 
     def _value(self, tree: n.Node) -> float:
         """Return the value of a tree; not a number where it has none."""

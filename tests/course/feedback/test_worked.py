@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from armproof.course.feedback import Number, lessons
 from armproof.course.feedback.guesses import Guess, explained
 from armproof.course.feedback.number_slips import letters_of
