@@ -54,6 +54,7 @@ from armproof.verification.verdict import (
     EquationResult,
     IfShown,
     Record,
+    SlipBefore,
     TakenArm,
     Verdict,
     worst,
@@ -298,7 +299,7 @@ class DocumentChecker:
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
-        equations = settle_definitions(settle_usual(equations))
+        equations = settle_definitions(settle_usual(equations), self._holds_with)
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         index = None if self.arm is None else 0
@@ -448,14 +449,13 @@ class DocumentChecker:
     ) -> Record:
         """Return the record of a display with what became of its equations, and why."""
         judged = self._explained(self._record_of(record, outcomes, extra), display, outcomes)
-        if any(outcome.uses for outcome in outcomes) and judged.verdict is Verdict.REFUTED and not display.erratum:
-            again = [self._unless_slip_before(outcome, judged) for outcome in outcomes]
-            if again != outcomes:
-                outcomes = again
-                judged = self._explained(self._record_of(record, outcomes, extra), display, outcomes)
         if judged.verdict is Verdict.REFUTED and self.correct:
             judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
-        return replace(judged, outcomes=tuple(self._result(outcome, judged) for outcome in outcomes))
+        found = (
+            replace(self._result(outcome, judged), slip_before=self._slip_before(outcome, display))
+            for outcome in outcomes
+        )
+        return replace(judged, outcomes=tuple(found))
 
     def _record_of(self, record: Record, outcomes: Sequence[Outcome], extra: dict[str, float]) -> Record:
         """Return the record with the verdict of a display's outcomes, and what they say."""
@@ -482,16 +482,34 @@ class DocumentChecker:
         except TooComplex:
             return replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
 
-    def _unless_slip_before(self, outcome: Outcome, record: Record) -> Outcome:
-        """Leave open what is refuted, and holds if a definition before it has a slip."""
-        if outcome.verdict is not Verdict.REFUTED:
-            return outcome
+    def _slip_before(self, outcome: Outcome, display: Display) -> SlipBefore | None:
+        """Return the slip in a definition before with which a refuted equation holds, or None."""
+        if outcome.verdict is not Verdict.REFUTED or not outcome.uses or display.erratum:
+            return None
         try:
             with self.ring.budget.of(SECONDS_TO_EXPLAIN):
-                found = self.diagnostician.slip_before(record, outcome)
+                return self.diagnostician.slip_before(outcome, partial(self._holds_again, display, outcome.equation))
         except TooComplex:
-            return outcome
-        return outcome if found is None else outcome.left_open(found)
+            return None
+
+    def _holds_with(self, record: Record, slip: SlipBefore) -> bool:
+        """Whether a display that holds does so as well if a definition has a slip: then it does not clear it of that."""
+        made = self.names.state.definitions
+        before = made.get(slip.name)
+        if before is None or before.line != slip.line or not isinstance(slip.formula, n.Node):
+            return False
+        made[slip.name] = replace(before, evaluate=self.checker.members.meaning(slip.formula))
+        try:
+            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                return all(each.verdict in HOLDS for each in self._outcomes_of(record.latex))
+        except (ArmproofError, RecursionError):
+            return False
+        finally:
+            made[slip.name] = before
+
+    def _holds_again(self, display: Display, equation: int) -> bool:
+        again = [each for each in self._outcomes_of(display.latex) if each.equation == equation]
+        return bool(again) and all(each.verdict in HOLDS for each in again)
 
     def _with_slip(self, outcome: Outcome, display: Display) -> AsUsual | None:
         """Tell the one slip that mends an equation if its names mean what they usually do; return what it then would be.

@@ -58,6 +58,16 @@ def worst(verdicts: list[Verdict]) -> Verdict:
 
 
 @dataclass(frozen=True)
+class SlipBefore:
+    """The one change of what a display before says of a name, with which an equation that is refuted would hold, and what it then says."""
+
+    name: str
+    line: int
+    change: Finding
+    formula: object
+
+
+@dataclass(frozen=True)
 class EquationResult:
     """What became of one equation of a display.
 
@@ -73,6 +83,7 @@ class EquationResult:
         explained_by: those of them of which another one would make it right; None where that is not known.
         usual: the names in it that convention alone binds, each with the quantity that it is taken for.
         alone: the names that stand alone on a side.
+        slip_before: with which slip in a definition before it holds, where it is refuted.
     """
 
     index: int
@@ -88,6 +99,7 @@ class EquationResult:
     explained_by: frozenset[int] | None = None
     usual: Mapping[str, object] = field(default_factory=dict)
     alone: frozenset[str] = frozenset()
+    slip_before: SlipBefore | None = None
 
     @property
     def is_remark(self) -> bool:

@@ -64,8 +64,7 @@ class Circumstances:
         bounds: list[n.Chain] = []
         in_words = False
         kind = ""
-        if self.names.arm is None:
-            return
+        of_arm = self.names.arm is not None
         for latex in said:
             if latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
                 kind = of_joints
@@ -75,7 +74,7 @@ class Circumstances:
                 chains = [chain for chain in found if not self.given.repeats(chain)]
                 for bound in filter(_is_bound, chains):
                     self.names.state.compare(bound, self.given.lengths)
-                bounds += filter(_is_bound, chains)
+                bounds += filter(_is_bound, chains) if of_arm else ()
                 chains = [chain for chain in chains if not _is_bound(chain)]
                 if found and not chains:
                     continue
@@ -83,7 +82,9 @@ class Circumstances:
                 names |= {*self.given.joints, *self.given.lengths}
                 chains = []
             names |= {name for chain in chains for name in _equated(chain)}
-            for chain in chains:
+            for chain in (
+                chains if of_arm else ()
+            ):  # without one a letter of the text is any: it says where things hold, and no more
                 heed_forces(self.names, chain)
                 self._define(chain, line)
             chains = [self._without_letters(chain, line) for chain in chains]
@@ -178,7 +179,7 @@ class Circumstances:
         if any(self.checker.quantity_of(below) is not None for node in chain.members for below in n.walk(node)):
             return
         scalars = [value for member in members if isinstance(value := as_scalar(member.value), Scalar)]
-        of_arm = {*self.given.joints, *self.given.lengths}
+        of_arm = {*self.given.joints, *self.given.lengths} if self.names.arm is not None else symbols_in(scalars)
         if len(scalars) < len(members) or of_arm.isdisjoint(symbols_in(scalars)):
             return
         apart = [difference for a, b in pairwise(scalars) if not (difference := a - b).is_zero()]

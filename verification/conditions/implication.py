@@ -119,11 +119,12 @@ def _comma(before: n.Chain | None, chain: n.Chain, given: bool) -> str:
 
 
 def _equates_names(chain: n.Chain) -> bool:
-    """Whether a chain relates names of one letter alone: l_1 = l_2, θ_2 = −2 θ_1, θ_1 + θ_2 = θ_3."""
+    """Whether a chain relates names of one letter alone: l_1 = l_2, l_1 = √2 l_2, θ_2 = −2 θ_1, θ_1 + θ_2 = θ_3."""
     below = [each for side in chain.members for each in n.walk(side)]
     letters = {each.base for each in below if isinstance(each, n.Name) and each.key != "pi"}
     plain = n.Number | n.Sum | n.Product | n.Quotient | n.Group | n.Name
-    return len(chain.members) > 1 and len(letters) == 1 and all(isinstance(each, plain) for each in below)
+    are_plain = all(isinstance(each, plain) or (isinstance(each, n.Call) and _is_constant(each)) for each in below)
+    return len(chain.members) > 1 and len(letters) == 1 and are_plain
 
 
 def _with_subject(chain: n.Chain, before: n.Chain | None, joined: str) -> n.Chain:

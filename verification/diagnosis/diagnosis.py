@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -26,7 +26,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import PrintedError
-from armproof.verification.verdict import Record, WrongEntry
+from armproof.verification.verdict import Record, SlipBefore, WrongEntry
 
 if TYPE_CHECKING:
     from armproof.verification.diagnosis.by_samples import BySamples
@@ -75,15 +75,9 @@ class Diagnostician:
             discrepancy=discrepancy,
         )
 
-    def slip_before(self, record: Record, outcome: Outcome) -> Finding | None:
-        """Return that a definition before holds the slip, where none in a refuted equation explains it, or None.
-
-        That a term is missing says what is wrong, and not how that came about.
-        """
-        found = [entry.finding for entry in record.entries if entry.equation == outcome.equation]
-        if any(finding is not None and finding.kind is not Kind.MISSING_TERM for finding in found):
-            return None
-        return slip_before(self.checker, self.learnt, outcome)
+    def slip_before(self, outcome: Outcome, again: Callable[[], bool]) -> SlipBefore | None:
+        """Return the slip in a definition before with which a refuted equation holds, as it is found `again`; None where there is none."""
+        return slip_before(self.checker, self.learnt, outcome, again)
 
     def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
         """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""

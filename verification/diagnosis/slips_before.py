@@ -1,52 +1,108 @@
-"""A refuted equation that no slip in it explains may be right: what a display before it says of one of its names may hold the slip."""
+"""A refuted equation may be right: what a display before it says of one of its names may hold the slip."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from itertools import islice
+from fractions import Fraction
+from itertools import chain, islice
 
-from armproof.verification.algebra.matrix import as_scalar
-from armproof.verification.algebra.ring import Scalar
+from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.diagnosis.mend import LearntNotation
-from armproof.verification.diagnosis.slips import plain_edits
+from armproof.verification.diagnosis.slips import Edit, Letters, is_trigonometric, single_edits
+from armproof.verification.equations.alignment import equal_matrices
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
-from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.evaluation.blocks import cells_of
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare_key
+from armproof.verification.latex.writer import Notation, Writer
 from armproof.verification.naming.state import Definition
+from armproof.verification.verdict import SlipBefore
 
-MOST_EDITS = 60  # of one formula
+MOST_EDITS = 250  # of one formula
+_OTHER = {Fraction(0): Fraction(1), Fraction(1): Fraction(0)}
 
 
-def slip_before(checker: ChainChecker, learnt: LearntNotation, outcome: Outcome) -> Finding | None:
+def slip_before(
+    checker: ChainChecker, learnt: LearntNotation, outcome: Outcome, again: Callable[[], bool]
+) -> SlipBefore | None:
     """Return that an equation holds with one slip mended in what its document says of a name in it, or None.
 
-    What something else holds with that rests on it has none.
+    What is no equation of two values is decided `again`.
     """
-    if outcome.true is None or outcome.printed is None or outcome.pair is None or not outcome.pair.is_scalar:
-        return None
     made = checker.names.state.definitions
     for key, line in sorted(outcome.uses):
         definition = made.get(key)
         formula = definition.formula if definition is not None else None
-        is_held = (key, line) in checker.names.state.held
-        if definition is None or formula is None or is_held or definition.line != line or line == 0:
+        if definition is None or formula is None or _names_alone(formula) or definition.line != line or line == 0:
             continue
-        for edit in islice(plain_edits(formula, learnt.letters(formula)), MOST_EDITS):
+        for edit in islice(_edits(formula, outcome.nodes, learnt.letters(formula)), MOST_EDITS):
             checker.exact.budget.check()
-            if _holds_with(checker, key, definition, edit.node, outcome):
-                return say(Kind.SLIP_BEFORE, name=key, line=line, change=edit.finding)
+            if not made.keys().isdisjoint(_keys(edit.node) - _keys(formula)):  # it rests on itself, or on another one
+                continue
+            if _holds_with(checker, key, definition, edit.node, outcome, again):
+                return SlipBefore(key, line, edit.finding, edit.node)
     return None
 
 
-def _holds_with(checker: ChainChecker, key: str, definition: Definition, formula: n.Node, outcome: Outcome) -> bool:
-    """Whether both sides are equal where a name has another formula."""
+def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:
+    """Yield a definition with a slip, of the letters and the sines that stand in it and around it."""
+    return chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters))
+
+
+def _cells(formula: n.Node) -> Iterator[Edit]:
+    """Yield a matrix with 1 where 0 stands, or 0 where 1 does, and with an entry of the other sign."""
+    for cell in formula.cells if isinstance(formula, n.Matrix) else ():
+        other = _OTHER.get(cell.value) if isinstance(cell, n.Number) else None
+        if other is not None:
+            changed = n.substitute(formula, cell, n.Number(other, str(other), span=cell.span))
+            yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=cell.text))
+        yield Edit(n.substitute(formula, cell, n.Sum((("-", n.Group(cell)),))), "sign", say(Kind.WRONG_SIGN))
+
+
+def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
+    """Yield a formula with another letter, or another sine or cosine, in the place of one."""
+    pool = dict.fromkeys(b for node in (formula, *around) for b in n.walk(node) if _stands_alone(b))
+    for node in filter(_stands_alone, n.walk(formula)):
+        for other in pool:
+            if isinstance(other, type(node)) and other != node:
+                finding = say(Kind.WRONG_NAME, printed=_written(node), correct=_written(other))
+                yield Edit(n.substitute(formula, node, replace(other, span=node.span)), "name", finding)
+
+
+def _keys(node: n.Node) -> set[str]:
+    return {below.key for below in n.walk(node) if isinstance(below, n.Name)}
+
+
+def _names_alone(formula: n.Node) -> bool:
+    """Whether a name is given to a name, or to a vector or a matrix of names: F = (F_x, F_y) claims nothing."""
+    cells = formula.cells if isinstance(formula, n.Matrix) else cells_of(formula) or (formula,)
+    return all(bare_key(cell) is not None for cell in cells)
+
+
+def _written(node: n.Node) -> str:
+    return Writer("", n.Number(Fraction(0), "0"), Notation()).write(node)
+
+
+def _stands_alone(node: n.Node) -> bool:
+    return (isinstance(node, n.Name) and node.key != "pi") or is_trigonometric(node)
+
+
+def _holds_with(
+    checker: ChainChecker, key: str, definition: Definition, formula: n.Node, outcome: Outcome,
+    again: Callable[[], bool],
+) -> bool:  # fmt: skip
+    """Whether an equation holds where a name has another formula."""
     made = checker.names.state.definitions
     made[key] = replace(definition, evaluate=checker.members.meaning(formula))
     try:
-        values = [as_scalar(checker.member(node).value) for node in outcome.nodes]
-        return all(isinstance(each, Scalar) for each in values) and (values[0] - values[1]).is_zero()  # type: ignore[operator, union-attr]
+        if outcome.pair is None or outcome.there:
+            return again()
+        one, other = (checker.member(node) for node in outcome.nodes)
+        return one.known and other.known and equal_matrices(as_matrix(one.value), as_matrix(other.value))
     except EvaluationError:
         return False
     finally:

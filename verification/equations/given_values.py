@@ -98,7 +98,9 @@ class GivenValues:
 
     @staticmethod
     def _is_linear(node: n.Node) -> bool:
-        """Whether a tree is a sum of names, each with a number, such as π/2 − 2 θ_1."""
+        """Whether a tree is a sum of names, each with a number, such as π/2 − 2 θ_1, √2 l_2."""
+        if isinstance(node, n.Call) and node.function == "sqrt":
+            return is_number(node)
         if isinstance(node, n.Product | n.Quotient) and sum(_is_letter(below) for below in n.walk(node)) > 1:
             return False
         plain = n.Number | n.Sum | n.Product | n.Quotient | n.Group | n.Name

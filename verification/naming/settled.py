@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, Verdict
+from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, SlipBefore, Verdict
 
+HoldsWith = Callable[[Record, SlipBefore], bool]
 Key = tuple[str, int]  # a name and the line of the display that defines it
 SEVERAL = 2
 
 
-def settle_definitions(records: Iterable[Record]) -> tuple[Record, ...]:
+def settle_definitions(records: Iterable[Record], holds_with: HoldsWith = lambda *_: False) -> tuple[Record, ...]:
     """Return the records of a document; a definition that no decided claim uses is unchecked.
 
-    Where more displays are wrong with it than right, and several are, it may be the mistake: neither is decided.
+    Where more displays are wrong with it than right, and several are, or one is that holds if it has a slip, it may be the
+    mistake: neither is decided. What `holds_with` that slip as well as without it clears nothing.
     """
     records = tuple(records)
-    wrong = contradicted([record for record in records if not record.erratum])
+    wrong = contradicted([record for record in records if not record.erratum], holds_with)
     records = tuple(record if record.erratum else _unless_doubted(record, wrong) for record in records)
     used = used_names([each for record in records if not record.erratum for each in record.outcomes])
     return tuple(_settled(record, used) for record in records)
@@ -37,8 +39,10 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def contradicted(records: Sequence[Record]) -> dict[Key, list[int]]:
+def contradicted(records: Sequence[Record], holds_with: HoldsWith = lambda *_: False) -> dict[Key, list[int]]:
     """Return the definitions that several displays contradict, more than agree with them, and the lines of those.
+
+    One is enough where nothing agrees, and a slip in the definition mends it: which of the two has the slip, nothing tells.
 
     A name said to be something else, K = …, is a second definition, and tells nothing of the first.
     """
@@ -51,7 +55,14 @@ def contradicted(records: Sequence[Record]) -> dict[Key, list[int]]:
         right.update(key for verdict in HOLDS for key in used[verdict] - refuted)
         for key in refuted:
             wrong.setdefault(key, []).append(record.line)
-    return {key: lines for key, lines in wrong.items() if len(lines) >= max(SEVERAL, right[key] + 1)}
+    mends = {
+        (o.slip_before.name, o.slip_before.line): o.slip_before for r in records for o in r.outcomes if o.slip_before
+    }
+    for key in wrong.keys() & mends.keys():
+        agreeing = (each for each in records if any(o.verdict in HOLDS and key in o.uses for o in each.outcomes))
+        right[key] = sum(not holds_with(each, mends[key]) for each in agreeing)
+    least = {key: 1 if key in mends else SEVERAL for key in wrong}
+    return {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
 
 
 def _rested_on(result: EquationResult) -> frozenset[Key]:
@@ -74,6 +85,9 @@ def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]]) -> Finding | 
     own = sorted(result.defines & wrong.keys())
     if own and result.verdict is Verdict.DEFINED:
         return say(Kind.CONTRADICTED, name=own[0][0], lines=wrong[own[0]])
+    slip = result.slip_before
+    if slip is not None and result.verdict is Verdict.REFUTED and (slip.name, slip.line) in wrong:
+        return say(Kind.SLIP_BEFORE, name=slip.name, line=slip.line, change=slip.change)
     used = sorted(result.uses & wrong.keys())
     if used and result.verdict is Verdict.REFUTED:
         return say(Kind.RESTS_ON_DOUBT, name=used[0][0], line=used[0][1])
