@@ -32,7 +32,7 @@ from armproof.verification.latex.unicode import normalise_unicode, original_offs
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.settled import settle_definitions
 from armproof.verification.naming.shown import settle_usual
-from armproof.verification.naming.state import Stated
+from armproof.verification.naming.state import Definition, Stated
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -299,7 +299,7 @@ class DocumentChecker:
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
-        equations = settle_definitions(settle_usual(equations), self._holds_with)
+        equations = settle_definitions(settle_usual(equations), self._tells)
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         index = None if self.arm is None else 0
@@ -492,20 +492,25 @@ class DocumentChecker:
         except TooComplex:
             return None
 
-    def _holds_with(self, record: Record, slip: SlipBefore) -> bool:
-        """Whether a display that holds does so as well if a definition has a slip: then it does not clear it of that."""
+    def _tells(self, record: Record, slip: SlipBefore) -> bool:
+        """Whether a display that holds does so as it stands, and not if a definition has a slip: it clears it of that."""
         made = self.names.state.definitions
         before = made.get(slip.name)
         if before is None or before.line != slip.line or not isinstance(slip.formula, n.Node):
-            return False
-        made[slip.name] = replace(before, evaluate=self.checker.members.meaning(slip.formula))
+            return True
+        with_slip = replace(before, evaluate=self.checker.members.meaning(slip.formula))
+        return self._holds_where(record, slip.name, before) and not self._holds_where(record, slip.name, with_slip)
+
+    def _holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
+        before = self.names.state.definitions[name]
+        self.names.state.definitions[name] = meaning
         try:
             with self.ring.budget.of(SECONDS_TO_EXPLAIN):
                 return all(each.verdict in HOLDS for each in self._outcomes_of(record.latex))
         except (ArmproofError, RecursionError):
             return False
         finally:
-            made[slip.name] = before
+            self.names.state.definitions[name] = before
 
     def _holds_again(self, display: Display, equation: int) -> bool:
         again = [each for each in self._outcomes_of(display.latex) if each.equation == equation]

@@ -193,6 +193,8 @@ class Circumstances:
             return outcome
         if any(self._follows(each, outcome) for each in self._told(told)):
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
+        if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
+            return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
         if told.in_words and self._stands_still(outcome):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):

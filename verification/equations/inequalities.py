@@ -15,6 +15,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals, is_number
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.rigid import is_pose, is_rotation
+from armproof.verification.equations.worked_numbers import without_unit
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -73,6 +74,7 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
         from armproof.verification.equations.sampled_relations import check_approximation, check_inequality
 
     if relation == "≈":
+        left, right = without_unit((left, right)) if constant else (left, right)
         return check_approximation(checker, sampled, (left, right), constant, outcome)
     return check_inequality(checker, sampled, (left, right), relation, outcome)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from armproof.verification.algebra.ring import Scalar
@@ -24,7 +24,7 @@ def holds_as_worked(members: Members, outcome: Outcome) -> bool:
     sides = [bare(side.node) for side in (outcome.true, outcome.printed) if side is not None]
     if outcome.pair is None or not outcome.pair.is_scalar or len(sides) != 2 or not all(map(is_number, sides)):
         return False
-    sides = _without_unit(sides)
+    sides = without_unit(sides)
     terms = [*map(_terms, sides)]
     steps = list(zip(*(terms if len(terms[0]) == len(terms[1]) else [[("+", side)] for side in sides]), strict=True))
     try:
@@ -43,7 +43,7 @@ def holds_as_worked(members: Members, outcome: Outcome) -> bool:
     return True
 
 
-def _without_unit(sides: list[n.Node]) -> list[n.Node]:
+def without_unit(sides: Sequence[n.Node]) -> list[n.Node]:
     """Return the sides without the unit behind one of them, where none of the other's numbers has one."""
     marks = [any(isinstance(b, n.Postfix) and b.operator in UNITS for b in n.walk(side)) for side in sides]
     return [side if other else _plain(side) for side, other in zip(sides, reversed(marks), strict=True)]

@@ -9,19 +9,19 @@ from dataclasses import replace
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, SlipBefore, Verdict
 
-HoldsWith = Callable[[Record, SlipBefore], bool]
+Tells = Callable[[Record, SlipBefore], bool]
 Key = tuple[str, int]  # a name and the line of the display that defines it
 SEVERAL = 2
 
 
-def settle_definitions(records: Iterable[Record], holds_with: HoldsWith = lambda *_: False) -> tuple[Record, ...]:
+def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True) -> tuple[Record, ...]:
     """Return the records of a document; a definition that no decided claim uses is unchecked.
 
     Where more displays are wrong with it than right, and several are, or one is that holds if it has a slip, it may be the
-    mistake: neither is decided. What `holds_with` that slip as well as without it clears nothing.
+    mistake: neither is decided. A display clears it that `tells` a slip: it holds without it alone.
     """
     records = tuple(records)
-    wrong = contradicted([record for record in records if not record.erratum], holds_with)
+    wrong = contradicted([record for record in records if not record.erratum], tells)
     records = tuple(record if record.erratum else _unless_doubted(record, wrong) for record in records)
     used = used_names([each for record in records if not record.erratum for each in record.outcomes])
     return tuple(_settled(record, used) for record in records)
@@ -39,7 +39,7 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def contradicted(records: Sequence[Record], holds_with: HoldsWith = lambda *_: False) -> dict[Key, list[int]]:
+def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
     """Return the definitions that several displays contradict, more than agree with them, and the lines of those.
 
     One is enough where nothing agrees, and a slip in the definition mends it: which of the two has the slip, nothing tells.
@@ -60,7 +60,7 @@ def contradicted(records: Sequence[Record], holds_with: HoldsWith = lambda *_: F
     }
     for key in wrong.keys() & mends.keys():
         agreeing = (each for each in records if any(o.verdict in HOLDS and key in o.uses for o in each.outcomes))
-        right[key] = sum(not holds_with(each, mends[key]) for each in agreeing)
+        right[key] = sum(tells(each, mends[key]) for each in agreeing)
     least = {key: 1 if key in mends else SEVERAL for key in wrong}
     return {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
 
