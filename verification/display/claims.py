@@ -113,11 +113,8 @@ class Claims:
         ):  # it may speak of one case: only a slip in what follows from it is refuted
             outcomes = [each.unless_slip(say(Kind.AS_TEXT_SAYS, name=text[0])) for each in outcomes]
         defined = {(key, line) for outcome in outcomes for key in outcome.defines}
-        parts = zip(chain.members, chain.members[1:], strict=False)  # r = … = √9356 ≈ 96.7
-        of_numbers = {at for at, sides in enumerate(parts, equation) if all(map(is_number, sides))}
         for outcome in outcomes:  # c_3 = … := D names what is decided beside it
             met = {key for key in self.consulted() if key[0] not in outcome.defines and key != outcome.repeats}
-            met = set() if outcome.equation in of_numbers else met
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED else met)
             if define and outcome.verdict in HOLDS:
                 self.names.state.held |= outcome.uses
