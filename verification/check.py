@@ -32,7 +32,7 @@ from armproof.verification.latex.unicode import normalise_unicode, original_offs
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.settled import settle_definitions
 from armproof.verification.naming.shown import settle_usual
-from armproof.verification.naming.state import Definition, Stated
+from armproof.verification.naming.state import Definition, Stated, Told
 from armproof.verification.tables import TWIST, check_array_table, check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -399,6 +399,8 @@ class DocumentChecker:
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 statements = self.names.reader.read(display.latex)
+                if display.erratum and self.arm is None:  # it is quoted: what the text around says is not said of it
+                    self.names.state.told = Told()
                 if display.said_behind:
                     self.statements.claims.circumstances.heed_behind(display.said_behind, statements, display.line)
                 return self._judge(record, display, statements)
@@ -452,7 +454,7 @@ class DocumentChecker:
         if judged.verdict is Verdict.REFUTED and self.correct:
             judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
         found = (
-            replace(self._result(outcome, judged), slip_before=self._slip_before(outcome, display))
+            replace(self._result(outcome, judged), slip_before=self._slip_before(outcome, judged, display))
             for outcome in outcomes
         )
         return replace(judged, outcomes=tuple(found))
@@ -482,13 +484,14 @@ class DocumentChecker:
         except TooComplex:
             return replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
 
-    def _slip_before(self, outcome: Outcome, display: Display) -> SlipBefore | None:
+    def _slip_before(self, outcome: Outcome, record: Record, display: Display) -> SlipBefore | None:
         """Return the slip in a definition before with which a refuted equation holds, or None."""
         if outcome.verdict is not Verdict.REFUTED or not outcome.uses or display.erratum:
             return None
         try:
             with self.ring.budget.of(SECONDS_TO_EXPLAIN):
-                return self.diagnostician.slip_before(outcome, partial(self._holds_again, display, outcome.equation))
+                again = partial(self._holds_again, display, outcome.equation)
+                return self.diagnostician.slip_before(record, outcome, again)
         except TooComplex:
             return None
 

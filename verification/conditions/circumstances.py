@@ -152,7 +152,8 @@ class Circumstances:
 
     def of_display(self, chain: n.Chain) -> None:
         """A display that is a condition itself, c_1 = 1 or l_1 = l_2, may limit those behind it."""
-        self._begin(set(), [*self._conditions(chain)], in_words=False)
+        if self.names.arm is not None:
+            self._begin(set(), [*self._conditions(chain)], in_words=False)
 
     def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool, line: int = 0) -> None:
         """Forget what is given anew: a length by its name, a configuration as a whole."""

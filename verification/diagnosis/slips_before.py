@@ -7,10 +7,10 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import chain, islice
 
-from armproof.verification.algebra.matrix import as_matrix
+from armproof.verification.algebra.matrix import Matrix, as_matrix
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.diagnosis.mend import LearntNotation
 from armproof.verification.diagnosis.slips import Edit, Letters, is_trigonometric, single_edits
-from armproof.verification.equations.alignment import equal_matrices
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
@@ -49,8 +49,9 @@ def slip_before(
 
 
 def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:
-    """Yield a definition with a slip, of the letters and the sines that stand in it and around it."""
-    return chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters))
+    """Yield a definition with a slip, of the letters and the sines that stand in it and around it; nobody turns all signs of a sum."""
+    found = chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters))
+    return (each for each in found if not (isinstance(formula, n.Sum) and each.finding == say(Kind.WRONG_SIGN)))
 
 
 def _cells(formula: n.Node) -> Iterator[Edit]:
@@ -64,13 +65,23 @@ def _cells(formula: n.Node) -> Iterator[Edit]:
 
 
 def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
-    """Yield a formula with another letter, or another sine or cosine, in the place of one."""
+    """Yield a formula with another letter, or another sine or cosine, in the place of one, or a letter in that of its rate."""
     pool = dict.fromkeys(b for node in (formula, *around) for b in n.walk(node) if _stands_alone(b))
     for node in filter(_stands_alone, n.walk(formula)):
-        for other in pool:
-            if isinstance(other, type(node)) and other != node:
+        still = (
+            [replace(node, dots=0, text=replace(node, dots=0).key)] if isinstance(node, n.Name) and node.dots else []
+        )
+        for other in (*pool, *still):
+            if other != node and _is_like(node, other):
                 finding = say(Kind.WRONG_NAME, printed=_written(node), correct=_written(other))
                 yield Edit(n.substitute(formula, node, replace(other, span=node.span)), "name", finding)
+
+
+def _is_like(node: n.Node, other: n.Node) -> bool:
+    """Whether one may be written for the other: sines and cosines, names of one letter, or letters without an index."""
+    if isinstance(node, n.Name) and isinstance(other, n.Name):
+        return node.base == other.base or (node.key, other.key) == (node.base, other.base)
+    return isinstance(node, n.Call) and isinstance(other, n.Call)
 
 
 def _keys(node: n.Node) -> set[str]:
@@ -102,8 +113,13 @@ def _holds_with(
         if outcome.pair is None or outcome.there:
             return again()
         one, other = (checker.member(node) for node in outcome.nodes)
-        return one.known and other.known and equal_matrices(as_matrix(one.value), as_matrix(other.value))
+        return one.known and other.known and _equal(as_matrix(one.value), as_matrix(other.value))
     except EvaluationError:
         return False
     finally:
         made[key] = definition
+
+
+def _equal(one: Matrix, other: Matrix) -> bool:
+    cells = [*zip(one.cells, other.cells, strict=False)] if one.shape == other.shape else [(None, None)]
+    return all(isinstance(a, Scalar) and isinstance(b, Scalar) and (a - b).is_zero() for a, b in cells)

@@ -235,7 +235,11 @@ class GivenValues:
         return self.members.number(value) if isinstance(value, Scalar) else None
 
     def _vanishes(self, node: n.Node) -> bool:
+        """Whether nothing can be asked of a determinant; that of J Jᵀ vanishes where J has more rows than joints: those are not meant."""
         member = self.members.evaluate(node)
+        jacobians = [name for b in n.walk(node) if (name := self.members.jacobian_name(b)) is not None]
+        if member.known and any(name.key not in self.names.state.shown for name in jacobians):
+            return False
         constant = isinstance(member.value, Scalar) and member.value.as_fraction() is not None
         return member.problem is not None or constant or bool(getattr(member.value, "is_zero", bool)())
 

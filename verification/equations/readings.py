@@ -78,8 +78,9 @@ class Readings:
             and isinstance(implied.value, Matrix)
             and (key := bare_key(implied.node)) not in (*self.names.quantities, *self.names.state.definitions)
         ):
-            self.names.define(str(key), self.members.meaning(other.node), line)
-            return replace(outcome, verdict=Verdict.DEFINED, findings=(say(Kind.NUMBER_HERE, name=str(key)),))
+            self.names.define(str(key), self.members.meaning(other.node), line, node=other.node)
+            found = (say(Kind.NUMBER_HERE, name=str(key)),)
+            return replace(outcome, verdict=Verdict.DEFINED, findings=found, defines=(str(key),))
         rate = next((side.node for side in sides if isinstance(side.node, n.Name) and side.node.dots), None)
         matrices = [side for side in sides if isinstance(side.value, Matrix)]
         if (
