@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, lru_cache, partial
 from itertools import accumulate
@@ -453,10 +454,10 @@ class DocumentChecker:
         judged = self._explained(self._record_of(record, outcomes, extra), display, outcomes)
         if judged.verdict is Verdict.REFUTED and self.correct:
             judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
-        found = (
-            replace(self._result(outcome, judged), slip_before=self._slip_before(outcome, judged, display))
-            for outcome in outcomes
-        )
+        found = [self._result(outcome, judged) for outcome in outcomes]
+        with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
+            for place, outcome in enumerate(outcomes if not display.erratum else ()):
+                found[place] = replace(found[place], slip_before=self._slip_before(outcome, judged, display))
         return replace(judged, outcomes=tuple(found))
 
     def _record_of(self, record: Record, outcomes: Sequence[Outcome], extra: dict[str, float]) -> Record:
@@ -486,14 +487,10 @@ class DocumentChecker:
 
     def _slip_before(self, outcome: Outcome, record: Record, display: Display) -> SlipBefore | None:
         """Return the slip in a definition before with which a refuted equation holds, or None."""
-        if outcome.verdict is not Verdict.REFUTED or not outcome.uses or display.erratum:
+        if outcome.verdict is not Verdict.REFUTED or not outcome.uses:
             return None
-        try:
-            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
-                again = partial(self._holds_again, display, outcome.equation)
-                return self.diagnostician.slip_before(record, outcome, again)
-        except TooComplex:
-            return None
+        again = partial(self._holds_again, display, outcome.equation)
+        return self.diagnostician.slip_before(record, outcome, again)
 
     def _tells(self, record: Record, slip: SlipBefore) -> bool:
         """Whether a display that holds does so as it stands, and not if a definition has a slip: it clears it of that."""
