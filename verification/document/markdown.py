@@ -33,6 +33,8 @@ AMS = "\\begin"  # the opening of an environment that stands in the text without
 _ENVIRONMENT = re.compile(
     r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?|(?:align|gather)ed|split)\}"
 )
+_WHOLE_ENVIRONMENT = re.compile(rf"{_ENVIRONMENT.pattern}(?:(?!\n[ \t]*\n).)*?\\end\{{\1\}}", re.DOTALL)
+_LITERAL = re.compile(r"\s*<(?:pre|script|style|textarea)\b", re.IGNORECASE)  # what stands in it is no formula
 _BAR = re.compile(r"(?<!\\)\|")
 _BLANK = re.compile(r"[\s>]*")
 _OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
@@ -191,9 +193,8 @@ def _read_blocks(
             displays.extend(_block_displays(content, line, erratum, cell, section))
         elif token.type == "amsmath":
             displays.append(Display(line, content, erratum, cell, section, opening=AMS))
-        elif token.type == "html_block" and "$$" in _HTML_COMMENT.sub("", content):
-            above, _, latex = content.partition("$$")
-            displays.append(Display(line + above.count("\n"), latex, erratum, cell, section, closed=False))
+        elif token.type == "html_block" and (in_html := [*_within_html(content, line, erratum, cell, section)]):
+            displays.extend(in_html)
         elif token.type == "html_block" and "<table" in content:
             for at, rows in read_html_tables(content):
                 tables.append(Table(line + at - 1, rows[0], rows[1:], erratum, cell, section))
@@ -217,6 +218,18 @@ def _read_blocks(
                 displays += more
                 tables += more_tables
     return displays, tables
+
+
+def _within_html(content: str, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
+    """Yield the displays between the tags of a block of HTML: <center>$$ … $$</center>, or an environment."""
+    shown = _HTML_COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), content)
+    parts = shown.split("$$")
+    for place in range(1, len(parts), 2):
+        at = line + "$$".join(parts[:place]).count("\n")
+        yield Display(at, parts[place], erratum, cell, section, closed=place + 1 < len(parts))
+    for found in _WHOLE_ENVIRONMENT.finditer(shown) if len(parts) == 1 and not _LITERAL.match(shown) else ():
+        at = line + shown.count("\n", 0, found.start())
+        yield Display(at, found.group(), erratum, cell, section, opening=AMS)
 
 
 def _of_picture(latex: str, line: int, erratum: bool, cell: int | None, section: str, alone: bool) -> Display:

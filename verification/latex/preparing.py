@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 
+from armproof.verification.latex import greek
+
 _ARGUMENT = r"\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
 _COMMAND = r"\s*(?:\{\s*\\[A-Za-z]+\s*\}|\\[A-Za-z]+)"
 _LENGTH = r"\s*=?\s*[-+]?(?:\d+\.?\d*|\.\d+)\s*(?:pt|em|ex|mu|mm|cm|in|\\[A-Za-z]+)"
@@ -15,7 +17,8 @@ _OVERLAY = r"<[\d\s+,.|:a-z-]*>"
 _ESCAPES = r"_*^()[]+="  # of Markdown: in a formula their backslash means nothing
 _SILENT = re.compile(
     rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))|(?P<unequal>\\not\s*(?:=|\\in(?![A-Za-z])))"
-    r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z]))|(?P<differential>\\dd(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
+    r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z]))|(?P<differential>\\dd?(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
+    rf"|\\bf(?P<bold>[A-Za-z]|{'|'.join(sorted(greek.GREEK))})(?![A-Za-z])"
     rf"|\\(?:setlength|addtolength|settowidth|settoheight|settodepth){_COMMAND}{_ARGUMENT}|\\setcounter{_ARGUMENT}{_ARGUMENT}"
     rf"|\\(?:re|provide)?newcommand\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"
     rf"|\\(?:arraycolsep|tabcolsep|jot|lineskip|baselineskip|kern|mkern|hskip|mskip|vskip){_LENGTH}|\\arraystretch\s*=?\s*[\d.]*"
@@ -90,6 +93,9 @@ def _plain(found: re.Match[str]) -> str:
         return " d "
     if found["escape"] or found["set"]:
         return " " + found.group()[1]
+    if found["bold"]:  # \\bfq and \\bfomega: macros for bold letters, wherever they are defined
+        letter = found["bold"] if len(found["bold"]) == 1 else f"\\{found['bold']}"
+        return letter.rjust(len(found.group()))
     command = found["command"] or ""
     return command + _blank(found.group()[len(command) :])
 

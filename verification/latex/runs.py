@@ -15,6 +15,7 @@ from armproof.verification.latex.indexed import TRANSFORM_LETTERS
 from armproof.verification.latex.items import OPERATORS, DerivativeOperator, Differential, Item, Script
 from armproof.verification.latex.tokens import canonical_script
 
+_WHOLE = ("q", "theta", "Theta")  # all joint variables at once
 _WORDS = re.compile(r"\s*\\(?:text[a-z]*|mbox|hbox|mathrm|mathit)\s*\{[^{}=\\$]*\}\s*")
 
 
@@ -60,6 +61,9 @@ class RunReader(CallReader):
             operand, after = self.next_factor(items, index + 1)
             return n.Derivative(operand, item.node.variable, item.node.order, span=(item.start, operand.span[1])), after
         following = items[index + 1] if index + 1 < len(items) else None
+        if _is_applied(item, following):  # ∂x/∂q_1(q)
+            assert item.node is not None
+            return item.node, index + 2
         if isinstance(item.node, n.Name) and not item.scripts and following is not None and following.kind == "list":
             applied = self.application(item.node, following)  # {T_1^0}(θ_1)
             if applied is not None:
@@ -222,6 +226,14 @@ def reassociate(items: list[Item]) -> list[Item]:
             here.end = keep[-1][2][1] if keep else move[0][2][0]
             following.start = move[0][2][0]
     return items
+
+
+def _is_applied(item: Item, following: Item | None) -> bool:
+    """Whether a derivative is said to be a function of all joint variables: the vector in brackets is no factor."""
+    if not isinstance(item.node, n.Derivative) or item.scripts or following is None or following.kind != "list":
+        return False
+    inner = following.node.inner if isinstance(following.node, n.Group) else None
+    return isinstance(inner, n.Name) and inner.key in _WHOLE and not following.scripts
 
 
 def partial_derivative(above: Differential, below: Differential, span: tuple[int, int]) -> n.Node:
