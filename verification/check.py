@@ -421,7 +421,7 @@ class DocumentChecker:
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
         if not outcomes:
-            return replace(record, verdict=Verdict.DEFINED, findings=(say(Kind.NO_EQUATION),))
+            return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NO_EQUATION), say(Kind.BEYOND)))
         if self.direction == ("lower", display.line):
             outcomes[0].also(say(Kind.LOWER_IS_REFERENCE))
         if self.inferred.arm is not None:

@@ -134,6 +134,9 @@ class Definitions:
                     of_section = block.is_larger and not self.members.is_of_tool(true.node)
                     self.names.define(key, meaning, self.line, by_place=True, of_section=of_section)
                     self._define_components(block)
+        if (other := self._of_series(blocks, wrong, first)) is not None:
+            self.names.forget(first if defines else ())
+            return Outcome(Verdict.UNCHECKED, (other,), equation, true, member)
         if wrong:
             pair = Pair(value, value) if len(blocks) == len(value.cells) else None
             findings = () if pair else (say(Kind.WRONG_BLOCK),)
@@ -153,6 +156,16 @@ class Definitions:
         formulas = (each.cell for each in blocks if bare_key(each.cell) is None)
         cells = (as_scalar(self.members.evaluate(cell).value) for cell in formulas)
         return any(isinstance(cell, Scalar) and symbols_in([cell]) for cell in cells)
+
+    def _of_series(self, blocks: list[Block], wrong: list[tuple[int, int]], new: Iterable[str]) -> Finding | None:
+        """Say that the x_1 of a column x_0, x_1, x_2 of new letters is one of these, and not what had that name before."""
+        letters = [(block, name) for block in blocks if isinstance(name := bare(block.cell), n.Name) and name.sub]
+        bases = {name.base for _, name in letters if name.key in new}
+        for block, name in letters:
+            if (block.row, block.column) in wrong and name.base in bases:
+                before = self.names.state.definitions.get(name.key)
+                return say(Kind.SECOND_MEANING, name=name.key, line=before.line if before else self.line)
+        return None
 
     def _define_components(self, block: Block) -> None:
         """s, n, a of [s n a P]: the components of a column that a letter stands for have its letter, s_x, s_y, s_z."""
@@ -222,6 +235,8 @@ class Definitions:
             (m.problem for m in members if m.problem is not None and not isinstance(m.problem, UnboundName)), None
         )
         if bare is not None and other is None:
+            if self.defines and bare.startswith("R("):  # it may turn the other way than R(θ) usually does
+                self.names.leave_unknown([bare], self.line)
             given = (say(Kind.DEFINES_WITHOUT_VALUE, name=bare),)
             return [Outcome(Verdict.DEFINED, given, equation + k) for k in range(len(members) - 1)]
         problem = other or unbound

@@ -7,22 +7,32 @@ from fractions import Fraction
 from typing import Any
 
 from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar, is_zero, no_size, stacked
-from armproof.verification.algebra.protocol import Value, identity
+from armproof.verification.algebra.protocol import Value, elementary, identity
 from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
 
 
 def sum_value(evaluator: Evaluating, node: n.Sum) -> Value:
     """Return a sum; ± takes the sign of the branch, ∓ the other."""
     total: Value = None
+    if (unit := _hypercomplex(node)) is not None and not isinstance(evaluator.evaluate(unit), Matrix):
+        raise UnboundName(unit.key)
     for sign, term in node.terms:
         value = stacked(as_scalar(evaluator.evaluate(term)))
         if sign == "-" or (sign == "±" and evaluator.branch < 0) or (sign == "∓" and evaluator.branch > 0):
             value = Identity(-value.scale) if isinstance(value, Identity) else -value
         total = value if total is None else _add(evaluator, total, value)
     return total
+
+
+def _hypercomplex(node: n.Sum) -> n.Name | None:
+    """Return the i of q_0 + q_1 i + q_2 j + q_3 k: units of a quaternion or directions, which are no numbers."""
+    factors = [factor for _, term in node.terms if isinstance(term, n.Product) for factor in term.factors]
+    units = {factor.key: factor for factor in factors if isinstance(factor, n.Name) and factor.key in ("i", "j", "k")}
+    return units["i"] if len(units) == 3 else None
 
 
 def _add(evaluator: Evaluating, a: Value, b: Value) -> Value:
@@ -47,12 +57,39 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
     if any(isinstance(f, n.Call) and f.function == "Trans" for f in node.factors):  # R_z(θ) T_z(d), all 4×4
         whole = (_in_four_rows(factor) for factor in node.factors)
         node = replace(node, factors=tuple(whole))
+    if (turned := _in_plane(evaluator, node)) is not None:
+        return turned
     result = evaluator.evaluate(node.factors[0])
     for before, operator, factor in zip(node.factors, node.operators, node.factors[1:], strict=False):
         if not operator and isinstance(before, n.Name) and _is_nought(factor):
             raise UnboundName(before.key + "(0)")  # θ(0) is no product: it is the value at the time 0
-        result = multiply(result, operator, evaluator.evaluate(factor))
+        value = evaluator.evaluate(factor)
+        if isinstance(bare(factor), n.Name) and not isinstance(value, Matrix | Identity) and _is_pose(result):
+            raise EvaluationError(say(Kind.PRODUCT_OF_POSE, one="4×4", other="1×1"))  # T x_N, where x_N is a vector
+        result = multiply(result, operator, value)
     return result
+
+
+def _in_plane(evaluator: Evaluating, node: n.Product) -> Matrix | None:
+    """Return R(θ) v for a v of two components, where the document says nothing else of R: v turned by θ."""
+    first, *others = node.factors
+    is_turn = isinstance(first, n.Call) and first.function == "name" and bare_key(first.arguments[0]) == "R"
+    if not (is_turn and isinstance(first, n.Call) and len(first.arguments) == 2) or node.operators[0] not in ("", "⋅"):
+        return None
+    if any(key == "R" or key.startswith("R(") for key in evaluator.names.state.definitions):
+        return None
+    rest = evaluator.evaluate(
+        others[0] if len(others) == 1 else n.Product(tuple(others), node.operators[1:], span=node.span)
+    )
+    if not isinstance(rest, Matrix) or rest.shape[0] != 2:
+        return None
+    turn = elementary(evaluator.algebra, "Rot", "z", evaluator.scalar(first.arguments[1]))
+    return turn.block(range(2), range(2)) @ rest
+
+
+def _is_pose(value: Value) -> bool:
+    """Whether a value is 4×4 with the last row of a transform."""
+    return isinstance(value, Matrix) and value.shape == (4, 4) and all(map(is_zero, value.rows[3][:3]))
 
 
 def _is_nought(node: n.Node) -> bool:
