@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import is_near
 from armproof.verification.equations.catalogue import Catalogue
-from armproof.verification.equations.compositions import is_product_of_links
+from armproof.verification.equations.compositions import is_product_of_links, is_way_outwards
 from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import (
     Definitions,
@@ -173,7 +173,8 @@ class ChainChecker:
         doubt = self.readings.other_direction(
             [chain], _all_proved(outcomes), lambda: _all_proved(check(chain, define=False))
         )
-        if doubt and define and not self.names.state.transforms and is_product_of_links(chain):
+        tells = is_product_of_links(chain) or is_way_outwards(chain)
+        if doubt and define and not self.names.state.transforms and tells:
             self.names.state.definitions = before
             self.names.state.transforms = "lower"  # T_0^3 = A_1 A_2 A_3 tells it, where nothing else does
             return check(chain)

@@ -12,6 +12,7 @@ from armproof.verification.latex.nodes import bare
 
 _TRANSFORMS = "TAHR"
 _POINTS = ("P", "p")
+FEWEST = 3  # steps of a product that tell which index is the reference
 _INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijkn]))(?:(?P<sign>[+-])(?P<step>\d))?")
 _ENDS = {
     "B": -1,
@@ -56,6 +57,20 @@ def is_product_of_links(chain: n.Chain) -> bool:
     """Whether a name T^i_j is equated to a product A_1 A_2 of names with one index each, which tell of no direction themselves."""
     named = [node for member in chain.members if isinstance(node := bare(member), n.Name) and node.sub and node.sup]
     return len(chain.members) == 2 and len(named) == 1 and any(map(_is_of_links, chain.members))
+
+
+def is_way_outwards(chain: n.Chain) -> bool:
+    """Whether T_0^3 is equated to T_0^1 T_1^2 T_2^3: of three or more steps, each begins where the one before leads to."""
+    sides = [[*_factors(member)] for member in chain.members]
+    named = all(isinstance(each, n.Name) and each.sub and each.sup for side in sides for each in side)
+    ends = {_ends(member, "lower") for member in chain.members}
+    return (
+        named
+        and sorted(map(len, sides))[0] == 1
+        and len(sides) == 2
+        and max(map(len, sides)) >= FEWEST
+        and len(ends - {None}) == 1 == len(ends)
+    )
 
 
 def _is_of_links(node: n.Node) -> bool:

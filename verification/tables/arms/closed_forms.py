@@ -41,8 +41,12 @@ def candidates_of_closed_form(document: Document, names: Names) -> list[Candidat
         meant = _meanings(document, names, algebra)
         points: dict[str, int] = {}  # the number of the point whose coordinate was found: x_1, before x_2 = x_1 + …
         for display in document.displays:
-            for axis, key, value in _coordinates(display, names, algebra, letters) if "=" in display.latex else ():
-                value = _with_meanings(value, meant)
+            given = [
+                (axis, key, _with_meanings(value, meant))
+                for axis, key, value in _coordinates(display, names, algebra, letters)
+                if "=" in display.latex
+            ]
+            for axis, key, value in () if _are_of_another_point(given, found, points) else given:
                 number = int(key[2:]) if key[2:].isdigit() else 0
                 before = found[axis][0] if axis in found and points[axis] else None
                 is_next = before is not None and number > points[axis] and _goes_on_from(value, before)
@@ -59,6 +63,12 @@ def candidates_of_closed_form(document: Document, names: Names) -> list[Candidat
         tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
         mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
         return [each for each in mended if not _turns_back(each)] or mended
+
+
+def _are_of_another_point(given: Sequence[tuple[str, str, Scalar]], found: Found, points: Mapping[str, int]) -> bool:
+    """Whether a display gives x and y anew, and not those that were found: its z is not of that point either."""
+    anew = {axis: value for axis, key, value in given if key == axis and not points.get(axis)}
+    return {"x", "y"} <= anew.keys() & found.keys() and not all(_equal(anew[axis], found[axis][0]) for axis in "xy")
 
 
 def _turns_back(found: Candidate) -> bool:
@@ -145,9 +155,9 @@ def _coordinates(
 def _given(chain: n.Chain) -> Iterator[tuple[str, str, n.Node]]:
     """Yield the axes with a name and what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
     name, *others = map(unapplied, chain.members)
-    match = _COORDINATE.fullmatch(bare_key(name) or "") if len(others) == 1 else None
-    if match is not None:
-        yield (match[1] or match[2]).lower(), match[0], others[0]
+    match = _COORDINATE.fullmatch(bare_key(name) or "")
+    if match is not None and not isinstance(others[-1], n.Matrix):  # x = x_1 + l_2 c_12 = l_1 c_1 + l_2 c_12
+        yield (match[1] or match[2]).lower(), match[0], others[-1]
     column = next((cells for other in others if (cells := _column(name, other))), ())
     yield from ((axis, axis, cell) for axis, cell in zip("xyz", column, strict=False))
 
@@ -252,10 +262,12 @@ class _ClosedForm:
         reach, base = substitute(x, {first: zero}), substitute(z, self._stretched(others))
         if not (_equal(x, reach * cosine) and _equal(y, reach * sine)):
             return None
-        plane, up = self._in_plane(reach, z - base, others, slides), self._up(base, slides)
-        if plane is None or up is None:
-            return None
-        return [*self._with(up, [("theta", ring.symbol(first), first)]), ("alpha", self.algebra.pi() / 2, ""), *plane]
+        up, pi = self._up(base, slides), self.algebra.pi()
+        for turn, height in ((pi / 2, z - base), (-pi / 2, base - z)):  # R_z R_y: positive angles lead down
+            plane = self._in_plane(reach, height, others, slides)
+            if plane is not None and up is not None:
+                return [*self._with(up, [("theta", ring.symbol(first), first)]), ("alpha", turn, ""), *plane]
+        return None
 
     def _stretched(self, angles: Sequence[str]) -> dict[str, Scalar]:
         return dict.fromkeys(angles, self.algebra.ring.zero)

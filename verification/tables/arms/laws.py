@@ -37,7 +37,7 @@ class _Law:
     """
 
     joint: str
-    links: tuple[str, str]
+    links: tuple[Scalar, Scalar]
     point: tuple[str, ...]
     height: Scalar
     display: Display
@@ -82,8 +82,8 @@ def _arm(law: _Law) -> Candidate | None:
         return None
     joints = [f"{letter}_{first + k}" for k in range(3 if in_space or law.hand else 2)]
     turned = [{**_FLAT, "d": entry_text(law.height), "alpha": "pi/2"}] if in_space else []
-    links = [*law.links, *filter(None, [law.hand])]
-    bodies = [*turned, *({**_FLAT, "a": symbol_of(link)} for link in links)]
+    lengths = [*map(entry_text, law.links), *map(symbol_of, filter(None, [law.hand]))]
+    bodies = [*turned, *({**_FLAT, "a": length} for length in lengths)]
     rows = tuple({**body, "theta": joint} for body, joint in zip(bodies, joints, strict=True))
     last = max(first, 1) - 1 + len(rows)
     placed = [(key, axis, last - bool(law.hand)) for key, axis in zip(law.point, "xyz", strict=False)]
@@ -94,6 +94,7 @@ def _arm(law: _Law) -> Candidate | None:
         if key not in _PLAIN or key[-1].lower() != axis
     }
     named |= {key: {"angle": last} for key in law.tool[2:]}
+    links = [*sorted(symbols_in(law.links), key=_number), *filter(None, [law.hand])]
     letters = [n.Name(base, sub, text=link) for link in links for base, _, sub in [link.partition("_")]]
     place = (law.display.cell, law.display.line)
     return Candidate(
@@ -194,16 +195,24 @@ class _Reader:
     def _law(self, node: n.Quotient, joint: str, display: Display) -> _Law | None:
         """Return the law that a quotient is: the square of a distance without those of two lengths, by twice their product."""
         value = self._value(node)
-        lengths = sorted(filter(_LENGTH.fullmatch, symbols_in([value])), key=_number) if value is not None else []
-        for one, other in permutations(lengths, 2):
-            a, b = map(self.algebra.ring.symbol, (one, other))
+        lengths = self._lengths(node, value) if value is not None else []
+        for a, b in permutations(lengths, 2):
             square = (value * a * b * 2 + a * a + b * b).normal() if value is not None else None
-            if square is None or not _is_polynomial(square) or {one, other} & symbols_in([square]):
+            if square is None or not _is_polynomial(square) or symbols_in([a, b]) & symbols_in([square]):
                 continue
             square = self._with_meanings(square)
             if (found := self._point(square) or self._point_before_hand(square)) is not None:
-                return _Law(joint, (one, other), *found, display)
+                return _Law(joint, (a, b), *found, display)
         return None
+
+    def _lengths(self, node: n.Quotient, value: Scalar) -> list[Scalar]:
+        """Return what may be the length of a link: a letter, or a sum of letters by which is divided, l_3 + l_4."""
+        letters = sorted(filter(_LENGTH.fullmatch, symbols_in([value])), key=_number)
+        below = bare(node.denominator)
+        factors = [bare(each) for each in (below.factors if isinstance(below, n.Product) else ())]
+        sums = [self._value(each) for each in factors if isinstance(each, n.Sum)]
+        of_letters = [each for each in sums if each is not None and symbols_in([each]) <= set(letters)]
+        return [*map(self.algebra.ring.symbol, letters), *of_letters]
 
     def _with_meanings(self, square: Scalar) -> Scalar:
         """Return the square of a distance with letters for what the document says they are: r² + s² = x² + y² + (z − d_1)²."""

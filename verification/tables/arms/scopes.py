@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.errors import EvaluationError
@@ -23,6 +23,7 @@ from armproof.verification.tables.arms.sections import named_sections, without_a
 _FRAMES = re.compile(
     r"(?<![A-Za-z])[TRAH]\s*_\s*\{?\s*(\d)\s*\}?\s*\^\s*\{?\s*(\d)|(?<![A-Za-z])[TRAH]\s*\^\s*\{?\s*(\d)\s*\}?\s*_\s*\{?\s*(\d)"
 )
+_POINT = re.compile(r"(?<![A-Za-z])[xyzpP]\s*_\s*\{?\s*\d")  # x_2: one of the points of a chain
 _SOLVED = re.compile(r"(?:theta|q)_\d")
 Place = tuple[int, int]  # cell (0 where there is none) and line
 
@@ -189,6 +190,7 @@ def _sources(document: Document) -> Iterator[_Source]:
             at = next(each for each in above.displays if _place(each) == (form.cell or 0, form.line))
             yield _Source(_place(at), at.section, form)
     yield from _of_exercises(document)
+    yield from _of_sections(document)
     for table in dh_tables(document):
         if isinstance(found := arms_of(document, table), list):
             yield _Source(_place(table), table.section, found[0])
@@ -206,6 +208,26 @@ def _of_exercises(document: Document) -> Iterator[_Source]:
         if (form := candidate_of_closed_form(part, names)) is not None:
             at = next(each for each in part.displays if _place(each) == (form.cell or 0, form.line))
             yield _Source(_place(at), at.section, form)
+
+
+def _of_sections(document: Document) -> Iterator[_Source]:
+    """Yield the closed forms of sections of which one has other joints than another, as chapters have that show several arms."""
+    names, before = plain_names(document), None
+    runs = [[*run] for _, run in groupby(document.displays, key=lambda each: each.section)]
+    for run in runs if len(runs) > 1 and not any(dh_tables(document)) and not any(first_links(document, names)) else ():
+        form = candidate_of_closed_form(replace(document, displays=tuple(run), tables=()), names)
+        if form is None:
+            continue
+        at = next(each for each in run if _place(each) == (form.cell or 0, form.line))
+        if _POINT.search(at.latex) is None and (before is None or _moves(form) != _moves(before)):
+            before = form
+            yield _Source(_place(at), at.section, form)
+
+
+def _moves(form: Candidate) -> list[tuple[str, str]]:
+    """Return the joints of a closed form, each with what it moves."""
+    return [(joint, column) for row, joint in zip(form.rows, form.joints, strict=True) for column in row
+            if joint and joint in row[column]]  # fmt: skip
 
 
 def _exercises(document: Document) -> Iterator[Place]:

@@ -13,7 +13,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring
-from armproof.verification.document import Document
+from armproof.verification.document import Display, Document
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -75,16 +75,19 @@ class _Trial:
         self.held = self.failed = self.entries = 0
         self.joints: set[str] = set()
 
-    def take(self, latex: str, line: int) -> None:
+    def take(self, display: Display) -> None:
         """Count which equations of a display that rest on the arm hold."""
+        self.checker.names.state.enter(display.section)
         budget = self.checker.exact.budget
         self.checker.exact.ring.forget_signs()
         with suppress(Exception), budget.of(SECONDS):  # a fault of ours must not cost the document its verdicts
-            for chain in self.checker.names.reader.read(latex):
+            for chain in self.checker.names.reader.read(display.latex):
                 if isinstance(chain, n.Chain) and chain.relations and set(chain.relations) == {"="}:
                     told = [member for member in chain.members if not isinstance(n.bare(member), n.Number)]
                     if len(told) > 1:  # det J = 0 is a condition, and no evidence
-                        self._take_chain(replace(chain, members=tuple(told), relations=("=",) * (len(told) - 1)), line)
+                        self._take_chain(
+                            replace(chain, members=tuple(told), relations=("=",) * (len(told) - 1)), display.line
+                        )
 
     def _take_chain(self, chain: n.Chain, line: int) -> None:
         outcomes = self.checker.check(chain, 1, line, define=not (parts := side_by_side(chain)))
@@ -116,7 +119,7 @@ def weigh(document: Document, fronts: Sequence[Mapping[str, Any]]) -> list[Readi
             break
         if display.closed and not display.erratum and "=" in display.latex:
             for trial in trials:
-                trial.take(display.latex, display.line)
+                trial.take(display)
             best, *others = sorted((trial.held for trial in trials), reverse=True)
             if best - max(others, default=0) >= LEAD:
                 break
