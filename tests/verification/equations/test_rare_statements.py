@@ -27,7 +27,7 @@ BOUND: dict[str, Any] = {
         (r"J_1 = \theta_{12}", Verdict.UNCHECKED, "J_1"),
         (r"l_1 c_1 = P_x \iff l_2 c_{12} = 0", Verdict.UNCHECKED, "what it follows from does not hold of the arm"),
         (r"s_2 = 0 \Rightarrow \operatorname{rank} J < 0", Verdict.REFUTED, ""),
-        (r"\text{as above}", Verdict.DEFINED, "states no equation"),
+        (r"\text{as above}", Verdict.UNCHECKED, "states no equation"),
         (r"l_1^{0.5} l_1^{0.5} = l_1", Verdict.PROVED, ""),
         (r"l_1^{0.5} l_1^{0.5} = l_2", Verdict.REFUTED, ""),
         (r"l_1^{0.6} l_1^{0.4} = l_1", Verdict.UNCHECKED, "exponent is not an integer"),
