@@ -11,6 +11,7 @@ from math import remainder, tau
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.display.taken_arm import names_in
+from armproof.verification.equations.any_frames import direction_of_any_frames
 from armproof.verification.equations.any_jacobian import holds_of_any_jacobian
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
@@ -376,6 +377,15 @@ class Claims:
             return outcomes
         if is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line):
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
+        if (direction := direction_of_any_frames(self.names, chain)) is not None:
+            self.names.state.transforms = (
+                direction if define and self.names.arm is None else self.names.state.transforms
+            )
+            self.begin()  # it rests on nothing that the document says of these names
+            of_any = (say(Kind.OF_ANY_FRAMES),)
+            return [
+                replace(each, verdict=Verdict.PROVED, findings=of_any, role=Role.LAW, defines=()) for each in outcomes
+            ]
         if (rates := with_rates(chain, self.names)) is not None:
             tried = self.checker.check(rates, equation, line, False)
             if all(

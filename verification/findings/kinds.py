@@ -71,6 +71,7 @@ class Kind(MessageKind):
     SIDE_BY_SIDE = "side_by_side", "`{name}` may begin an equation of its own, or be a factor in the one before"
     ON_BOTH_SIDES = "on_both_sides", "`{name}` stands alone and on the other side too: it has a new value there, or means two things"
     OF_ANY_JACOBIAN = "of_any_jacobian", "of any Jacobian"
+    OF_ANY_FRAMES = "of_any_frames", "of any frames"
     DEGREES_OF_LETTER = "degrees_of_letter", "with ° behind it `{name}` may be its number of degrees, or so many degrees: write which, in words"
     NUMBERED_TWICE = "numbered_twice", "`{one}` and `{other}` may be names of one link, its frames counted from another number"
     SEVERAL_TOOLS = "several_tools", "the table at line {line} shows several end effectors, and `{name}` does not say of which it is"
