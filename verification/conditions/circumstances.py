@@ -303,7 +303,7 @@ class Circumstances:
         if told.conditions:
             yield from dict.fromkeys([told.conditions, (*told.earlier, *told.conditions)])
             for at, condition in enumerate(told.conditions):
-                for posture in postures if len(postures := self._postures(condition)) > 1 else ():
+                for posture in self._postures(condition):
                     yield (*told.conditions[:at], posture, *told.conditions[at + 1 :])
 
     def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
@@ -313,7 +313,7 @@ class Circumstances:
 
         assert outcome.true is not None and outcome.printed is not None
         claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))
-        implication = Implication("⇒", [[*conditions]], [[claim]], 0, 0)
+        implication = Implication("⇒", [[*conditions]], [[claim]])
         return check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED
 
     def _stands_still(self, outcome: Outcome) -> bool:
@@ -325,7 +325,7 @@ class Circumstances:
         return one != other
 
     def _postures(self, condition: n.Chain) -> tuple[n.Chain, ...]:
-        """Return the two values of a joint whose sine or cosine a condition says to be 0, else the condition."""
+        """Return the two values of a joint whose sine or cosine a condition says to be 0, if it says so."""
         scalars = [value for each in condition.members if isinstance(value := self.checker.member(each).value, Scalar)]
         turns = ("sin", ("0", r"\pi")), ("cos", (r"\pi/2", r"-\pi/2"))
         for joint in self.given.joints if len(scalars) == len(condition.members) == 2 else ():
@@ -335,7 +335,7 @@ class Circumstances:
                 left = scalars[0] - scalars[1]
                 if isinstance(found, Scalar) and ((left - found).is_zero() or (left + found).is_zero()):
                     return tuple(_value(joint, self.names.reader.read_expression(value)) for value in values)
-        return (condition,)
+        return ()
 
 
 def _has_a_sign(node: n.Node) -> bool:
@@ -344,7 +344,7 @@ def _has_a_sign(node: n.Node) -> bool:
 
 def _is_bound(chain: n.Chain) -> bool:
     in_interval = chain.relations == ("∈",) and n.interval_of("∈", chain.members[1]) is not None
-    return in_interval or (bool(chain.relations) and set(chain.relations) <= set("<>≤≥≠"))
+    return in_interval or (bool(chain.relations) and set(chain.relations).issubset("<>≤≥≠"))
 
 
 def _equated(chain: n.Chain) -> Iterator[str]:

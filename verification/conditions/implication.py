@@ -22,8 +22,8 @@ class Implication:
     kind: str  # ⇒, ⇔, ⇐ or if
     before: Alternatives
     behind: Alternatives
-    after: int  # the statement at which to go on
-    behind_at: int  # the statement behind the arrow
+    after: int = 0  # the statement at which to go on
+    behind_at: int = 0  # the statement behind the arrow
 
     @property
     def arrow(self) -> str:

@@ -47,5 +47,5 @@ def _other_ranks(chain: n.Chain) -> list[n.Chain]:
 
 
 def _follows(checker: ChainChecker, given: Sequence[n.Chain], chain: n.Chain) -> bool:
-    implication = Implication("⇒", [[*given]], [[chain]], 0, 0)
+    implication = Implication("⇒", [[*given]], [[chain]])
     return check_implication(checker, implication, 1)[0].verdict is Verdict.PROVED

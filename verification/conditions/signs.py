@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from math import prod
 
 from flint import fmpq_mpoly
 
@@ -129,8 +130,7 @@ class Reader:
             raise Undecided(say(Kind.WIDE_INTERVAL))
         sine = self.checker.exact.cos_sin
         yield Sign(sine(bounds.angle - low)[1], ">" if low_open else "≥")
-        if wide < 1:
-            yield Sign(sine(high - bounds.angle)[1], ">" if high_open else "≥")
+        yield Sign(sine(high - bounds.angle)[1], ">" if high_open else "≥")
 
 
 # -- what follows ---------------------------------------------------------------------------------------------------------
@@ -164,11 +164,11 @@ def _follows(sign: Sign, factors: _Factors | None, ordered: Sequence[_Factors], 
     if factors is None:
         return False
     if sign.relation == "≠" or sign.relation == ">":
-        if not set(factors.powers) <= nonzero:
+        if not nonzero.issuperset(factors.powers):
             return False
         if sign.relation == "≠":
             return True
-    elif not (set(factors.powers) - factors.odd) | factors.below <= nonzero:
+    elif not factors.below.issubset(nonzero):  # a factor above that vanishes leaves 0 ≥ 0
         return False
     choices = (each for count in range(MOST_TOGETHER + 1) for each in itertools.combinations(ordered, count))
     return any(_product_is(factors, chosen, nonzero) for chosen in choices)
@@ -177,11 +177,9 @@ def _follows(sign: Sign, factors: _Factors | None, ordered: Sequence[_Factors], 
 def _product_is(factors: _Factors, chosen: Sequence[_Factors], nonzero: set[str]) -> bool:
     """Whether the product of signs is that of the factors: what occurs in it twice, and not in them, must not vanish."""
     total: Counter[str] = sum((each.powers for each in chosen), Counter())
-    sign = factors.sign
-    for each in chosen:
-        sign *= each.sign
+    sign = prod(each.sign for each in chosen)
     odd = {key for key, power in total.items() if power % 2}
-    return sign > 0 and odd == factors.odd and set(total) - factors.odd <= nonzero
+    return sign == factors.sign and odd == factors.odd and nonzero.issuperset(set(total) - factors.odd)
 
 
 def _factors(value: Scalar, positive: frozenset[str]) -> _Factors | None:
@@ -189,18 +187,16 @@ def _factors(value: Scalar, positive: frozenset[str]) -> _Factors | None:
     parts = (value.numerator, value.denominator)
     if value.is_zero() or any(len(part) > MOST_TERMS for part in parts):
         return None
-    sign, powers, below = 1, Counter[str](), set[str]()
+    powers, below = Counter[str](), set[str]()
     for part in parts:
         value.ring.budget.check()
-        constant, factors = part.factor()
-        sign *= 1 if constant > 0 else -1
-        for factor, power in factors:
-            leading = factor.leading_coefficient()
-            sign *= 1 if leading > 0 or not int(power) % 2 else -1
-            if not _is_positive(value, factor / leading, positive):
-                powers[str(factor / leading)] += int(power)
-                below |= {str(factor / leading)} if part is value.denominator else set()
-    return _Factors(sign, powers, frozenset(below))
+        for factor, power in part.factor()[1]:
+            monic = factor / factor.leading_coefficient()
+            if not _is_positive(value, monic, positive):
+                powers[str(monic)] += int(power)
+                below |= {str(monic)} if part is value.denominator else set()
+    leading = value.numerator.leading_coefficient() * value.denominator.leading_coefficient()  # of monic factors: 1
+    return _Factors(1 if leading > 0 else -1, powers, frozenset(below))
 
 
 def _is_positive(value: Scalar, factor: fmpq_mpoly, positive: frozenset[str]) -> bool:

@@ -90,6 +90,7 @@ a/b/c  ⟶  ((a / b) / c)
 a/(b c) \quad (a b)/c  ⟶  (a / ((b c))); (((a b)) / c)
 \frac12x \quad \frac123 \quad \frac1{ab} \quad \frac ab \quad \dfrac{a + b}{2} \quad \frac{a = b}{2}  ⟶  ((1 / 2) x); ((1 / 2) 3); (1 / (a b)); (a / b); ((+ a + b) / 2); (<a = b> / 2)
 {a \over b} {a + 1 \over {b \over c}}  ⟶  ({(a / b)} {((+ a + 1) / {(b / c)})})
+{2 a \over b + 1} \quad \sqrt{{a \over b}} = {a \over b}  ⟶  {((2 a) / (+ b + 1))}; sqrt({(a / b)}) = {(a / b)}
 """,
     "powers and what is applied from above": r"""
 x^2 y_1^3 (a + b)^2 {x}^2 {2}^3 {a + b}^2 {\cos x}^2 [a]^2  ⟶  (x**2 y_1^3 ((+ a + b))**2 x**2 2**3 {(+ a + b)}**2 cos(x)**2 [a]**2)
@@ -125,6 +126,8 @@ x_\mathrm{ab} x_\text{max} x^\alpha y_\alpha \boxed x + {a} \vec{AB} \hat{xy} \v
 {{}^0T}_1 {{}_1^0T} {{}_1T}  ⟶  ({}^0T_1 {}^0_1T {}_1T)
 {C}_1 {T}^0_1 {x_1}^2 {^0}T_1 {_1^0}T {^{i-1}}T_i {^0p}_2  ⟶  (cos(+1) T_1^0 x_1**2 {}^0T_1 {}^0_1T {}^i-1T_i {}^0p_2)
 R[0,1] R[0,1]^T T[0, 2] R[0,x] R(0,1) R_1[0,1] Q[0,1]  ⟶  (R_0,1 R_0,1^<T> T_0,2 R [0, x] name(R, 0, 1) name(R_1, 0, 1) name(Q, 0, 1))
+\underset{\text{wrist}}{p} \quad \underset{{\text{tool}}}{{p}} \quad p^{\text{des}} \quad p^{\text{T}} \quad x^{\text{ab}}_1 \quad x_12 \quad x^12  ⟶  p_wrist; p_tool; p^des; p^<T>; x_1^ab; x_12; (x**1 2)
+MGDpos = p_4 \quad TCPpose = x \quad x = MGDpos  ⟶  MGD_pos = p_4; TCP_pose = x; x = (M G D p o s)
 """,
     "cosines": r"""
 c_1 s_{12} C_{123} S_{1-2} c_{-1} c_{1,2} c_{1+2} C12 s3  ⟶  (cos(+1) sin(+1+2) cos(+1+2+3) sin(+1-2) cos(-1) cos(+1+2) cos(+1+2) cos(+1+2) sin(+3))
@@ -144,6 +147,8 @@ a\tan 2(y, x) a \tan 2(y + x) A\tan2(y, x) a \tan x a\,\tan 2 (f(y, x), (z)) a \
 cos(x) sin x acos(x)  ⟶  (cos(x) sin(x) acos(x))
 \sqrt{x} \sqrt x \sqrt2 \sqrt(x) \sqrt[2]{x} \sqrt{x}^2  ⟶  (sqrt(x) sqrt(x) sqrt(2) sqrt(x) sqrt(x) sqrt(x)**2)
 \det J \det(J)^2 \det A B \operatorname{tr}(R) \operatorname{rank} J \det 2 J  ⟶  (det(J) det(J)**2 det(A) B tr(R) rank(J) det(2) J)
+c_θ \quad s_{θ} \quad c_φ \quad S(\theta_2) \quad S(a) \quad S(\alpha) \quad 0\sin35 \quad \sin 35^\circ \quad \cos 3x  ⟶  cos(theta); sin(theta); cos(phi); sin(theta_2); name(S, a); sin(alpha); (0 sin(35)); sin(35^<deg>); cos((3 x))
+\det_1 s \quad \det{A} B \quad \det A^T \quad \det A_1^2  ⟶  '\\det_1 s'; (det(A) B); det(A^<T>); det(A_1^2)
 """,
     "rotations and applied names": r"""
 R_z(\theta_1) R_{z,\theta_1} R_{x, \alpha_1}^T R_{z;\theta} R_z(\theta)^{-1} R_{z_1}(\theta) R_{X}(\theta) R_z^T(\theta)  ⟶  (Rot3(z, theta_1) Rot3(z, theta_1) Rot3(x, alpha_1)^<T> Rot3(z, theta) Rot3(z, theta)^<-1> Rot3(z, theta) Rot3(x, theta) name(R_z, theta)^<T>)
@@ -156,6 +161,7 @@ p(0, 0) p_1(\theta_1) w(0, 0) x(t) x(y) p_x(q) h(a + b) K(x) K(a + b) d(t) p(x, 
 S(v) S(\theta) S_1(v) C(v) R(\phi, \theta)  ⟶  (name(S, v) sin(theta) sin(+1) (v) C (v) name(R, phi, theta))
 A_1(0) A_1(90^\circ) T(1, 2) T(\pi/2) T(2 \theta_1) T(2\theta_1, 0) J(x_1, 0) l(2) \theta_1(0) J(2 l) T(30^{-1})  ⟶  (name(A_1, 0) name(A_1, 90^<deg>) name(T, 1, 2) name(T, (pi / 2)) T ((2 theta_1)) name(T, (2 theta_1), 0) J (x_1, 0) l (2) theta_1 (0) J ((2 l)) T (30^<-1>))
 {T_1^0}(\theta_1) {J}(q) {x_1}(y)  ⟶  (name(T_1^0, theta_1) name(J, q) name(x_1, y))
+J^2(q) \quad {[a]}^T(q) \quad \alpha(\theta_1) \quad \mathrm{pos}(\theta_1) \quad \theta(t) \quad \mathrm{pos}(x + y) \quad \alpha(x, y)  ⟶  (J**2 (q)); ({[a]}^<T> (q)); name(alpha, theta_1); name(pos, theta_1); name(theta, t); (pos ((+ x + y))); (alpha (x, y))
 """,
     "derivatives": r"""
 \frac{\partial x}{\partial y} \frac{\partial}{\partial y} x \frac{\partial^2 x}{\partial y^2} \frac{\partial^3}{\partial y^3} x  ⟶  (d1(x)/d(y) d1(x)/d(y) d2(x)/d(y) d3(x)/d(y))
@@ -170,6 +176,8 @@ A_1(0) A_1(90^\circ) T(1, 2) T(\pi/2) T(2 \theta_1) T(2\theta_1, 0) J(x_1, 0) l(
 a |b| |c| d |e| \quad |a| + |b| \quad |a||b| \quad \left|a\right| |b| \quad a |b| = |c|  ⟶  (a abs(b) abs(c) d abs(e)); (+ abs(a) + abs(b)); (abs(a) abs(b)); (abs(a) abs(b)); (a abs(b)) = abs(c)
 F|_{x = 0} \quad \left. F \right|_{x = 0, y = 1} \quad (a b)|_{x=1} \quad F_{x=0} \quad F_1^2|_{x = 0}  ⟶  F|(x = 0); F|(x = 0, y = 1); ((a b))|(x = 1); F_x=0; F_1**2|(x = 0)
 \underbrace{a}_{b} \overbrace{a + b}^{c} \underbrace{T}_{4 \times 4} \underbrace{a}_{\text{words}} \underbrace{a}_{=b} \underbrace{a}_{2} \underbrace{x}_{a + } \underbrace{x}_{(2\times 3)} \underbrace{x}  ⟶  (a_[b] (+ a + b)_[c] T_[4, 4] a_[] a_[b] a_[] x_[a + ] x_[2, 3] x_[])
+\|p_2\|_2 \quad \|p_2\|^2_2 \quad \|p\|_1 \quad \|p\|_x \quad |x|_2 \quad p|_{x=0, y=1}^2 \quad |a|_1 = |b|  ⟶  norm(p_2); norm(p_2)**2; '\\|p\\|_1'; '\\|p\\|_x'; '|x|_2'; p|(x = 0, y = 1)**2; '|a|_1' = abs(b)
+a \| b \quad \|a\| b \|c\| \quad l \|s\| \quad a || b || c \quad s ‖p‖ \quad 2\|p_2\| = 0 \quad a |b| = c |d|  ⟶  a; [words |]; b; (norm(a) b norm(c)); (l norm(s)); (a norm(b) c); (s norm(p)); (2 norm(p_2)) = 0; (a abs(b)) = (c abs(d))
 """,
     "matrices and lines": r"""
 \begin{bmatrix} a & b \\ c & d \end{bmatrix}^T \begin{array}{cc} a & b \end{array} \left[\begin{matrix} a \\ b \end{matrix}\right]  ⟶  (bmatrix[a, b; c, d]^<T> array[a, b] [matrix[a; b]])
@@ -180,6 +188,8 @@ F|_{x = 0} \quad \left. F \right|_{x = 0, y = 1} \quad (a b)|_{x=1} \quad F_{x=0
 \begin{cases} a & x > 0 \\ b & \text{otherwise} \end{cases} \quad \begin{cases} a = b \\ c = d \end{cases} \quad \begin{cases} a \\ b, & x = 1 \end{cases}  ⟶  {a : x > 0; b : \text{otherwise}}; a = b; c = d; {a : ; b : x = 1}
 \begin{aligned} a \end{aligned} \quad \begin{aligned} a &= b \\ &= c \end{aligned} \quad \begin{array}{l} a = b \\ c = d \end{array}  ⟶  a; a = b = c; a = b; c = d
 x = \left\{ \begin{array}{l} b \\ c \end{array} \right. \quad \left\{ \begin{array}{l} b = 1 \\ c = 2 \end{array} \right. \quad x = \begin{aligned} & a + b \end{aligned}  ⟶  x = array[b; c]; b = 1; c = 2; x = (+ a + b)
+\begin{array}{rcl} a = 0 & \text{and} & b = 0 \end{array} \quad \begin{array}{ll} a = 0, & b = 0 \\ c & = d \end{array}  ⟶  a = 0; [and]; b = 0; a = 0; b = 0; c = d
+\begin{bmatrix} a \quad \text{so} & b \end{bmatrix} \quad \begin{bmatrix} \text{if} \quad \text{so} & b \end{bmatrix}  ⟶  bmatrix['so', b]; bmatrix['if so', b]
 """,
     "statements": r"""
 a = b = c \quad a \approx b \quad a \le b < c \quad a \in b \quad a \neq b \quad a := b \quad a \triangleq b \quad a \overset{!}{=} b \quad a \overset{\text{def}}{=} b \quad a \not= b  ⟶  a = b = c; a ≈ b; a ≤ b < c; a ∈ b; a ≠ b; a = b; a = b; a ≟ b; a = b; a ≠ b
@@ -206,6 +216,10 @@ a = b \\ +c , \quad d  ⟶  a = (+ b + c); d
 a (i = 1, 2) \quad a (s_2 \neq 0)  ⟶  a; [words (i = 1, 2)]; a; [if]; sin(+2) ≠ 0
 {x = y} \quad {\large x}  ⟶  x = y; x
 \begin{aligned} a &= b, & c &= d \\ e &= f \end{aligned}  ⟶  a = b; c = d; e = f
+\text{where $D = x$ and $y > 0$, so} \quad \text{$x$ and $y$} \quad \text{(}x\text{)} \quad \text{ ( } x \text{ ) } \quad \text{a and} b \quad \text{if $x = y$}  ⟶  [words where]; D = x; [and]; y > 0; [words , so]; [words $x$ and $y$]; x; x; [words a and]; b; [if]; x = y
+a = b \\ \text{so} \\ c = d \quad = e  ⟶  a = b; [words so]; c = d = e
+\begin{aligned} a &= b \\ & \text{so} \\ &= c \end{aligned}  ⟶  [words so]; a = b = c
+a = \quad \Rightarrow b = c \quad \Rightarrow \quad d  ⟶  a; [⇒]; b = c; [⇒]; d
 """,
     "numbers and units": r"""
 1 2.5 0{,}5 .5 x 10  ⟶  (1 5/2 1/2 1/2 x 10)
@@ -215,6 +229,7 @@ a (i = 1, 2) \quad a (s_2 \neq 0)  ⟶  a; [words (i = 1, 2)]; a; [if]; sin(+2) 
 \SI{2}{\degree} + \qty{-2}{m}  ⟶  (+ 2^<deg> + ((- 2)))
 \qty{1,5}{cm} + \SI{3}{\kilo\gram}  ⟶  (+ 3/2^<cm> + 3); [words kilogram]
 \SI[a=b]{+2.5}{\centi\meter}  ⟶  5/2^<cm>
+2 \text{s}^{-1} \quad 2\,\mathrm{rad/s} \quad 5 \text{ m}^2 \quad \frac{1,8}{2} \quad \{1,5\} \quad [1,5; 2] \quad 1,5 x \quad x(\theta_1 = 0) = l_1 \quad k(\theta_1 = 0)  ⟶  2; 2; 5; ('1,8' / 2); {1, 5}; [1, 5, 2]; ('1,5' x); x|(theta_1 = 0) = l_1; k; [if]; theta_1 = 0
 """,
     "what prints nothing": r"""
 x \tag{1} \label{a} \quad x \eqref{e} \quad \boxed{x = 1} \quad \color{red} x \quad \textcolor{red}{x} \quad \ref{a}  ⟶  x; x; [words eqref]; x = 1; x; x; [words ref]
