@@ -94,29 +94,29 @@ def named_arms(text: str) -> tuple[str, ...]:
 def _with_what_is_said(document: Document) -> Document:
     """Give each display the equations and the postures of the text before it and behind it, which are no displays."""
     displays: list[Display] = []
-    said: list[Display] = []
+    between: list[list[Display]] = [[]]  # what is said before each display, and behind the last
     for display in document.displays:
         if display.opening != INLINE:
-            above = sum(each.section != display.section for each in said)
-            outside = sum(not encloses(each.section, display.section) for each in said)
-            latex = tuple(each.latex for each in said)
-            displays.append(replace(display, said=latex, said_above=above, said_outside=outside))
-            said = []
+            displays.append(_with_what_is_before(display, between[-1]))
+            between.append([])
         elif _SAYS.search(display.latex):
-            said.append(display)
-    return replace(document, displays=tuple(_with_what_is_behind(displays, [each.latex for each in said])))
+            between[-1].append(display)
+    return replace(document, displays=tuple(_with_what_is_behind(displays, between[1:])))
 
 
-def _with_what_is_behind(displays: Sequence[Display], at_the_end: Sequence[str]) -> Iterator[Display]:
-    """Yield the displays with what the next text says: "where ρ = …" is often told below several of them."""
-    behind = tuple(at_the_end)
+def _with_what_is_before(display: Display, said: Sequence[Display]) -> Display:
+    above = sum(each.section != display.section for each in said)
+    outside = sum(not encloses(each.section, display.section) for each in said)
+    return replace(display, said=tuple(each.latex for each in said), said_above=above, said_outside=outside)
+
+
+def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[Display]]) -> Iterator[Display]:
+    """Yield the displays with what the next text in their section says: "where ρ = …" is often told below several of them."""
     found: list[Display] = []
-    for display, after in zip(reversed(displays), [None, *reversed(displays)], strict=False):
-        if after is not None:
-            same = after.section == display.section
-            of_section = after.said if same else after.said[: after.said_above]
-            behind = of_section or (behind if same else ())
-        found.append(replace(display, said_behind=behind))
+    for display, said in zip(reversed(displays), reversed(behind), strict=True):
+        own = tuple(each.latex for each in said if each.section == display.section)
+        later = found[-1].said_behind if found and found[-1].section == display.section else ()
+        found.append(replace(display, said_behind=own or later))
     yield from reversed(found)
 
 

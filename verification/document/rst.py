@@ -31,6 +31,11 @@ _ROLE_OR_SIGN = re.compile(r":math:`([^`]+)`|(=)")
 _ALONE = re.compile(
     r"(?:\|\s+|\s{4,}|)(?:\\\s+)?:math:`[^`]+`(?:(?:\\\s)?\s*=\s*(?:\\\s)?:math:`[^`]+`)*(?:\\\s)?\s*[.,;]?\s*"
 )
+# a comment, code, and what stands behind a paragraph that ends with ::; `.. note::` ends so, too, and hides nothing
+_HIDES = re.compile(
+    r"\s*\.\.(?:\s+(?!\S+::)|\s*$)|\s*\.\. (?:code|code-block|sourcecode|parsed-literal|raw|testcode|doctest)::"
+    r"|(?!\s*\.\. ).*(?<!:)::\s*$"
+)
 _RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
 
 
@@ -51,8 +56,8 @@ def _front_matter(path: Path, lines: list[str]) -> FrontMatter:
         return FrontMatter()
     if re.fullmatch(r"\.\.(?: .*)?", lines[row].rstrip()) and not re.match(r"\.\. [\w|\[_-]+.*::", lines[row]):
         return _of_comment(path, lines, row)
-    if found := re.match(r":([A-Za-z_]+):", lines[row]):
-        return _of_fields(path, lines, row) if found else FrontMatter()
+    if re.match(r":[A-Za-z_]+:", lines[row]):
+        return _of_fields(path, lines, row)
     return FrontMatter()
 
 
@@ -117,7 +122,7 @@ def _displays(lines: list[str]) -> Iterator[Display]:
             hidden = len(found.group("margin"))
         elif _ERRATUM.match(line) and erratum is None:
             erratum = indent + 1 if line.lstrip().startswith("..") else indent
-        elif re.match(r"\s*\.\.(?:\s+(?!\S+::)|\s*$)|\s*\.\. (?:code|code-block|sourcecode)::|.*(?<!:)::\s*$", line):
+        elif _HIDES.match(line):
             hidden = indent
         elif row + 1 < len(lines) and not indent and _RULE.match(lines[row + 1]) and not _RULE.match(line):
             if (mark := lines[row + 1].strip()[0]) not in rules:

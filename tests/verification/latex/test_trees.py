@@ -169,6 +169,7 @@ J^2(q) \quad {[a]}^T(q) \quad \alpha(\theta_1) \quad \mathrm{pos}(\theta_1) \qua
 \frac{dx}{dt} \quad \frac{d x y}{dt} \quad \frac{d^2 x}{dt^2} \quad \frac{d}{dt} x \quad \frac{d^2}{dt^2} x \quad \frac{\delta x}{\delta y} \quad \frac{d^3 x}{dt^3} \quad \frac{d x \cdot y}{dt}  ⟶  d1(x)/d(t); d1((x y))/d(t); d2(x)/d(t); d1(x)/d(t); d2(x)/d(t); d1(x)/d(y); d3(x)/d(t); d1((x ⋅ y))/d(t)
 \frac{d^2 x}{dt} \quad \frac{dx}{dy z} \quad \frac{d x}{\delta y} \quad \frac{x}{dt} \quad \frac{d^4 x}{dt^4} \quad \frac{d}{t} \quad \frac{d_1 x}{d_1 t}  ⟶  ((d**2 x) / (d t)); ((d x) / (d y z)); ((d x) / (delta y)); (x / (d t)); ((d**4 x) / (d t**4)); (d / t); ((d_1 x) / (d_1 t))
 \dot{a b} \quad \ddot{(x y)} \quad \dot{2}  ⟶  d1((a b))/d(t); d1(d1(((x y)))/d(t))/d(t); d1(2)/d(t)
+\frac{\partial^2 x}{\partial y \partial z} \quad \frac{\partial^3 x}{\partial y \partial z \partial w} \quad \frac{\partial^3 x}{\partial\theta_1^2 \partial\theta_2}  ⟶  d1(d1(x)/d(z))/d(y); d1(d1(d1(x)/d(w))/d(z))/d(y); d2(d1(x)/d(theta_2))/d(theta_1)
 """,
     "brackets, bars and braces": r"""
 (a, b) \quad [a, b] \quad \{a, b\} \quad \left\{a\right\} \quad (a; b) \quad (a) \quad \left[a\right. \quad \left( a \right] \quad \left.a\right) \quad \{a, b\}^2 \quad \left\{a, b\right\}  ⟶  (a, b); [a, b]; {a, b}; {a}; (a, b); (a); [a]; (a); {a}; {a, b}**2; {a, b}
@@ -372,6 +373,8 @@ a \cos^2  ⟶  2 '\cos^2' has no argument
 (x + y)^{25}  ⟶  7 the exponent 25 is larger than 24
 x = \overset{0}{x}  ⟶  4 what does '0' above a name mean?
 x = \begin{bmatrix} \end{bmatrix}  ⟶  4 a matrix without cells
+\frac{\partial^2}{\partial y \partial z} x  ⟶  18 a higher derivative is with respect to one variable
+x \quad \sin_x  ⟶  8 '\sin_x' has no angle
 x = 12345678901234567890123456789012345678901  ⟶  4 a number of more than 40 digits
 x = \frac{}{x}  ⟶  9 an argument is empty
 """
