@@ -318,6 +318,7 @@ $$ no = 1 $$
 \[ h = 1 \]
 """,
 r"""
+front arm 1
 8 \begin{equation} ' \\label{a}\na = \\cos\\theta_{1}       \n + b' [One] said l_1 = 2 (0, 0) behind b = 3 8:16+10 9:0+4 9:4+12! 9:7+1 9:4+1! 9:8+7! 10:0+4
 13 \[ ' c = 1 ' [One] said b = 3 (0, 0) behind d = 2 13:2+7
 13 $$ ' e = 3 ' [One] said d = 2 (0, 0) 13:28+7
@@ -337,6 +338,7 @@ $$ \R = \d $$
 \begin{align} \a &= \b 12 \nonumber \end{align}
 """,
 r"""
+front arm 1
 4 $$ ' l_2= c + d ' 4:2+1 4:3+3! 4:6+2 4:11+1 4:8+3! 4:14+1 4:16+1
 5 $$ ' x = y ' 5:2+2! 5:3+3! 5:6+1 5:8+1
 5 $$ ' z = y ' 5:14+1 5:18+1 5:15+3! 5:21+1 5:23+1
@@ -425,10 +427,189 @@ r"""% arm: planar_2r
 $$ f = 1
 """,
 r"""
+front arm 1
 2 \[ ' b = 1 ' said a = 1 (0, 0) 2:21+7
 3 \begin{eqnarray} ' c & = & 1 ' 3:16+11
 5 \begin{gather} ' d = 1 \\\\ e = 2 ' 5:14+16
 10 $$ ' f = 1\n' open
+"""),
+    ("page.tex", "exercises"): (
+r"""%! TeX root
+%
+% ---
+% arm: planar_2r
+% ---
+\section{One}
+\begin{problem}
+\[ a = 1 \]
+\subsection{Two}
+\[ b = 1 \]
+\end{problem}
+\[ c = 1 \]
+\begin{homeworkProblem}[Question 4 (10 points)] \[ d = 1 \] \end{homeworkProblem}
+\begin{exercise} The manipulator of Question 4. \[ e = 1 \] \begin{itemize} \end{exercise}
+\[ f = 1 \]
+""",
+r"""
+front arm 4
+8 \[ ' a = 1 ' [Exercise 1] 8:2+7
+10 \[ ' b = 1 ' [Exercise 1: Two] 10:2+7
+12 \[ ' c = 1 ' [One] 12:2+7
+13 \[ ' d = 1 ' [Exercise 2] 13:50+7
+14 \[ ' e = 1 ' [Exercise 2] 14:50+7
+15 \[ ' f = 1 ' [One] 15:2+7
+"""),
+    ("page.tex", "errata"): (
+r"""
+% arm: planar_2r
+% source: a book
+no front
+\[ a = 1 \]
+% Erratum
+\[ b = 1 \] \[ c = 1 \]
+\begin{errata} \begin{quote} $x = 1$ \end{quote} \[ d = 1 \] \begin{tabular}{c} 1 \\ 2 \\ \end{tabular} \end{errata}
+% erratum
+\begin{tabular}{cc} i & \cc \\ 1 & $l_1$ \end{tabular}
+\[ e = 1 \]
+""",
+r"""
+front arm 2
+front source 3
+5 \[ ' a = 1 ' behind x = 1 5:2+7
+7 \[ ' b = 1 ' erratum behind x = 1 7:2+7
+7 \[ ' c = 1 ' behind x = 1 7:14+7
+8 \[ ' d = 1 ' erratum said x = 1 (0, 0) 8:51+7
+11 \[ ' e = 1 ' 11:2+7
+8 table erratum 1@8:80+1 / 2@8:85+1
+10 table erratum i@10:20+1 | \cc@10:24+3 / 1@10:31+1 | l_1@10:36+3$
+"""),
+    ("page.tex", "open"): (
+r"""% arm: planar_2r
+\[ a = 1
+
+words \[ b = 1 \] \begin{align} c = 1
+
+\begin{align} d = 1 \end{align} \( e = 1 $ f = 1 $ words \$ $$
+
+g = 1
+
+$$ \begin{tabular}{c} i \\ 1
+\section{One
+\[ h = 1 \]
+""",
+r"""
+front arm 1
+2 \[ ' a = 1' open behind  f = 1
+4 \[ ' b = 1 ' behind  f = 1  4:8+7
+4 \begin{align} ' c = 1' open behind  f = 1
+6 \begin{align} ' d = 1 ' behind  f = 1  6:13+7
+6 $$ 'g = 1' said  f = 1  (0, 0) 8:0+5
+12 \[ ' h = 1 ' [One \[ h = 1 \]] 12:2+7
+"""),
+    ("page.tex", "of the author's own"): (
+r"""% arm: planar_2r
+\newcommand{\be}{\begin{equation}} \newcommand{\ee}{\end{equation}} \newenvironment{mine}{\begin{align}}{\end{align}}
+\be a = 1 \ee \begin{mine} b &= 1 \end{mine} \begin{alignat}{2} c &= 1 \end{alignat}
+\chapter{A} \section{B} \paragraph{C} \[ d = 1 \] \subsubsection{D} \[ e = 1 \]
+""",
+r"""
+front arm 1
+3 \be ' a = 1 ' 3:3+7
+3 \begin{mine} ' b &= 1 ' 3:26+8
+3 \begin{alignat} ' c &= 1 ' 3:63+8
+4 \[ ' d = 1 ' [C] 4:40+7
+4 \[ ' e = 1 ' [D] 4:70+7
+"""),
+    ("page.tex", "hidden"): (
+r"""% arm: planar_2r
+Code \verb|$ no = 1 $| and \begin{lstlisting} $$ no = 1 $$ \end{lstlisting}
+100\% $a = 1$ % $ no = 1 $
+the arm stretched out \section{The zero configuration} \[ b = 1 \]
+""",
+r"""
+front arm 1
+4 \[ ' b = 1 ' [The zero configuration] said a = 1 \text{stretched} \text{zero configuration} (2, 0) 4:57+7
+"""),
+    ("page.md", "front"): (
+r"""---
+arm: planar_2r
+
+source: a book
+---
+
+$$ a = 1 $$
+""",
+r"""
+front arm 2
+front source 4
+7 $$ ' a = 1 ' 7:3+5
+"""),
+    ("page.rst", "front"): (
+r"""=====
+Title
+=====
+
+..
+   arm: planar_2r
+   source: a book
+
+.. math:: a = 1
+""",
+r"""
+front arm 6
+front source 7
+9 .. math:: 'a = 1' [Title] 9:10+5
+"""),
+    ("page.rst", "fields"): (
+r"""Title
+-----
+
+:arm: planar_2r
+:source: a book
+   of two lines
+
+.. erratum:: It is
+
+   .. math:: a = 1
+
+.. math:: b = 1
+
+Words
+
+    **Erratum**
+
+    It is
+
+    .. math::
+
+       c = 1
+
+       \begin{matrix}
+
+       d \end{matrix}
+
+ text
+""",
+r"""
+front arm 4
+front source 5
+10 .. math:: 'a = 1' erratum [Title] 10:13+5
+12 .. math:: 'b = 1' [Title] 12:10+5
+20 .. math:: 'c = 1' erratum [Title] 22:7+5
+24 .. math:: '\\begin{matrix}\nd \\end{matrix}' erratum [Title] 24:7+14 26:7+14
+"""),
+    ("page.rst", "inline"): (
+r"""- :math:`a = 1` cm and :math:`b = 2`
+- stretched out
+
+  2. .. math:: c = 1
+      d
+
+    :math:`e = 1`
+""",
+r"""
+4 .. math:: 'c = 1\nd' said a = 1\,\text{cm} b = 2 \text{stretched} (0, 0) 4:15+5 5:6+1
+7 :math: 'e = 1' 7:11+5
 """),
 }  # fmt: skip
 
@@ -437,10 +618,8 @@ def shown(name: str, text: str) -> str:
     """Return a line for each display and table of a document, with what stands at the places that it names."""
     document = parse_document(Path(name), text)
     lines = text.split("\n")
-    return "\n".join(
-        _display(each, lines) if isinstance(each, Display) else _table(each, lines)
-        for each in (*document.displays, *document.tables)
-    )
+    found = [_display(each, lines) for each in document.displays] + [_table(each, lines) for each in document.tables]
+    return "\n".join([*(f"front {key} {line}" for key, line in document.lines.items()), *found])
 
 
 def _display(display: Display, lines: list[str]) -> str:
