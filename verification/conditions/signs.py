@@ -24,7 +24,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
-ORDERS = {"<": (1, ">"), "≤": (1, "≥"), ">": (-1, ">"), "≥": (-1, "≥")}
+ORDERS = {"<": (False, ">"), "≤": (False, "≥"), ">": (True, ">"), "≥": (True, "≥")}  # which are turned round
 MOST_TERMS, MOST_TOGETHER = 60, 3
 
 
@@ -89,7 +89,7 @@ class Reader:
         if relation not in ORDERS:
             raise Undecided(say(Kind.RELATION_IS_NONE, relation=relation))
         turned, order = ORDERS[relation]
-        small, large = (a, b) if turned > 0 else (b, a)
+        small, large = (b, a) if turned else (a, b)
         if not self._is_bound(small, large, order == ">"):
             yield Sign(large - small, order)
 

@@ -78,10 +78,12 @@ class GivenValues:
         return sums if alone and not any(self.members.evaluate(m).known for m in chain.members if m not in sums) else []
 
     def _is_course(self, chain: n.Chain) -> bool:
-        """θ_1 = 2 t: how a joint moves in time."""
-        first, *others = chain.members
-        time = any(isinstance(below, n.Name) and below.key == "t" for each in others for below in n.walk(each))
-        return time and self.members.is_symbol(first) and self.names.known_symbol("t") is None and len(others) == 1
+        """θ_1 = 2 t, θ_1 = 2 θ_2 = 4 t: how joints move in time."""
+        *moved, course = chain.members
+        in_time = any(isinstance(below, n.Name) and below.key == "t" for below in n.walk(course))
+        of_joints = bool(moved) and all(any(map(_is_letter, n.walk(each))) for each in moved)
+        is_told = of_joints and all(self._is_linear(each) and self._is_of_variables(each) for each in moved)
+        return in_time and is_told and self.names.known_symbol("t") is None
 
     def _is_defined(self, node: n.Node) -> bool:
         return isinstance(node, n.Name) and node.key in self.names.state.definitions
@@ -177,7 +179,7 @@ class GivenValues:
             rate = "dot" * left.dots + f" {symbol}"
             if symbol is None or not is_number(right):
                 return None
-            is_turned = self.names.turn_of(symbol, replace(left, dots=0).key) < 0
+            is_turned = self.names.turn_of(symbol, replace(left, dots=0).key) == -1
             return {rate: n.Sum((("-", right),), span=right.span) if is_turned else right}
         if symbol is None:
             return {} if self._is_given_coordinate(left, right) else None
@@ -191,7 +193,7 @@ class GivenValues:
             return value
         halves = n.Product((n.Number(row.theta.pi, str(row.theta.pi)), n.Name("pi")), ("⋅",))
         offset = n.Sum((("+", halves), ("+", n.Number(row.theta.number, str(row.theta.number)))))
-        sign, other = ("+", "-") if row.sign > 0 else ("-", "+")
+        sign, other = ("+", "-") if row.sign == 1 else ("-", "+")
         return n.Sum(((sign, n.Group(value)), (other, n.Group(offset))))
 
     def _together(self, pairs: Iterable[Pair]) -> Values | None:

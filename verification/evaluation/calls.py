@@ -83,7 +83,7 @@ def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
         if symbol is None:
             raise ShapeError(say(Kind.NO_SUCH_ANGLE, index=index))
         angle = evaluator.names.table_angle(symbol, evaluator.algebra)
-        total = total + angle if sign > 0 else total - angle
+        total = total + angle if sign == 1 else total - angle
     return total
 
 

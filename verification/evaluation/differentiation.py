@@ -46,7 +46,7 @@ def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Val
         return _in_time(evaluator, value)
     symbol = evaluator.names.known_symbol(variable.key) if isinstance(variable, n.Name) else None
     by = evaluator.algebra.symbol(symbol) if symbol is not None else sized(evaluator.evaluate(variable))
-    if symbol is not None and isinstance(variable, n.Name) and evaluator.names.turn_of(symbol, variable.key) < 0:
+    if symbol is not None and isinstance(variable, n.Name) and evaluator.names.turn_of(symbol, variable.key) == -1:
         value = -value
     if isinstance(by, Matrix):  # ∂P/∂q: one column a variable
         cells = by.vector()

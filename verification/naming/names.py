@@ -98,7 +98,7 @@ class Names:
         return {
             row.joint: row
             for row in turns
-            if (row.sign < 0 and both) or (row.sign > 0 and row.theta != LinearForm(((row.joint, Fraction(1)),)))
+            if (row.sign == -1 and both) or (row.sign == 1 and row.theta != LinearForm(((row.joint, Fraction(1)),)))
         }
 
     def table_row(self, symbol: str, key: str = "") -> DHRow | None:
