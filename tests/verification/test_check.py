@@ -275,3 +275,9 @@ def test_an_array_is_corrected_where_that_is_asked_for(length: str, corrected: l
     array = rf"\begin{{array}}{{c|cccc}} i & a & \alpha & d & \theta \\ {rows} \end{{array}}"
     (record,) = verify_text(f"---\narm: planar_2r\n---\n\n$$ {array} $$\n", correct=True).equations
     assert [mend.text for mend in record.corrections or ()] == corrected
+
+
+def test_the_arm_of_the_front_matter_is_told_with_the_keys_that_name_it() -> None:
+    (arm,) = verify_text("---\ntitle: A page\narm: scara\ntransforms: lower\nquantities: {}\n---\n\n$$ 1 = 1 $$\n").arms
+    assert arm.front == {"arm": "scara", "transforms": "lower"}
+    assert (arm.name, arm.line, arm.source, arm.transforms) == ("scara", 3, "front matter", "lower")

@@ -122,9 +122,9 @@ class _OriginTable:
                 wrong = self._judge(row, role)
             except EvaluationError as problem:
                 self.problems.append(say(Kind.ROW_OPEN, number=row.number, parameter=role, problem=finding_of(problem)))
-                continue
-            if wrong is not None:
-                yield WrongEntry(1, row.number, self.columns[role] + 1, row.texts[role].strip(), *wrong)
+            else:
+                if wrong is not None:
+                    yield WrongEntry(1, row.number, self.columns[role] + 1, row.texts[role].strip(), *wrong)
 
     def _judge(self, row: _Row, role: str) -> tuple[str, Finding] | None:
         """Return the correct entry and what is wrong with the printed one, or None where it is right."""

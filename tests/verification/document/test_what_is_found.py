@@ -204,14 +204,15 @@ r"""<div>
 $$ a = 1
 </div>
 
-Words $$b$$ then $$ c = 1
+Words
+$$b$$ then $$ c = 1
 
 words
 """,
 r"""
 2 $$ ' a = 1\n</div>\n' open
-5 $$ 'b' 5:8+1
-5 $$ ' c = 1' open
+6 $$ 'b' 6:2+1
+6 $$ ' c = 1' open
 """),
     ("page.md", "environments"): (
 r"""Words
@@ -610,6 +611,37 @@ r"""- :math:`a = 1` cm and :math:`b = 2`
 r"""
 4 .. math:: 'c = 1\nd' said a = 1\,\text{cm} b = 2 \text{stretched} (0, 0) 4:15+5 5:6+1
 7 :math: 'e = 1' 7:11+5
+"""),
+    ("page.py", "cells"): (
+r"""# ---
+# arm: planar_2r
+# ---
+# %% [markdown]
+# # One
+#
+# $$ a = 1 $$ and
+# $$
+# b = 2
+# $$
+#
+# | x | y |
+# |---|---|
+# | 1 | $l_1$ |
+# | 2 |
+
+# %%
+text = "$$ no = 1 $$"
+
+# %% [markdown]
+# 
+# > **Erratum** $$ c = 3 $$
+# 
+""",
+r"""
+7 $$ ' a = 1 ' [One] 7:5+5
+8 $$ 'b = 2' [One] 9:2+5
+22 $$ ' c = 3 ' erratum 22:19+5
+12 table [One] x@12:4+1 | y@12:8+1 / 1@14:4+1 | l_1@14:9+3$ / 2@15:4+1 | @15:7+0
 """),
 }  # fmt: skip
 

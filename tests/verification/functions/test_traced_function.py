@@ -20,6 +20,7 @@ from armproof.verification.functions.traced_function import trace_function
 from armproof.verification.functions.tracing.expressions import FromSympy
 from armproof.verification.functions.tracing.number import FUNCTIONS, TracedNumber, Untraceable
 from armproof.verification.functions.tracing.number import function as function_of
+from armproof.verification.functions.tracing.rebuild import is_library
 
 TABLE = [(0.45, 0.0, 0.1, pi / 2), (0.3, -pi / 2, 0.0, 0.0)]
 LENGTHS = np.array([0.45, 0.3])
@@ -138,8 +139,58 @@ def in_drake(q):
     return [c(q[0]) * c(q[0] + q[1]), pydrake.symbolic.sqrt(2.0 + q[0] * q[0]), q[0] / (2.0 + q[1])]
 
 
+class Tool:
+    def __init__(self, offset: Any) -> None:
+        self.offset = offset
+
+    @property
+    def reach(self) -> Any:
+        return math.sin(self.offset)
+
+    @reach.setter
+    def reach(self, angle: Any) -> None:
+        self.offset = math.cos(angle)
+
+    @classmethod
+    def straight(cls, angle: Any) -> Any:
+        return cls(math.sin(angle)).offset
+
+    def turned(self, angle: Any) -> Any:
+        return math.cos(angle)
+
+
+class Gripper(Tool):
+    def turned(self, angle: Any) -> Any:
+        return math.sin(angle) + self.offset
+
+
+GRIPPER, TURNED = Gripper(0.3), Gripper(0.2).turned
+
+
+def by_members(q):
+    tool = Gripper(0.3)
+    tool.reach = q[0]
+    return [tool.reach, Gripper.straight(q[1]), tool.turned(q[1]), GRIPPER.turned(q[0]), TURNED(q[1]), GRIPPER.reach]
+
+
+def by_defaults(q, cosine=math.cos, *, sine=math.sin, lengths=LENGTHS):
+    return lengths * [cosine(q[0]), sine(q[1])]
+
+
+def closed() -> Callable[..., Any]:
+    cosine = math.cos
+
+    def function(q):
+        return [cosine(q[0]) if len(q) == 2 else late, float(np.array([math.sin(q[1])], dtype=object)[0])]
+
+    if not cosine:
+        late = 1
+    return function
+
+
 RIGHT = (in_math, by_table, by_assignment, by_linear_algebra, by_functions, with_an_import, Arm(0.5),
-         Arm(0.7).__call__, functools.partial(recursive, k=3), lambda q: [remembered(q[0]), remembered(q[1])])  # fmt: skip
+         Arm(0.7).__call__, functools.partial(recursive, k=3), lambda q: [remembered(q[0]), remembered(q[1])],
+         by_members, by_defaults, closed())  # fmt: skip
 
 
 @pytest.mark.parametrize("function", [*RIGHT, in_sympy, in_drake])
@@ -184,6 +235,12 @@ def test_no_module_and_no_function_is_changed() -> None:
     assert CALLS == 0  # what it counts, it counts in a namespace of its own
     assert np.zeros(2).dtype == float and math.cos(0.0) == 1.0
     assert LENGTHS.dtype == float
+
+
+def test_a_library_is_what_no_user_writes() -> None:
+    libraries = ("<frozen os>", functools.__file__, np.__file__, trace_function.__code__.co_filename)
+    assert all(map(is_library, libraries))
+    assert not any(map(is_library, ("<string>", "<ipython-input-1>", __file__, "/home/me/models/arm.py")))
 
 
 def branches(q):
