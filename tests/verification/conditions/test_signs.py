@@ -60,7 +60,7 @@ a > 0, b > 0, c > 0, d > 0 ⟶ a*b*c*d > 0
 def signs(text: str) -> list[Sign]:
     """Return the signs of a list such as "a > 0, b ≠ 0"."""
     found = [each.split()[:-1] for each in text.split(",") if each.strip()]
-    return [Sign(eval(" ".join(value), {}, LETTERS), relation) for *value, relation in found]
+    return [Sign(eval(" ".join(value), {}, LETTERS), relation) for *value, relation in found]  # noqa: S307
 
 
 @pytest.mark.parametrize(
