@@ -113,7 +113,7 @@ def check_document(
     options = confirm and samples, correct and samples, samples
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
     results = [_unless_of_another_arm(k, parts, result) for k, result in enumerate(results)] if samples else results
-    if samples:
+    if seeks and samples:
         results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
     result = results[0] if len(results) == 1 else joined(document, results)
     return with_accepted(document, result) if document.accepts else result
@@ -300,7 +300,9 @@ class DocumentChecker:
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
-        equations = settle_definitions(settle_usual(equations), self._tells)
+        if any(record.if_shown is not None for record in equations):
+            equations = settle_usual(equations)
+        equations = settle_definitions(equations, self._tells)
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         index = None if self.arm is None else 0
@@ -357,9 +359,10 @@ class DocumentChecker:
 
     def check_display(self, display: Display) -> Record:
         """Return the record of one display; what it lacks may be said right behind it."""
-        record = self._check(display)
+        record = again = self._check(display)
+        if record.verdict is not Verdict.UNCHECKED:
+            return record
         after, missing = self.names.state.copy() if names_lacking(record) else None, frozenset[str]()
-        again = record
         while new := names_lacking(again) - missing:
             missing |= new
             behind = definitions_behind(self.document.displays, display, missing, self.names.reader)
@@ -427,7 +430,8 @@ class DocumentChecker:
         if self.inferred.arm is not None:
             of_taken_arm = OfTakenArm(self.checker, self.document, self.inferred.arm)
             outcomes = [of_taken_arm.judge(outcome) for outcome in outcomes]
-        outcomes = [unless_written_elsewhere(outcome, display, self.document) for outcome in outcomes]
+        if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+            outcomes = [unless_written_elsewhere(outcome, display, self.document) for outcome in outcomes]
         slips = [self._with_slip(outcome, display) for outcome in outcomes]
         for place, slip in enumerate(slips):
             if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip

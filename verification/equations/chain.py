@@ -117,9 +117,9 @@ class ChainChecker:
         if define and self.names.arm is not None and (matrix := stale(members)) is not None:
             forget_letters(self.names, matrix)
             members, fresh = self._evaluated(chain)
-        if define and self.names.arm is not None:
+        if define and self.names.arm is not None and any(isinstance(each.problem, UnboundName) for each in members):
             aside = partial(self._aside, first_equation=first_equation, line=line)
-            if (slipped := of_foreign_index(chain, members, self.names, first_equation, aside)) is not None:
+            if (slipped := of_foreign_index(chain, self.names, first_equation, aside)) is not None:
                 return slipped
         branches = has_branches(chain) or bool(self.names.state.signs.read)
         definitions = Definitions(self.readings, line, define, fresh)

@@ -8,8 +8,6 @@ from typing import TypeGuard
 
 from armproof.verification.document import Display, Document
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.sides import Member
-from armproof.verification.errors import UnboundName
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -20,15 +18,11 @@ from armproof.verification.verdict import HOLDS, Verdict
 Check = Callable[[n.Chain], list[Outcome]]
 
 
-def of_foreign_index(
-    chain: n.Chain, members: Sequence[Member], names: Names, first_equation: int, check: Check
-) -> list[Outcome] | None:
+def of_foreign_index(chain: n.Chain, names: Names, first_equation: int, check: Check) -> list[Outcome] | None:
     """Return the outcomes of a chain that holds with another index of one name in it, and with no second one; else None.
 
     `check` decides another chain and leaves nothing behind.
     """
-    if not any(isinstance(member.problem, UnboundName) for member in members):
-        return None
     if (name := _foreign(chain, names)) is None:
         return None
     holding = [(own, outcomes) for own in _alike(name, names) if _hold(outcomes := check(_with(chain, name, own)))]

@@ -16,8 +16,6 @@ _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
 def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
     """Return the records of a document; what its other equations show of a name is what it means in one that is left open."""
     records = tuple(records)
-    if all(record.if_shown is None for record in records):
-        return records
     return tuple(_settled(record, [each for each in records if each is not record]) for record in records)
 
 
