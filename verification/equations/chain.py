@@ -120,7 +120,9 @@ class ChainChecker:
         if define and self.names.arm is not None and any(isinstance(each.problem, UnboundName) for each in members):
             aside = partial(self._aside, first_equation=first_equation, line=line)
             if (slipped := of_foreign_index(chain, self.names, first_equation, aside)) is not None:
-                return slipped
+                refuted, meant = slipped
+                self.check(meant, first_equation, line, define=False)  # its usual names mean what they do in that
+                return refuted
         branches = has_branches(chain) or bool(self.names.state.signs.read)
         definitions = Definitions(self.readings, line, define, fresh)
         known = [member for member in members if member.known]

@@ -18,8 +18,10 @@ from armproof.verification.verdict import HOLDS, Verdict
 Check = Callable[[n.Chain], list[Outcome]]
 
 
-def of_foreign_index(chain: n.Chain, names: Names, first_equation: int, check: Check) -> list[Outcome] | None:
-    """Return the outcomes of a chain that holds with another index of one name in it, and with no second one; else None.
+def of_foreign_index(
+    chain: n.Chain, names: Names, first_equation: int, check: Check
+) -> tuple[list[Outcome], n.Chain] | None:
+    """Return the outcomes of a chain that holds with another index of one name in it, and with no second one, and that chain; else None.
 
     `check` decides another chain and leaves nothing behind.
     """
@@ -31,12 +33,13 @@ def of_foreign_index(chain: n.Chain, names: Names, first_equation: int, check: C
     [(own, outcomes)] = holding
     wrong = [k for k, member in enumerate(chain.members) if any(_is(below, name) for below in n.walk(member))]
     slip = say(Kind.NO_SUCH_LENGTH, name=name.key, length=own)
-    return [
+    refuted = [
         replace(each, verdict=Verdict.REFUTED, findings=(slip,), pair=None, samples=0, max_error=None)
         if {max(0, k - 1) for k in wrong} & {each.equation - first_equation}
         else each
         for each in outcomes
     ]
+    return refuted, _with(chain, name, own)
 
 
 def unless_written_elsewhere(outcome: Outcome, display: Display, document: Document) -> Outcome:

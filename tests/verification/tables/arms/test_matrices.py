@@ -339,8 +339,9 @@ def test_a_length_in_a_link_matrix_against_the_rest_leaves_both_open(printed: st
     assert "refuted" not in {each.verdict.value for each in others} and "one of the two is wrong" in others[0].message
 
 
-def test_one_display_against_a_link_matrix_is_refuted() -> None:
-    assert verdicts(with_slip("p_z = l_1 + d_2", "p_z = l_1 - d_2")) == [
+@pytest.mark.parametrize("wrong", ["l_1 - d_2", "l_2 + d_2"])
+def test_one_display_against_a_link_matrix_is_refuted(wrong: str) -> None:
+    assert verdicts(with_slip("p_z = l_1 + d_2", f"p_z = {wrong}")) == [
         "proved",
         "proved",
         "refuted",
