@@ -20,7 +20,7 @@ from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
-from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
@@ -133,25 +133,14 @@ def _unless_of_another_arm(place: int, parts: Sequence[Inference], result: Docum
     for part, arm in others:
         there = replace(part.document, displays=parts[place].document.displays, tables=())
         records = plainly(replace(part, document=there))
-        holding = {(each.cell, each.line) for each in records.equations if each.verdict in HOLDS}
+        holding = {each.place for each in records.equations if each.verdict in HOLDS}
         doubt = say(Kind.HOLDS_OF_OTHER_ARM, line=arm.line)
-        found = (_left_open(each, doubt) if (each.cell, each.line) in holding else each for each in result.equations)
+        found = (
+            each.left_open(doubt, lambda one: one.verdict is Verdict.REFUTED) if each.place in holding else each
+            for each in result.equations
+        )
         result = replace(result, equations=tuple(found))
     return result
-
-
-def _left_open(record: Record, doubt: Finding) -> Record:
-    """Return a refuted record as one that is not decided."""
-    if record.verdict is not Verdict.REFUTED:
-        return record
-    return record.with_outcomes(
-        tuple(
-            replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),))
-            if each.verdict is Verdict.REFUTED
-            else each
-            for each in record.outcomes
-        )
-    )
 
 
 def joined(document: Document, results: Sequence[DocumentResult]) -> DocumentResult:
@@ -259,7 +248,7 @@ class DocumentChecker:
     def sampled(self) -> SampledAlgebra:
         """The double plant at the configurations of the six families; raises NotSampled where none may be taken."""
         if not self.samples:
-            raise NotSampled(say(Kind.NOT_SAMPLED))
+            no_samples()
         return self._samples
 
     # What samples, explains or corrects is loaded where there is something to sample, to explain, to correct.
@@ -459,8 +448,10 @@ class DocumentChecker:
         if judged.verdict is Verdict.REFUTED and self.correct:
             judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
         found = [self._result(outcome, judged) for outcome in outcomes]
+        if judged.verdict is not Verdict.REFUTED or display.erratum:
+            return replace(judged, outcomes=tuple(found))
         with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
-            for place, outcome in enumerate(outcomes if not display.erratum else ()):
+            for place, outcome in enumerate(outcomes):
                 found[place] = replace(found[place], slip_before=self._slip_before(outcome, judged, display))
         return replace(judged, outcomes=tuple(found))
 

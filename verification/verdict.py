@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from pathlib import Path
@@ -228,6 +228,11 @@ class Record:
     )
 
     @property
+    def place(self) -> tuple[int | None, int]:
+        """Its cell and its line."""
+        return self.cell, self.line
+
+    @property
     def is_decided(self) -> bool:
         """Whether something that it claims is decided."""
         return self.verdict in DECIDED or any(outcome.is_decided for outcome in self.outcomes)
@@ -246,6 +251,19 @@ class Record:
         findings = tuple(finding for each in outcomes if each.verdict is verdict for finding in each.findings)
         known = replace(self, verdict=verdict, outcomes=outcomes, findings=findings)
         return replace(known, entries=(), counterexample={}, discrepancy=None, corrections=None)
+
+    def left_open(self, doubt: Finding, is_meant: Callable[[EquationResult], bool]) -> Record:
+        """Return the record with those of its outcomes left open for a doubt that are meant."""
+        if not any(map(is_meant, self.outcomes)):
+            return self
+        opened = self.with_outcomes(
+            tuple(
+                replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),)) if is_meant(each) else each
+                for each in self.outcomes
+            )
+        )
+        said = (finding for each in opened.outcomes if each.verdict is opened.verdict for finding in each.findings)
+        return opened if opened.verdict is not Verdict.UNCHECKED else replace(opened, findings=tuple(said))
 
     @property
     def message(self) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 
 from armproof.course.feedback.guesses import explained
 from armproof.course.feedback.number_guesses import OF_ANGLES, Asked
-from armproof.course.feedback.worked import Worked
+from armproof.course.feedback.worked import LETTER, Worked
 from armproof.models.errors import counted, written
 from armproof.models.language import look_up, noted, separator
 from armproof.verification.latex.greek import NAMES
@@ -32,7 +32,6 @@ _NOT_ZERO = {
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
 _NUMBER = re.compile(r"(?<![\w.\\^{}_])\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
-_LETTER = r"(?:[A-Za-z]|[a-z]{2,7})(?:_\w+)?"
 _CLOSE = ((0.01, noted("a hundredth")), (0.1, noted("a tenth: a slip in the reckoning?")))
 
 near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
@@ -89,7 +88,7 @@ def number_slip(
 def letters_of(values: Mapping[str, float]) -> dict[str, float]:
     """Return the values of which the label is a letter, by that letter: {"theta_1": 0.4} of "θ_1"."""
     spelt = {"".join(NAMES.get(character, character) for character in label): value for label, value in values.items()}
-    return {name: value for name, value in spelt.items() if re.fullmatch(_LETTER, name)}
+    return {name: value for name, value in spelt.items() if LETTER.fullmatch(name)}
 
 
 def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:

@@ -23,7 +23,7 @@ from armproof.verification.latex.plain import plain_text
 from armproof.verification.latex.writer import Notation, Writer
 from armproof.verification.naming.reading import FREE
 
-_LETTER = re.compile(r"(?:[A-Za-z]|[a-z]{2,7})(?:_\w+)?")
+LETTER = re.compile(r"(?:[A-Za-z]|[a-z]{2,7})(?:_\w+)?")
 _SPELLINGS = (
     (re.compile(r"\s*·\s*|(?<=\d) (?=\d)"), " · "),
     (re.compile(r"\^°\s*"), "°"),
@@ -177,7 +177,7 @@ class Worked:
 
     @cached_property
     def _claim(self) -> Claim:
-        return Claim({"symbols": {name: FREE for name in self.known if _LETTER.fullmatch(name)}})
+        return Claim({"symbols": {name: FREE for name in self.known if LETTER.fullmatch(name)}})
 
     @cached_property
     def _evaluate(self) -> Callable[[n.Node], np.ndarray | None]:

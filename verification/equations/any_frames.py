@@ -7,15 +7,14 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial, reduce
-from typing import Any, NoReturn
+from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix, column
-from armproof.verification.algebra.protocol import Value, elementary
+from armproof.verification.algebra.protocol import Value, elementary, identity
 from armproof.verification.algebra.ring import Ring
-from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.errors import EvaluationError, NotSampled, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
@@ -137,7 +136,7 @@ def _pair(name: n.Name, direction: str) -> tuple[str, str] | None:
 def _holds(chain: n.Chain, found: Mapping[str, _Meaning], frames: Sequence[str]) -> bool:
     """Whether a chain is proved of frames that stand anywhere, each turned freely against the one before."""
     names, algebra = read_names(None, {}), ExactAlgebra(Ring(), None)
-    checker = ChainChecker(names, algebra, _no_samples)
+    checker = ChainChecker(names, algebra, no_samples)
     checker.confirm = False  # there is no plant of frames that stand anywhere
     try:
         with algebra.budget.of(SECONDS):
@@ -154,18 +153,12 @@ def _constant(value: Value, _algebra: object) -> Value:
     return value
 
 
-def _no_samples() -> NoReturn:
-    raise NotSampled(say(Kind.NOT_SAMPLED))
-
-
 class _AnyFrames:
     """Frames that stand anywhere, and points that are anywhere, by letters that nothing else has."""
 
     def __init__(self, algebra: Any, frames: Sequence[str]) -> None:
         self.algebra = algebra
-        one, zero = algebra.rational(Fraction(1)), algebra.rational(Fraction(0))
-        turn = Matrix(tuple(tuple(one if r == c else zero for c in range(3)) for r in range(3)))
-        origin = column([zero] * 3)
+        turn, origin = identity(algebra, 3), column([algebra.rational(Fraction(0))] * 3)
         self.frames = {frames[0]: (turn, origin)}
         for frame in frames[1:]:
             origin = origin + turn @ self._letters(f"origin of {frame}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from dataclasses import replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import is_near
@@ -40,7 +40,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.skew import unless_skewed
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
-from armproof.verification.errors import UnboundName
+from armproof.verification.errors import NotSampled, UnboundName
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
@@ -175,8 +175,8 @@ class ChainChecker:
         doubt = self.readings.other_direction(
             [chain], _all_proved(outcomes), lambda: _all_proved(check(chain, define=False))
         )
-        tells = is_product_of_links(chain) or is_way_outwards(chain)
-        if doubt and define and not self.names.state.transforms and tells:
+        is_open = doubt and define and not self.names.state.transforms
+        if is_open and (is_product_of_links(chain) or is_way_outwards(chain)):
             self.names.state.definitions = before
             self.names.state.transforms = "lower"  # T_0^3 = A_1 A_2 A_3 tells it, where nothing else does
             return check(chain)
@@ -308,6 +308,11 @@ class ChainChecker:
         """Check another reading of a chain, without what its first reading defined."""
         self.names.state.definitions = before.copy()
         return self.check(chain, first_equation, line, define)
+
+
+def no_samples() -> NoReturn:
+    """Take no samples: of a checker that decides exactly, or not at all."""
+    raise NotSampled(say(Kind.NOT_SAMPLED))
 
 
 def _is_slip(outcome: Outcome) -> bool:

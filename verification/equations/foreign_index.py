@@ -27,10 +27,11 @@ def of_foreign_index(
     """
     if (name := _foreign(chain, names)) is None:
         return None
-    holding = [(own, outcomes) for own in _alike(name, names) if _hold(outcomes := check(_with(chain, name, own)))]
+    read = ((own, _with(chain, name, own)) for own in _alike(name, names))
+    holding = [(own, meant, outcomes) for own, meant in read if _hold(outcomes := check(meant))]
     if len(holding) != 1:
         return None
-    [(own, outcomes)] = holding
+    [(own, meant, outcomes)] = holding
     wrong = [k for k, member in enumerate(chain.members) if any(_is(below, name) for below in n.walk(member))]
     slip = say(Kind.NO_SUCH_LENGTH, name=name.key, length=own)
     refuted = [
@@ -39,7 +40,7 @@ def of_foreign_index(
         else each
         for each in outcomes
     ]
-    return refuted, _with(chain, name, own)
+    return refuted, meant
 
 
 def unless_written_elsewhere(outcome: Outcome, display: Display, document: Document) -> Outcome:

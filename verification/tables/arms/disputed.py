@@ -11,11 +11,11 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.witnesses import weigh
-from armproof.verification.verdict import HOLDS, DocumentResult, EquationResult, Record, Verdict
+from armproof.verification.verdict import HOLDS, DocumentResult, Record, Verdict
 
 FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself
-_NAME = re.compile(r"[A-Za-z]\w*")
 MOST = 100  # other arms that are weighed
+_NAME = re.compile(r"[A-Za-z]\w*")
 
 Check = Callable[[Inference], DocumentResult]
 
@@ -43,19 +43,18 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
     if part.arm is None or part.arm.source not in ("matrices", "table") or part.arm.mended:
         return result
     lost = [each for each in result.equations if _is_lost(each, part)]
-    if len(_letters(part, lost)) == len(_own_letters(part)) and all(
-        each.verdict is not Verdict.REFUTED for each in lost
-    ):
+    own, letters = _own_letters(part), _letters(part, lost)
+    if len(lost) < FEWEST or (letters == own and all(each.verdict is not Verdict.REFUTED for each in lost)):
         return result
-    if len(lost) < FEWEST or (other := _best(part, lost)) is None:
+    if (other := _best(part, lost, sorted(letters))) is None:
         return result
     there = check(replace(part, document=replace(part.document, front=dict(other.front), tables=())))
-    verdicts = {(each.cell, each.line): each.verdict for each in there.equations}
-    gained = [each for each in lost if verdicts[each.cell, each.line] in HOLDS]
+    verdicts = {each.place: each.verdict for each in there.equations}
+    gained = [each for each in lost if verdicts[each.place] in HOLDS]
     against = [
         each
         for each in result.equations
-        if each.verdict in HOLDS and not _is_data(each, part) and verdicts[each.cell, each.line] is Verdict.REFUTED
+        if each.verdict in HOLDS and not _is_data(each, part) and verdicts[each.place] is Verdict.REFUTED
     ]
     if len(gained) < FEWEST or against:
         return result
@@ -70,12 +69,12 @@ def _without_refuted(result: DocumentResult, problem: Finding | None) -> Documen
     """Leave open what is refuted for an arm that does not fit its document."""
     if problem is None:
         return result
-    opened = (_left_open(each, problem, lambda one: one.verdict is Verdict.REFUTED) for each in result.equations)
+    opened = (each.left_open(problem, lambda one: one.verdict is Verdict.REFUTED) for each in result.equations)
     return replace(result, equations=tuple(opened))
 
 
 def _is_data(record: Record, part: Inference) -> bool:
-    return part.arm is not None and (record.cell, record.line) in part.arm.lines
+    return part.arm is not None and record.place in part.arm.lines
 
 
 def _is_lost(record: Record, part: Inference) -> bool:
@@ -84,12 +83,11 @@ def _is_lost(record: Record, part: Inference) -> bool:
     return (is_open or record.verdict is Verdict.REFUTED) and not (record.erratum or _is_data(record, part))
 
 
-def _best(part: Inference, lost: Sequence[Record]) -> _Other | None:
+def _best(part: Inference, lost: Sequence[Record], letters: Sequence[str]) -> _Other | None:
     """Return the arm with another length under which most of these displays hold, and more than under any second one."""
-    assert part.arm is not None
-    places = {(each.cell, each.line) for each in lost}
+    places = {each.place for each in lost}
     displays = tuple(each for each in part.document.displays if each.place in places)
-    others = {str(other.front["arm"]["rows"]): other for other in _others(part, lost)}
+    others = {str(other.front["arm"]["rows"]): other for other in _others(part, letters)}
     fronts = [other.front for other in others.values()][:MOST]
     try:
         readings = weigh(replace(part.document, displays=displays), fronts)
@@ -100,10 +98,10 @@ def _best(part: Inference, lost: Sequence[Record]) -> _Other | None:
     return next(iter(numbers if len(best) > 1 else best), None)
 
 
-def _others(part: Inference, lost: Sequence[Record]) -> Iterator[_Other]:
+def _others(part: Inference, letters: Sequence[str]) -> Iterator[_Other]:
     """Yield the arms with one other entry: in a table any, in a matrix, which is a rigid motion, a length or a slide."""
     front = part.document.front
-    arm, letters = front["arm"], sorted(_letters(part, lost))
+    arm = front["arm"]
     is_table = part.arm is not None and part.arm.source == "table"
     for k, row in enumerate(arm["rows"]):
         for column in ("a", "d", "alpha", "theta") if is_table else ("a", "d"):
@@ -155,22 +153,9 @@ def _doubted(record: Record, other: _Other, gained: Sequence[Record], part: Infe
     assert part.arm is not None
     change = {"column": other.column, "printed": other.printed, "correct": other.correct, "link": other.link}
     if record in gained:
-        return _left_open(record, say(Kind.SLIP_IN_LINK, **change), lambda each: each.verdict not in HOLDS)
+        return record.left_open(say(Kind.SLIP_IN_LINK, **change), lambda each: each.verdict not in HOLDS)
     if not _is_data(record, part):
         return record
     doubt = say(Kind.LINK_DISPUTED, lines=[each.line for each in gained], **change)
     own = frozenset[int]() if part.arm.source == "table" else {other.link}
-    return _left_open(record, doubt, lambda each: each.links == own)
-
-
-def _left_open(record: Record, doubt: Finding, is_meant: Callable[[EquationResult], bool]) -> Record:
-    if not any(map(is_meant, record.outcomes)):
-        return record
-    opened = record.with_outcomes(
-        tuple(
-            replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),)) if is_meant(each) else each
-            for each in record.outcomes
-        )
-    )
-    said = (finding for each in opened.outcomes if each.verdict is opened.verdict for finding in each.findings)
-    return opened if opened.verdict is not Verdict.UNCHECKED else replace(opened, findings=tuple(said))
+    return record.left_open(doubt, lambda each: each.links == own)

@@ -55,7 +55,7 @@ class _Link:
     @property
     def place(self) -> Place:
         """The place of its display."""
-        return (self.display.cell, self.display.line)
+        return self.display.place
 
     @property
     def is_constant(self) -> bool:
@@ -134,7 +134,12 @@ def _by_place(links: list[_Link], document: Document, names: Names) -> list[_Lin
     found = [link for link in links if link.index]
     count = Counter(link.index for link in found if not link.is_constant)
     loose = [link for link in links if not link.is_constant and count[link.index] != 1]
-    again = {link.index for link in loose for other in loose if link.index == other.index and not _same(link, other)}
+    again = {
+        link.index
+        for link in loose
+        for other in loose
+        if link.index == other.index and not equal(link.value, other.value)
+    }
     loose = [link for link in loose if _is_link(link) and (not link.index or link.index in again)]
     if not loose or not count:
         return found
@@ -149,10 +154,6 @@ def _by_place(links: list[_Link], document: Document, names: Names) -> list[_Lin
     [(wrong, index)] = places
     own = (replace(link, index=index, misnamed=True) if link is wrong else link for link in links)
     return [link for link in own if link.index]
-
-
-def _same(link: _Link, other: _Link) -> bool:
-    return equal(link.value, other.value)
 
 
 def _is_link(link: _Link) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from armproof.verification.algebra.calculus import derivative, substitute
+from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 
@@ -13,7 +13,7 @@ _LAST = (0, 0, 0, 1)
 
 def mended(matrix: Matrix, angles: Sequence[str]) -> Iterator[Matrix]:
     """Yield a printed pose with one other entry: another sign, the other function, another angle or letter, 0 or ±1 for a number."""
-    letters = sorted({name for cell in matrix.cells for kind, name in cell.normal().generators if kind == "symbol"})
+    letters = sorted(symbols_in(cell.normal() for cell in matrix.cells) - {*angles})
     for r, c in matrix.places:
         entry = matrix.rows[r][c]
         others = _others(entry, angles, letters) if r < len(_LAST) - 1 else (entry.ring.rational(_LAST[c]),)
@@ -32,12 +32,8 @@ def _others(entry: Scalar, angles: Sequence[str], letters: Sequence[str]) -> Ite
         yield from (sign * turned for sign in (1, -1) if not turned.is_zero())
     for names in (angles, letters):
         for name in names:
-            own = [other for other in names if other != name and _names(entry, other)]
+            own = [other for other in names if other != name and other in symbols_in([entry.normal()])]
             yield from (substitute(entry, {other: ring.symbol(name)}) for other in own)
-
-
-def _names(entry: Scalar, name: str) -> bool:
-    return any(own == name for _, own in entry.normal().generators)
 
 
 def _with(matrix: Matrix, place: tuple[int, int], entry: Scalar) -> Matrix:

@@ -10,6 +10,7 @@ from itertools import groupby, pairwise
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.errors import EvaluationError
 from armproof.verification.latex.nodes import bare_key
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
@@ -182,19 +183,19 @@ def _is_of_other_joints(document: Document, link: _Source, source: _Source) -> b
 
 
 def _sources(document: Document) -> Iterator[_Source]:
-    first = next(dh_tables(document), None)
+    first, names = next(dh_tables(document), None), plain_names(document)
     if first is not None:
         above = _between(document, (-1, 0), _place(first))
         above = replace(above, displays=tuple(each for each in above.displays if each.section != first.section))
-        if (form := candidate_of_closed_form(above, plain_names(document))) is not None:
-            at = next(each for each in above.displays if _place(each) == (form.cell or 0, form.line))
-            yield _Source(_place(at), at.section, form)
+        yield from _of_closed_form(above, names)
     yield from _of_exercises(document)
-    yield from _of_sections(document)
+    links = first_links(document, names)
+    if first is None and not links:
+        yield from _of_sections(document)
     for table in dh_tables(document):
         if isinstance(found := arms_of(document, table), list):
             yield _Source(_place(table), table.section, found[0])
-    for display, entries in first_links(document, plain_names(document)):
+    for display, entries in links:
         yield _Source(_place(display), display.section, entries=entries)
 
 
@@ -203,30 +204,32 @@ def _of_exercises(document: Document) -> Iterator[_Source]:
     begins, names = [*_exercises(document)], plain_names(document)
     for begin, end in pairwise([*begins, (10**9, 0)]) if len(begins) > 1 else ():
         part = _between(document, begin, end)
-        if any(dh_tables(part)) or any(first_links(part, names)):
-            continue
-        if (form := candidate_of_closed_form(part, names)) is not None:
-            at = next(each for each in part.displays if _place(each) == (form.cell or 0, form.line))
-            yield _Source(_place(at), at.section, form)
+        if not any(dh_tables(part)) and not first_links(part, names):
+            yield from _of_closed_form(part, names)
 
 
 def _of_sections(document: Document) -> Iterator[_Source]:
-    """Yield the closed forms of sections of which one has other joints than another, as chapters have that show several arms."""
+    """Yield the closed forms of sections of which one has other joints than another, as chapters have that show several arms but no table."""
     names, before = plain_names(document), None
-    runs = [[*run] for _, run in groupby(document.displays, key=lambda each: each.section)]
-    for run in runs if len(runs) > 1 and not any(dh_tables(document)) and not any(first_links(document, names)) else ():
-        form = candidate_of_closed_form(replace(document, displays=tuple(run), tables=()), names)
-        if form is None:
-            continue
-        at = next(each for each in run if _place(each) == (form.cell or 0, form.line))
-        if _POINT.search(at.latex) is None and (before is None or _moves(form) != _moves(before)):
-            before = form
-            yield _Source(_place(at), at.section, form)
+    runs = [tuple(run) for _, run in groupby(document.displays, key=lambda each: each.section)]
+    for run in runs if len(runs) > 1 else ():
+        for source in _of_closed_form(replace(document, displays=run, tables=()), names):
+            shown = next(each.latex for each in run if _place(each) == source.place)
+            if _POINT.search(shown) is None and (before is None or _moves(source.arm) != _moves(before)):
+                before = source.arm
+                yield source
 
 
-def _moves(form: Candidate) -> list[tuple[str, str]]:
+def _of_closed_form(part: Document, names: Names) -> Iterator[_Source]:
+    """Yield the arm that the closed form in a part shows, if one does."""
+    if (form := candidate_of_closed_form(part, names)) is not None:
+        at = next(each for each in part.displays if _place(each) == (form.cell or 0, form.line))
+        yield _Source(_place(at), at.section, form)
+
+
+def _moves(form: Candidate | None) -> list[tuple[str, str]]:
     """Return the joints of a closed form, each with what it moves."""
-    return [(joint, column) for row, joint in zip(form.rows, form.joints, strict=True) for column in row
+    return [] if form is None else [(joint, column) for row, joint in zip(form.rows, form.joints, strict=True) for column in row
             if joint and joint in row[column]]  # fmt: skip
 
 

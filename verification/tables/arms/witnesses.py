@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any, NoReturn
+from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
@@ -15,12 +15,11 @@ from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Display, Document
 from armproof.verification.equations.alignment import is_constant
-from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import side_by_side
-from armproof.verification.errors import NotSampled
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Kind
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.reading import read_names, spelling_of
@@ -70,7 +69,7 @@ class _Trial:
         self.front, self.name = front, arm.name
         names = read_names(arm, front)
         names.reader.spelling = spelling_of(document, names.reader.words)
-        self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), _no_samples)
+        self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), no_samples)
         self.checker.confirm, self.checker.route.weighs = False, True
         self.held = self.failed = self.entries = 0
         self.joints: set[str] = set()
@@ -145,7 +144,3 @@ def _may_hold(outcome: Outcome) -> bool:
     """Whether an equation holds, or but for signs that samples decide."""
     is_open = any(finding.kind is Kind.NOT_SAMPLED for finding in outcome.findings)
     return outcome.verdict is Verdict.PROVED or (outcome.verdict is Verdict.UNCHECKED and is_open)
-
-
-def _no_samples() -> NoReturn:
-    raise NotSampled(say(Kind.NOT_SAMPLED))
