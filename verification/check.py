@@ -419,8 +419,10 @@ class DocumentChecker:
         if self.inferred.arm is not None:
             of_taken_arm = OfTakenArm(self.checker, self.document, self.inferred.arm)
             outcomes = [of_taken_arm.judge(outcome) for outcome in outcomes]
-        if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
-            outcomes = [unless_written_elsewhere(outcome, display, self.document) for outcome in outcomes]
+        outcomes = [
+            unless_written_elsewhere(each, display, self.document) if each.tells(Kind.NO_SUCH_LENGTH) else each
+            for each in outcomes
+        ]
         slips = [self._with_slip(outcome, display) for outcome in outcomes]
         for place, slip in enumerate(slips):
             if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip

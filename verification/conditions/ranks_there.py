@@ -19,7 +19,7 @@ LARGEST = 6  # rank of a Jacobian
 
 def rank_there(checker: ChainChecker, chain: n.Chain, outcome: Outcome, given: Sequence[n.Chain]) -> Outcome:
     """Return what becomes of rank A = k where values are given: proved there, refuted where another rank is, else open."""
-    as_told = any(finding.kind is Kind.HOLDS_AS_TOLD for finding in outcome.findings)
+    as_told = outcome.tells(Kind.HOLDS_AS_TOLD)
     if outcome.verdict not in DECIDED and not as_told:
         return outcome
     if _follows(checker, given, chain):

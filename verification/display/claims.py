@@ -103,7 +103,9 @@ class Claims:
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
         own = {key for outcome in outcomes for key in outcome.defines}
         outcomes = [
-            self.unless_doubted(outcome, {(key, line) for key in own - {name.key for name in names_in(outcome)}})
+            self.unless_doubted(
+                outcome, {(key, line) for key in own - {name.key for name in names_in(outcome)}} if own else own
+            )
             for outcome in outcomes
         ]
         if by_table := self.names.state.from_table():
@@ -163,7 +165,7 @@ class Claims:
             return worked
         outcomes = self._with_wrong_numbers(chain, outcomes, equation, line)
         for outcome in outcomes if there else ():
-            if any(finding.kind is Kind.NUMBERS_OF_NOWHERE for finding in outcome.findings):
+            if outcome.tells(Kind.NUMBERS_OF_NOWHERE):
                 outcome.findings = there[0].findings
         return outcomes
 
@@ -181,7 +183,11 @@ class Claims:
             self.begin()
             steps = [replace(chain, members=pair, relations=("=",)) for pair in pairwise(chain.members)]
             outcomes = [o for k, step in enumerate(steps) for o in self._read_chain(step, equation + k, line, False)]
-            if outcomes and all(each.verdict in HOLDS for each in outcomes) and any(map(_is_there, outcomes)):
+            if (
+                outcomes
+                and all(each.verdict in HOLDS for each in outcomes)
+                and any(each.tells(Kind.TO_DECIMALS_THERE) for each in outcomes)
+            ):
                 state.configuration = before.configuration
                 return [replace(self.unless_doubted(each), uses=self.consulted()) for each in outcomes]
             state.become(before)
@@ -219,7 +225,7 @@ class Claims:
         unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
         if unclear:
             return self._either_reading(chain, unclear, equation, line, define)
-        if letters := crossed_letters(self.names, chain):
+        if self.names.arm is None and (letters := crossed_letters(self.names, chain)):
             check = partial(self._clear_chain, chain, equation, line)
             return of_vectors(self.names, chain, letters, line, define, check)
         if parts := side_by_side(chain):
@@ -284,7 +290,7 @@ class Claims:
             return Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))
         if any(relation != "=" for relation in chain.relations):
             return None
-        if is_sum_of_indices(chain):
+        if isinstance(bare(chain.members[-1]), n.Call) and is_sum_of_indices(chain):
             return Outcome(Verdict.PROVED, (), equation, role=Role.LAW)
         if (doubt := counted(chain, self.names)) is not None:
             return Outcome(Verdict.UNCHECKED, (doubt,), equation)
@@ -314,9 +320,11 @@ class Claims:
 
     def _with_wrong_numbers(self, chain: n.Chain, outcomes: list[Outcome], equation: int, line: int) -> list[Outcome]:
         """φ = θ_1 + θ_2 = 30° + 45° = 85°: numbers at the end of a chain are to be equal, of whatever values they are."""
-        first = len(chain.members) - len(list(takewhile(is_number, reversed(chain.members))))
         is_open = {each.equation for each in outcomes if each.verdict is Verdict.UNCHECKED}
-        if first < 1 or len(chain.members) - first < 2 or set(chain.relations) != {"="} or not is_open:
+        if not is_open or set(chain.relations) != {"="}:
+            return outcomes
+        first = len(chain.members) - len(list(takewhile(is_number, reversed(chain.members))))
+        if first < 1 or len(chain.members) - first < 2:
             return outcomes
         if not any(map(tells_values, chain.members[first:])):
             return outcomes
@@ -350,7 +358,7 @@ class Claims:
         outcomes = found or self._decided(chain, equation, line, define)
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)
-        if define and any(finding.kind is Kind.NUMBERS_OF_NOWHERE for o in outcomes for finding in o.findings):
+        if define and any(o.tells(Kind.NUMBERS_OF_NOWHERE) for o in outcomes):
             self.circumstances.of_display(chain)
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
         if self.names.state.told.bounds:
@@ -413,11 +421,6 @@ class Claims:
             return None
         rest = replace(chain, members=chain.members[1:], relations=chain.relations[1:])
         return self.general.identity(rest, equation + 1, line)
-
-
-def _is_there(outcome: Outcome) -> bool:
-    """Whether numbers hold as those of given values."""
-    return any(finding.kind is Kind.TO_DECIMALS_THERE for finding in outcome.findings)
 
 
 def _is_of_rank(chain: n.Chain) -> bool:

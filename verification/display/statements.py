@@ -249,11 +249,11 @@ class Statements:
         """An expression beside an equation is part of no claim, and what was meant by it is not known."""
         dots = [below for below in n.walk(statement) if isinstance(below, n.Dots)]
         for outcome in outcomes if dots and latex else ():
-            if any(finding.kind is Kind.PATTERN for finding in outcome.findings):
+            if outcome.tells(Kind.PATTERN):
                 sign = SCRIPTED.match(latex, dots[0].span[0])
                 outcome.findings = (say(Kind.TERMS_UNWRITTEN, text=sign.group() if sign else "…"),)
         if any(isinstance(each, n.Chain) and each.relations for each in statements):
             for outcome in outcomes:
-                if any(finding.kind is Kind.NO_EQUATION for finding in outcome.findings):
+                if outcome.tells(Kind.NO_EQUATION):
                     text = latex[statement.span[0] : statement.span[1]].strip()
                     outcome.role, outcome.findings = Role.CLAIM, (say(Kind.LEFT_OUT, text=text),)

@@ -36,7 +36,7 @@ class OfTakenArm:
             return outcome.left_open(say(Kind.UNTOLD_VARIABLE, name=other.key, joint=str(joint)))
         if self._is_of_untold_direction(outcome):
             return outcome.left_open(say(Kind.WHICH_INDEX))
-        if taken.is_part and any(finding.kind is Kind.NO_SUCH_ANGLE for finding in outcome.findings):
+        if taken.is_part and outcome.tells(Kind.NO_SUCH_ANGLE):
             return outcome.left_open(outcome.findings[0])
         if taken.several_tools and (untold := next(filter(self._is_of_any_tool, names_in(outcome)), None)) is not None:
             return outcome.left_open(say(Kind.SEVERAL_TOOLS, line=taken.line, name=untold.text))

@@ -20,6 +20,7 @@ from armproof.verification.equations.definitions import (
     letters_placed_before,
 )
 from armproof.verification.equations.equality import Equality
+from armproof.verification.equations.forces import LETTERS as OF_FORCES
 from armproof.verification.equations.forces import heed_forces, unless_left_out
 from armproof.verification.equations.foreign_index import of_foreign_index
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
@@ -29,7 +30,6 @@ from armproof.verification.equations.letter_matrices import (
     awaited,
     entries_elsewhere,
     forget_letters,
-    printed_rotation,
     stale,
     take_entries,
 )
@@ -46,6 +46,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
+from armproof.verification.naming.conventions import ENTRY
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import HOLDS, Verdict
@@ -105,7 +106,7 @@ class ChainChecker:
         blocks = {key: (each.line, each.section) for key, each in before.items() if each.by_place}
         placed = self.names.state.placed | blocks
         ended = self._ended_with_their_section(chain) if define else {}
-        if define and self.names.arm is not None:
+        if define and self.names.arm is not None and n.letters(chain) & OF_FORCES:
             heed_forces(self.names, chain)
         chain = self.conventions.read(chain)
         is_again = define and bare_key(chain.members[0]) in self.names.state.definitions
@@ -114,10 +115,11 @@ class ChainChecker:
         chain = self.rows.choose(chain) if of_jacobian else chain
         settled = frozenset(self.names.state.inferred)
         members, fresh = self._evaluated(chain)
-        if define and self.names.arm is not None and (matrix := stale(members)) is not None:
+        is_open = define and self.names.arm is not None and not all(member.known for member in members)
+        if is_open and (matrix := stale(members)) is not None:
             forget_letters(self.names, matrix)
             members, fresh = self._evaluated(chain)
-        if define and self.names.arm is not None and any(isinstance(each.problem, UnboundName) for each in members):
+        if is_open and any(isinstance(each.problem, UnboundName) for each in members):
             aside = partial(self._aside, first_equation=first_equation, line=line)
             if (slipped := of_foreign_index(chain, self.names, first_equation, aside)) is not None:
                 refuted, meant = slipped
@@ -130,7 +132,7 @@ class ChainChecker:
         members = self.conventions.bind(members)
         if define:
             self._heed_places(members, settled, line)
-            if self.names.arm is not None and (found := awaited(members)) is not None:
+            if is_open and (found := awaited(members)) is not None:
                 return [replace(await_value(self.names, *found, line), equation=first_equation)]
         known = [member for member in members if member.known]
         if not known:
@@ -157,11 +159,7 @@ class ChainChecker:
         outcomes = [self._left_open_for_section(outcome, ended) for outcome in outcomes]
         outcomes = [self.conventions.judge(unless_left_out(outcome, self.names)) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
-        outcomes = [unless_skewed(each, self.names) for each in outcomes]
-        if self.names.state.adopted:
-            outcomes = [
-                Torques(self.members).judge(each) if each.verdict is Verdict.DEFINED else each for each in outcomes
-            ]
+        outcomes = [self._defined(each) if each.verdict is Verdict.DEFINED else each for each in outcomes]
         check = partial(self.check, first_equation=first_equation, line=line)
         if define and (letters := letters_meant_anew(outcomes)) & self.names.state.definitions.keys():
             self.names.forget(letters)
@@ -175,8 +173,8 @@ class ChainChecker:
         doubt = self.readings.other_direction(
             [chain], _all_proved(outcomes), lambda: _all_proved(check(chain, define=False))
         )
-        is_open = doubt and define and not self.names.state.transforms
-        if is_open and (is_product_of_links(chain) or is_way_outwards(chain)):
+        is_untold = doubt and define and not self.names.state.transforms
+        if is_untold and (is_product_of_links(chain) or is_way_outwards(chain)):
             self.names.state.definitions = before
             self.names.state.transforms = "lower"  # T_0^3 = A_1 A_2 A_3 tells it, where nothing else does
             return check(chain)
@@ -187,8 +185,14 @@ class ChainChecker:
         if define and self.names.state.awaited:
             self._give_letters(chain, definitions)
         if define and all(outcome.verdict in HOLDS for outcome in outcomes):
-            self.names.state.printed = printed_rotation(self.names, chain) or self.names.state.printed
+            self.names.state.printed = self.readings.printed_rotation(chain) or self.names.state.printed
         return [*outcomes, *_labels(chain, first_equation, definitions)]
+
+    def _defined(self, outcome: Outcome) -> Outcome:
+        """Return a definition, left open where it is a slip away from a skew matrix, or tells other torques than J^T F."""
+        outcome = unless_skewed(outcome, self.names)
+        is_of_forces = self.names.state.adopted and outcome.verdict is Verdict.DEFINED
+        return Torques(self.members).judge(outcome) if is_of_forces else outcome
 
     def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:
         """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
@@ -248,7 +252,7 @@ class ChainChecker:
 
     def _of_other_matrix(self, chain: n.Chain, first: list[Outcome], equation: int, line: int) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of another matrix than the tool's, if all hold; what else is no slip is left open."""
-        if self.of_entries or all(outcome.verdict in HOLDS for outcome in first):
+        if self.of_entries or ENTRY not in n.letters(chain) or all(outcome.verdict in HOLDS for outcome in first):
             return first
         readings = [*entries_elsewhere(self.names, chain)]
         for entries in readings:

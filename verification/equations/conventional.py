@@ -270,6 +270,8 @@ class Conventions:
     def _usual(self, key: str) -> Quantity | None:
         """Return what an equation under this heading has shown a name to be, as convention says."""
         section, usual = self.names.state.section, self.names.state.usual
+        if not usual:
+            return None
         return next((usual[key, each] for each in (section, *sections_around(section)) if (key, each) in usual), None)
 
     def _candidates(self, node: n.Node, name: n.Name) -> tuple[Quantity, ...]:

@@ -17,6 +17,7 @@ from armproof.verification.verdict import Verdict
 _LETTERS = frozenset("FfM")  # N_x may be an entry of a rotation, m_x a mass
 _LOADS = frozenset("FfMNQW")  # behind J^T, or in F = (0, 0, -W), where they can be nothing else
 TORQUES = ("tau", "Gamma")
+LETTERS = _LETTERS | _LOADS | {*TORQUES}  # one of them stands in whatever speaks of forces
 _COMPONENT = re.compile(r"\w*,?[xyz]")
 
 

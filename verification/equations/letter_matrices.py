@@ -10,10 +10,9 @@ from armproof.verification.equations.given_values import keys_alone, names_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import UnboundName
-from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.conventions import ENTRIES, is_entry
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
@@ -52,18 +51,6 @@ def take_entries(names: Names, entries: Mapping[str, Quantity]) -> None:
     """Let r_{ij} be entries of a rotation."""
     names.forget(entries)
     names.state.inferred.update(entries)
-
-
-def printed_rotation(names: Names, chain: n.Chain) -> Quantity | None:
-    """Return the rotation of which a chain prints the matrix, or the one in the pose of which it does."""
-    sizes = {
-        (len(rows), len(rows[0])) for each in chain.members if (rows := written_rows(each)) and not keys_alone(each)
-    }
-    alone = [each for each in map(bare, chain.members) if isinstance(each, n.Name)]
-    quantities = [quantity for each in alone if (quantity := names.quantity(each)) is not None]
-    found = (each for each in quantities if each.kind in ("rotation", "pose") and each.rows is None)
-    quantity = next(found, None) if sizes & {(3, 3), (4, 4)} else None
-    return replace(quantity, kind="rotation") if quantity is not None else None
 
 
 def _of_letters(members: Sequence[Member]) -> Iterator[tuple[Member, Member]]:

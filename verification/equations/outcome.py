@@ -97,17 +97,19 @@ class Outcome:
         """The trees of its two sides."""
         return [side.node for side in (self.true, self.printed) if side is not None]
 
+    def tells(self, *kinds: Kind) -> bool:
+        """Whether one of its findings is of one of these kinds."""
+        return any(finding.kind in kinds for finding in self.findings)
+
     @property
     def is_condition(self) -> bool:
         """Whether the equation gives a configuration or a condition, and claims nothing."""
-        given = (Kind.CONDITION, Kind.CONFIGURATION)
-        return self.verdict is Verdict.DEFINED and any(finding.kind in given for finding in self.findings)
+        return self.verdict is Verdict.DEFINED and self.tells(Kind.CONDITION, Kind.CONFIGURATION)
 
     @property
     def holds_there(self) -> bool:
         """Whether the equation holds at the values stated before it, and not everywhere."""
-        there = (Kind.HOLDS_THERE, Kind.TO_DECIMALS_THERE)
-        return self.verdict is Verdict.CONFIRMED and any(finding.kind in there for finding in self.findings)
+        return self.verdict is Verdict.CONFIRMED and self.tells(Kind.HOLDS_THERE, Kind.TO_DECIMALS_THERE)
 
     @property
     def is_mismatch(self) -> bool:

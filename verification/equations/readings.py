@@ -11,9 +11,11 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.equality import Equality
+from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import UnboundName
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
@@ -43,6 +45,17 @@ class Readings:
             return member
         self.names.state.inferred[member.node.key] = quantity
         return self.members.evaluate(member.node)
+
+    def printed_rotation(self, chain: n.Chain) -> Quantity | None:
+        """Return the rotation of which a chain prints the matrix, or the one in the pose of which it does."""
+        sizes = {
+            (len(rows), len(rows[0])) for each in chain.members if (rows := written_rows(each)) and not keys_alone(each)
+        }
+        alone = [each for each in map(bare, chain.members) if isinstance(each, n.Name)]
+        quantities = [quantity for each in alone if (quantity := self.names.quantity(each)) is not None]
+        found = (each for each in quantities if each.kind in ("rotation", "pose") and each.rows is None)
+        quantity = next(found, None) if sizes & {(3, 3), (4, 4)} else None
+        return replace(quantity, kind="rotation") if quantity is not None else None
 
     def own_angle(self, member: Member, members: list[Member]) -> Member:
         """θ_{12} is θ_1 + θ_2, unless the display gives it another value: then it is the document's own name."""

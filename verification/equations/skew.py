@@ -19,7 +19,7 @@ PLACES = (((2, 1), (1, 2)), ((0, 2), (2, 0)), ((1, 0), (0, 1)))  # of each compo
 def unless_skewed(outcome: Outcome, names: Names) -> Outcome:
     """Leave open a name for a matrix of the components of one vector that is nearly its skew matrix, and not quite."""
     value = outcome.true.value if outcome.true is not None else None
-    if outcome.verdict is not Verdict.DEFINED or not isinstance(value, Matrix) or value.shape != (3, 3):
+    if not isinstance(value, Matrix) or value.shape != (3, 3):
         return outcome
     letters = _components(value)
     if not letters or all(_stands_there(value, *each) for each in zip(letters, PLACES, strict=True)):

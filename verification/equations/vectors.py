@@ -20,8 +20,6 @@ SUFFIXES = ("xyz", "123")
 
 def crossed_letters(names: Names, chain: n.Chain) -> frozenset[str]:
     """Return the free letters that are factors of a × in a chain of a document without an arm."""
-    if names.arm is not None:
-        return frozenset()
     crossed = [below for below in n.walk(chain) if isinstance(below, n.Product) and "×" in below.operators]
     factors = [factor for product in crossed for factor in map(bare, product.factors) if isinstance(factor, n.Name)]
     return frozenset(each.key for each in factors if names.is_free(each) and each.key not in names.state.definitions)

@@ -15,9 +15,10 @@ from typing import Any
 
 
 class _Walked:
-    """Keeps the nodes below one that was walked, and which stands above which: a tree is asked for them often, and never changes."""
+    """Keeps the nodes below one that was walked, the letters in them, and which stands above which: a tree never changes."""
 
-    __slots__ = ("_parents", "_walked")
+    __slots__ = ("_letters", "_parents", "_walked")
+    _letters: frozenset[str]
     _parents: dict[int, Node | None]
     _walked: tuple[Node, ...]
 
@@ -268,6 +269,15 @@ def walk(node: Node) -> Iterator[Node]:
     except AttributeError:
         object.__setattr__(node, "_walked", tuple(_below(node)))
         return iter(node._walked)
+
+
+def letters(node: Node) -> frozenset[str]:
+    """Return the letters of the names in a tree, without indices and accents: what a rule never speaks of, it is not asked about."""
+    try:
+        return node._letters
+    except AttributeError:
+        object.__setattr__(node, "_letters", frozenset(each.base for each in walk(node) if isinstance(each, Name)))
+        return node._letters
 
 
 def _below(node: Node) -> Iterator[Node]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 
 from armproof.verification.latex.greek import NAMES
 
@@ -29,6 +30,7 @@ _SCRIPTS = re.compile(f"(?P<below>[{''.join(_BELOW)}]+)|(?P<above>[{''.join(_ABO
 _BEHIND_A_COMMAND = re.compile(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
 
 
+@lru_cache(maxsize=4_096)  # a display is asked for at every turn of its way
 def normalise_unicode(text: str) -> str:
     """Write the Unicode signs of mathematics as their LaTeX commands."""
     return text if text.isascii() else "".join(_written(text))

@@ -37,9 +37,8 @@ WHOLE_JACOBIAN = frozenset("geo G g".split())
 USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi WC EE".split())  # seldom anything else, of an arm
 AXES = "xyz"
 NORMALS = "noa"  # the columns of the tool's rotation
-ENTRIES = frozenset(
-    ("r", *NORMALS)
-)  # letters of a rotation's entries: in a matrix they mean what stands in their place
+ENTRY = "r"
+ENTRIES = frozenset((ENTRY, *NORMALS))  # of a rotation: in a matrix they mean what stands in their place
 LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
 LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC EE".split())  # with a meaning; no other has one
 
@@ -114,7 +113,7 @@ def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
 
 def is_entry(name: n.Name) -> bool:
     """Whether a name is r_{13}, an entry of a rotation."""
-    return name.base == "r" and re.fullmatch("[123],?[123]", name.sub) is not None
+    return name.base == ENTRY and re.fullmatch("[123],?[123]", name.sub) is not None
 
 
 def applied(name: n.Name, arm: Arm) -> tuple[Quantity, ...]:

@@ -142,5 +142,5 @@ def _trials(document: Document, fronts: Sequence[Mapping[str, Any]]) -> Iterator
 
 def _may_hold(outcome: Outcome) -> bool:
     """Whether an equation holds, or but for signs that samples decide."""
-    is_open = any(finding.kind is Kind.NOT_SAMPLED for finding in outcome.findings)
+    is_open = outcome.tells(Kind.NOT_SAMPLED)
     return outcome.verdict is Verdict.PROVED or (outcome.verdict is Verdict.UNCHECKED and is_open)
